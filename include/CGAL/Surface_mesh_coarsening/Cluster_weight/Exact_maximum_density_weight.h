@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_EXACT_MAXIMUM_DENSITY_WEIGHT_H
+#define CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_EXACT_MAXIMUM_DENSITY_WEIGHT_H
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <map>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningWeights
+/// \cgalModels `ClusterWeight`
+///
+/// The largest density of a face of the cluster, \f$ \max_j \rho_j \f$ (section 5.3, formula (10) of the paper), without
+/// the approximation of `Maximum_density_weight`. It keeps the densities of each cluster in order: a move costs the
+/// logarithm of the number of faces of the cluster, and each face some 50 bytes.
+class Exact_maximum_density_weight
+{
+public:
+  /// The density.
+  typedef double Face_data;
+  /// How many faces of the cluster have each density.
+  typedef std::map<double, std::size_t> Cluster_data;
+
+  /// returns what the weight needs of a face.
+  Face_data face_data(double density, double /* area */) const { return density; }
+  /// adds a face to the data of a cluster.
+  void add(Cluster_data& data, Face_data density) const { ++data[density]; }
+  /// takes a face from the data of a cluster.
+  void remove(Cluster_data& data, Face_data density) const
+  {
+    const auto i = data.find(density);
+    if (--i->second == 0)
+      data.erase(i);
+  }
+  /// returns the largest density.
+  double weight(const Cluster_data& data, double /* mass */, std::size_t /* faces */) const
+  {
+    return data.empty() ? 0 : data.rbegin()->first;
+  }
+  /// returns the largest density after a face of density `density` has joined.
+  double weight_with(const Cluster_data& data, Face_data density, double mass, std::size_t faces) const
+  {
+    return (std::max)(weight(data, mass, faces), density);
+  }
+  /// returns the largest density after a face of density `density` has left.
+  double weight_without(const Cluster_data& data, Face_data density, double mass, std::size_t faces) const
+  {
+    const auto largest = data.rbegin();
+    if (density < largest->first || largest->second > 1)
+      return weight(data, mass, faces);
+    return data.size() == 1 ? 0 : std::next(largest)->first;
+  }
+};
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_EXACT_MAXIMUM_DENSITY_WEIGHT_H

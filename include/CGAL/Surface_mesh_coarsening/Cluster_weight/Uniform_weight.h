@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_UNIFORM_WEIGHT_H
+#define CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_UNIFORM_WEIGHT_H
+
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Additive_cluster_weight.h>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningWeights
+/// \cgalModels `ClusterWeight`
+///
+/// The weight 1: the result is an ordinary centroidal Voronoi diagram with density, the baseline of figures 1 and 6 of
+/// the paper (remark in section 5.2).
+class Uniform_weight
+  : public Additive_cluster_weight<Uniform_weight>
+{
+public:
+  /// Nothing is kept of a face.
+  struct Face_data {};
+  /// Nothing is kept of a cluster.
+  struct Cluster_data {};
+
+  /// returns what the weight needs of a face.
+  Face_data face_data(double /* density */, double /* area */) const { return {}; }
+  /// adds a face to the data of a cluster.
+  void add(Cluster_data&, const Face_data&) const {}
+  /// takes a face from the data of a cluster.
+  void remove(Cluster_data&, const Face_data&) const {}
+  /// returns 1.
+  double weight(const Cluster_data&, double /* mass */, std::size_t /* faces */) const { return 1; }
+};
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_UNIFORM_WEIGHT_H

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_WEIGHTED_AREA_WEIGHT_H
+#define CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_WEIGHTED_AREA_WEIGHT_H
+
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Additive_cluster_weight.h>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningWeights
+/// \cgalModels `ClusterWeight`
+///
+/// The area of the cluster weighted with the densities of its faces, \f$ \sum_j \rho_j A_j \f$ (section 5.3, formula (9)
+/// of the paper). Clusters of high density become small and compact.
+class Weighted_area_weight
+  : public Additive_cluster_weight<Weighted_area_weight>
+{
+public:
+  /// Nothing is kept of a face.
+  struct Face_data {};
+  /// Nothing is kept of a cluster, whose mass is the weight.
+  struct Cluster_data {};
+
+  /// returns what the weight needs of a face.
+  Face_data face_data(double /* density */, double /* area */) const { return {}; }
+  /// adds a face to the data of a cluster.
+  void add(Cluster_data&, const Face_data&) const {}
+  /// takes a face from the data of a cluster.
+  void remove(Cluster_data&, const Face_data&) const {}
+  /// returns the mass of the cluster.
+  double weight(const Cluster_data&, double mass, std::size_t /* faces */) const { return mass; }
+};
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_WEIGHTED_AREA_WEIGHT_H

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_CLUSTERED_SURFACE_H
+#define CGAL_SURFACE_MESH_COARSENING_CLUSTERED_SURFACE_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// What a vertex placement gets to see: the faces, with their geometry, cluster by cluster.
+///
+/// Faces, vertices and clusters are numbered from 0. Coordinates are relative to a local origin near the center of the
+/// mesh.
+class Clustered_surface
+{
+public:
+  /// A point, or a vector.
+  typedef std::array<double, 3> Point;
+
+  /// A range of numbers of faces or vertices.
+  class Range
+  {
+  public:
+    /// \cond SKIP_IN_MANUAL
+    Range(const std::uint32_t* begin, const std::uint32_t* end) : begin_(begin), end_(end) {}
+    /// \endcond
+    /// returns the begin of the range.
+    const std::uint32_t* begin() const { return begin_; }
+    /// returns the end of the range.
+    const std::uint32_t* end() const { return end_; }
+    /// returns the length of the range.
+    std::size_t size() const { return std::size_t(end_ - begin_); }
+
+  private:
+    const std::uint32_t *begin_, *end_;
+  };
+
+  /// \cond SKIP_IN_MANUAL
+  Clustered_surface(const internal::Clustering_input& input, const internal::Cluster_labels& labels, std::size_t clusters)
+    : input_(input), labels_(labels), first_(clusters + 1, 0), faces_(input.mesh.number_of_faces())
+  {
+    for (const internal::Index x : labels.labels())
+      ++first_[x + 1];
+    for (std::size_t i = 0; i < clusters; ++i)
+      first_[i + 1] += first_[i];
+    std::vector<std::uint32_t> at(first_.begin(), first_.end() - 1);
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      faces_[at[labels[internal::Index(f)]]++] = internal::Index(f);
+  }
+  const internal::Clustering_input& input() const { return input_; }
+  const internal::Cluster_labels& labels() const { return labels_; }
+  /// \endcond
+
+  /// returns the number of clusters.
+  std::size_t number_of_clusters() const { return first_.size() - 1; }
+  /// returns the faces of a cluster.
+  Range faces(std::size_t cluster) const { return {faces_.data() + first_[cluster], faces_.data() + first_[cluster + 1]}; }
+  /// returns the vertices around a face, counterclockwise.
+  Range vertices(std::size_t face) const
+  {
+    const internal::Flat_mesh& m = input_.mesh;
+    return {m.corner_vertex.data() + m.first_corner[face], m.corner_vertex.data() + m.first_corner[face + 1]};
+  }
+  /// returns the position of a vertex.
+  const Point& point(std::size_t vertex) const { return input_.mesh.points[vertex]; }
+  /// returns whether a vertex lies on the boundary of its cluster: whether several clusters meet there, or the border of
+  /// the mesh.
+  bool is_on_cluster_boundary(std::size_t vertex) const { return labels_.boundary_count(internal::Index(vertex)) != 0; }
+  /// returns the centroid of a face.
+  const Point& centroid(std::size_t face) const { return input_.centroid[face]; }
+  /// returns the area of a face.
+  double area(std::size_t face) const { return input_.area[face]; }
+  /// returns the density of a face.
+  double density(std::size_t face) const { return input_.density[face]; }
+
+  /// returns the centroid (7) of a cluster: the mean of the centroids of its faces, weighted with density times area;
+  /// unweighted if the faces have no area.
+  Point cluster_centroid(std::size_t cluster) const
+  {
+    using namespace internal;
+    Vector moment{{0, 0, 0}}, sum{{0, 0, 0}};
+    double mass = 0;
+    for (const Index f : faces(cluster)) {
+      moment = moment + input_.mass(f) * input_.centroid[f];
+      mass += input_.mass(f);
+      sum = sum + input_.centroid[f];
+    }
+    return mass > 0 ? (1 / mass) * moment : (1 / double(faces(cluster).size())) * sum;
+  }
+
+private:
+  const internal::Clustering_input& input_;
+  const internal::Cluster_labels& labels_;
+  std::vector<std::uint32_t> first_, faces_;
+};
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_CLUSTERED_SURFACE_H

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_COARSENING_REPORT_H
+#define CGAL_SURFACE_MESH_COARSENING_COARSENING_REPORT_H
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// What a coarsening did, in numbers.
+struct Coarsening_report
+{
+  /// the level \f$ k \f$ of the neighborhoods of the seeds; where components were seeded apart, the largest.
+  std::size_t level = 0;
+  /// the number of seeds that the walk over the faces found, before they were brought to the number asked for.
+  std::size_t seeds = 0;
+  /// the number of clusters, which is the number of vertices of the output.
+  std::size_t clusters = 0;
+  /// the number of clusters that were split because the initial growth had made two of them meet twice.
+  std::size_t splits = 0;
+  /// the number of pairs of clusters that were merged to arrive at the number asked for.
+  std::size_t merges = 0;
+  /// the number of rounds of the minimization.
+  std::size_t rounds = 0;
+  /// the number of faces that changed cluster.
+  std::size_t moves = 0;
+  /// the number of edges between two clusters whose energies were compared.
+  std::size_t tests = 0;
+  /// the energy (8) of the clustering before the minimization.
+  double initial_energy = 0;
+  /// the energy (8) of the clustering after it.
+  double final_energy = 0;
+  /// whether the last round changed nothing.
+  bool converged = false;
+  /// the number of connected components whose faces had to be subdivided internally, because face by face they
+  /// could not carry the number of clusters.
+  std::size_t subdivided_components = 0;
+};
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_COARSENING_REPORT_H

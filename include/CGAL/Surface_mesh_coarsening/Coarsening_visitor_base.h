@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_COARSENING_VISITOR_BASE_H
+#define CGAL_SURFACE_MESH_COARSENING_COARSENING_VISITOR_BASE_H
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// The stages of a coarsening, in their order.
+enum class Coarsening_stage
+{
+  PREPARATION,   ///< checks of the input, flat copies, face densities
+  SEEDING,       ///< the walk over the faces that chooses the seeds
+  GROWTH,        ///< growth of the clusters, and splits and merges that bring them to the number asked for
+  MINIMIZATION,  ///< rounds of moves that lower the energy
+  TRIANGULATION  ///< vertex placement and the dual mesh
+};
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// \cgalModels `CoarseningVisitor`
+///
+/// A visitor that does nothing and never cancels; made to be derived from.
+struct Coarsening_visitor_base
+{
+  /// is called when `stage` begins.
+  void stage_begins(Coarsening_stage /* stage */) {}
+  /// is called when `stage` has ended.
+  void stage_ends(Coarsening_stage /* stage */) {}
+  /// is called after each round of the minimization with its number (the first is 1), the number of faces that
+  /// changed cluster in it, and the energy after it.
+  void round_done(std::size_t /* round */, std::size_t /* moves */, double /* energy */) {}
+  /// is asked again and again during all stages; `false` ends the coarsening with `Coarsening_cancelled`.
+  bool go_further() { return true; }
+};
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_COARSENING_VISITOR_BASE_H

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_MWCVD_CLUSTERING_H
+#define CGAL_SURFACE_MESH_COARSENING_MWCVD_CLUSTERING_H
+
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Energy_minimization.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Initial_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clustering_fault.h>
+#include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/fill_face_graph.h>
+#include <CGAL/Surface_mesh_coarsening/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/place_vertices.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// clusters the faces of a polygon mesh by a multiplicatively weighted centroidal Voronoi diagram, step by step.
+///
+/// The steps are those of the paper, in this order: `seed()` or `seed_from_level()`, then `grow()`, then any number of
+/// rounds of the minimization. From `grow()` on the clustering is valid after every step: each cluster is a closed disc,
+/// and the dual is a triangulated 2-manifold with one vertex per cluster and, component by component, the genus, the
+/// number of border loops and the orientation of the mesh.
+///
+/// The mesh is only read, and only by the constructor, `set_clusters()` and the functions that write into property maps.
+///
+/// \tparam FaceGraph a model of `FaceListGraph`
+/// \tparam ClusterWeight a model of `ClusterWeight`
+template <class FaceGraph, class ClusterWeight = Maximum_density_weight>
+class Mwcvd_clustering
+{
+  typedef boost::graph_traits<FaceGraph> Graph_traits;
+  typedef internal::Index Index;
+
+public:
+  /// The face descriptor of the mesh.
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+  /// The vertex descriptor of the mesh.
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+
+  /// checks the mesh, and computes or reads the densities of its faces.
+  ///
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  /// \param mesh a 2-manifold polygon mesh
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `face_density_map`,
+  /// `maximum_density`, `cluster_weight`, `vertex_point_map`, `face_index_map`, `geom_traits` and `visitor`, as
+  /// `coarsen_mesh()` describes them
+  /// \throws Invalid_input if the mesh has no faces, is not a 2-manifold, has a coordinate that is not finite, or if a
+  /// parameter is out of range.
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Mwcvd_clustering(const FaceGraph& mesh, const NamedParameters& np = parameters::default_values())
+    : weight_(internal::choose_parameter<ClusterWeight>(
+        internal::get_parameter(np, internal_np::cluster_weight_p))),
+      visitor_(internal::get_parameter(np, CGAL::internal_np::visitor))
+  {
+    visitor_.stage_begins(Coarsening_stage::PREPARATION);
+    numbering_ = internal::numbering(mesh, np);
+    input_ = internal::clustering_input(mesh, np, numbering_, frame_);
+    visitor_.stage_ends(Coarsening_stage::PREPARATION);
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  Mwcvd_clustering(const Mwcvd_clustering&) = delete; // its parts refer to each other
+  Mwcvd_clustering& operator=(const Mwcvd_clustering&) = delete;
+  /// \endcond
+
+  /// \name Seeds and growth (sections 6 and 8.1)
+  /// @{
+
+  /// finds seeds from which `grow()` makes exactly `number_of_clusters` clusters: those of the highest level that gives
+  /// as many or more, component by component, the number being shared out by mass, which is area times density.
+  /// \return the number of seeds
+  /// \throws Unreachable_number_of_vertices if the mesh has fewer vertices, or if its topology does not allow so few.
+  std::size_t seed(std::size_t number_of_clusters)
+  {
+    return seed_as([&](internal::Initial_clustering& initial) { initial.seed(number_of_clusters); });
+  }
+
+  /// takes all seeds whose neighborhoods of `level` steps are disjoint.
+  /// \return the number of seeds, which is the number of clusters that `grow()` makes, unless the topology of the mesh
+  /// needs more
+  std::size_t seed_from_level(std::size_t level)
+  {
+    return seed_as([&](internal::Initial_clustering& initial) {
+      initial.seed_from_level(Index((std::min)(level, std::size_t(internal::NONE / 4))));
+    });
+  }
+
+  /// grows the clusters from the seeds, a layer a round, until they cover the mesh.
+  /// \pre `seed()` or `seed_from_level()` was called.
+  /// \throws std::logic_error if it was not.
+  void grow()
+  {
+    if (!initial_)
+      throw std::logic_error("grow() was called before seed()");
+    visitor_.stage_begins(Coarsening_stage::GROWTH);
+    minimization_.reset();
+    labels_.emplace(initial_->grow());
+    begin_minimization(report_.clusters);
+    visitor_.stage_ends(Coarsening_stage::GROWTH);
+  }
+
+  /// takes the clusters from a property map instead of growing them.
+  ///
+  /// \tparam FaceClusterMap a model of `ReadablePropertyMap` with the faces as keys and an integral value type
+  /// \param clusters the clusters, numbered from 0 without gaps
+  /// \throws Invalid_input if a label is missing or out of range, or if the clustering is not valid in the sense of
+  /// `is_valid_clustering()`.
+  template <class FaceClusterMap>
+  void set_clusters(const FaceClusterMap& clusters)
+  {
+    forget();
+    std::size_t number = 0;
+    labels_.emplace(input_.mesh);
+    for (std::size_t i = 0; i < numbering_.faces.size(); ++i) {
+      const std::size_t label = std::size_t(get(clusters, numbering_.faces[i]));
+      if (label >= numbering_.faces.size()) {
+        labels_.reset();
+        throw Invalid_input("the cluster of face " + std::to_string(i) + " is " + std::to_string(label) +
+                            " in a mesh of " + std::to_string(numbering_.faces.size()) + " faces");
+      }
+      number = (std::max)(number, label + 1);
+      labels_->set(Index(i), Index(label));
+    }
+    const std::string fault = internal::Clustering_check(*labels_, number).fault(
+      [](std::size_t x) { return "cluster " + std::to_string(x); });
+    if (!fault.empty()) {
+      labels_.reset();
+      throw Invalid_input(fault);
+    }
+    labels_->recount();
+    report_ = Coarsening_report();
+    report_.clusters = number;
+    begin_minimization(number);
+  }
+  /// @}
+
+  /// \name Minimization (sections 5.1 and 8.2)
+  /// \pre `grow()` or `set_clusters()` was called; `std::logic_error` is thrown otherwise.
+  /// @{
+
+  /// runs one round: compares, for each edge between two clusters, the energy as it is with that after the face on one
+  /// side has joined the cluster across, and with that after the other has.
+  /// \return whether anything changed
+  bool minimize_round()
+  {
+    const std::size_t moves = minimization().round();
+    ++report_.rounds;
+    report_.moves += moves;
+    report_.tests = minimization_->tests();
+    report_.final_energy = minimization_->energy();
+    report_.converged = moves == 0;
+    visitor_.round_done(report_.rounds, moves, report_.final_energy);
+    return moves != 0;
+  }
+
+  /// runs rounds until one changes nothing, or until `number_of_iterations` have been run.
+  void minimize(std::size_t number_of_iterations = default_number_of_iterations)
+  {
+    minimization();
+    visitor_.stage_begins(Coarsening_stage::MINIMIZATION);
+    for (std::size_t i = 0; i < number_of_iterations && minimize_round(); ++i)
+      ;
+    minimization_->sum_up();
+    report_.final_energy = minimization_->energy();
+    visitor_.stage_ends(Coarsening_stage::MINIMIZATION);
+  }
+
+  /// The number of rounds after which `minimize()` ends if it is not told otherwise. Energy falls with each move, so
+  /// rounds come to an end by themselves; meshes that need more than some hundred are rare.
+  static constexpr std::size_t default_number_of_iterations = 1000;
+
+  /// returns the energy (8) of the clustering, in the sixth (weighted area) or fourth power of the unit of length.
+  double energy() const { return minimization().energy(); }
+  /// @}
+
+  /// \name Results
+  /// @{
+
+  /// returns the number of clusters.
+  std::size_t number_of_clusters() const { return report_.clusters; }
+
+  /// returns what has been done so far, in numbers.
+  const Coarsening_report& report() const { return report_; }
+
+  /// writes the seeds: before `grow()` those found, after it one face for each cluster.
+  template <class OutputIterator>
+  OutputIterator seeds(OutputIterator out) const
+  {
+    if (initial_)
+      for (const Index f : initial_->seeds())
+        *out++ = numbering_.faces[working_input().parent[f]];
+    return out;
+  }
+
+  /// returns the cluster of a face. Where the faces of a component had to be subdivided internally, it is the cluster of the
+  /// largest part of the face.
+  std::size_t cluster(face_descriptor f) const { return cluster_of_face(get(numbering_.face_number, f)); }
+
+  /// writes the cluster of each face, see `cluster()`.
+  /// \tparam FaceClusterMap a model of `WritablePropertyMap` with the faces as keys and an integral value type
+  template <class FaceClusterMap>
+  void write_clusters(FaceClusterMap clusters) const
+  {
+    typedef typename boost::property_traits<FaceClusterMap>::value_type Value;
+    for (std::size_t i = 0; i < numbering_.faces.size(); ++i)
+      put(clusters, numbering_.faces[i], Value(cluster_of_face(Index(i))));
+  }
+
+  /// writes the boundary-edge count (section 7) of each vertex: the number of edges at it between two clusters or on the
+  /// border.
+  /// \tparam VertexBoundaryCountMap a model of `WritablePropertyMap` with the vertices as keys and an integral value type
+  template <class VertexBoundaryCountMap>
+  void write_boundary_counts(VertexBoundaryCountMap counts) const
+  {
+    typedef typename boost::property_traits<VertexBoundaryCountMap>::value_type Value;
+    for (std::size_t i = 0; i < numbering_.vertices.size(); ++i)
+      put(counts, numbering_.vertices[i], Value(labels().boundary_count(Index(i))));
+  }
+
+  /// replaces `output` by the dual triangulation (section 8.3). Its `i`-th vertex is that of cluster `i`.
+  ///
+  /// \tparam Output a model of `MutableFaceGraph`
+  /// \tparam VertexPlacement a model of `VertexPlacement`
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  /// \param output is cleared and filled
+  /// \param placement gives each cluster in the interior its position; those on the border get theirs on the border
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits`
+  /// of `output`
+  template <class Output, class VertexPlacement = Centroid_placement,
+            class NamedParameters = parameters::Default_named_parameters>
+  void extract_dual_mesh(Output& output, const VertexPlacement& placement = VertexPlacement(),
+                         const NamedParameters& np = parameters::default_values()) const
+  {
+    visitor_.stage_begins(Coarsening_stage::TRIANGULATION);
+    const Clustered_surface surface(working_input(), labels(), report_.clusters);
+    const std::vector<internal::Vector> positions = internal::place_vertices(surface, placement);
+    internal::fill_face_graph(positions, frame_, internal::dual_triangles(labels()), output, np);
+    visitor_.stage_ends(Coarsening_stage::TRIANGULATION);
+  }
+  /// @}
+
+private:
+  template <class Seed>
+  std::size_t seed_as(const Seed& seed)
+  {
+    visitor_.stage_begins(Coarsening_stage::SEEDING);
+    forget();
+    report_ = Coarsening_report();
+    initial_.emplace(input_, report_);
+    seed(*initial_);
+    visitor_.stage_ends(Coarsening_stage::SEEDING);
+    return report_.seeds;
+  }
+
+  void forget()
+  {
+    minimization_.reset();
+    labels_.reset();
+    initial_.reset();
+  }
+
+  const internal::Clustering_input& working_input() const { return initial_ ? initial_->input() : input_; }
+
+  void begin_minimization(std::size_t clusters)
+  {
+    minimization_.emplace(working_input(), *labels_, clusters, weight_);
+    report_.initial_energy = report_.final_energy = minimization_->energy();
+  }
+
+  // The pieces of a face follow each other in the order of the faces.
+  std::size_t cluster_of_face(Index f) const
+  {
+    const internal::Clustering_input& input = working_input();
+    if (input.parent.size() == numbering_.faces.size())
+      return labels()[f];
+    const auto pieces = std::equal_range(input.parent.begin(), input.parent.end(), f);
+    std::map<Index, double> area;
+    for (auto i = pieces.first; i != pieces.second; ++i)
+      area[labels()[Index(i - input.parent.begin())]] += input.area[i - input.parent.begin()];
+    const auto smaller = [](const auto& a, const auto& b) { return a.second < b.second; };
+    return std::max_element(area.begin(), area.end(), smaller)->first;
+  }
+
+  const internal::Cluster_labels& labels() const
+  {
+    if (!labels_)
+      throw std::logic_error("there are no clusters before grow() or set_clusters()");
+    return *labels_;
+  }
+
+  const internal::Energy_minimization<ClusterWeight>& minimization() const
+  {
+    labels();
+    return *minimization_;
+  }
+  internal::Energy_minimization<ClusterWeight>& minimization()
+  {
+    labels();
+    return *minimization_;
+  }
+
+  ClusterWeight weight_;
+  internal::Visitor_handle visitor_;
+  internal::Numbering<FaceGraph> numbering_;
+  internal::Frame frame_;
+  internal::Clustering_input input_;
+  Coarsening_report report_;
+  std::optional<internal::Initial_clustering> initial_;
+  std::optional<internal::Cluster_labels> labels_;
+  std::optional<internal::Energy_minimization<ClusterWeight> > minimization_;
+};
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_MWCVD_CLUSTERING_H

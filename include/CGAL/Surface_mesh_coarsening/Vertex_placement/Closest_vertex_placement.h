@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_VERTEX_PLACEMENT_CLOSEST_VERTEX_PLACEMENT_H
+#define CGAL_SURFACE_MESH_COARSENING_VERTEX_PLACEMENT_CLOSEST_VERTEX_PLACEMENT_H
+
+#include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+
+#include <limits>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningPlacements
+/// \cgalModels `VertexPlacement`
+///
+/// places the vertex of a cluster at the vertex of its faces that is closest to its centroid (Valette and Chassery:
+/// Approximated centroidal Voronoi diagrams for uniform polygonal mesh coarsening, 2004). Vertices that belong to
+/// other clusters, too, are taken only if there is no other.
+class Closest_vertex_placement
+{
+public:
+  /// returns the position of the vertex of cluster `cluster`.
+  Clustered_surface::Point operator()(const Clustered_surface& surface, std::size_t cluster) const
+  {
+    using namespace internal;
+    const Vector center = surface.cluster_centroid(cluster);
+    double nearest[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    Vector position[2] = {center, center};
+    for (const Index f : surface.faces(cluster))
+      for (const Index v : surface.vertices(f)) {
+        const bool shared = surface.is_on_cluster_boundary(v);
+        const Vector d = surface.point(v) - center;
+        if (dot(d, d) < nearest[shared]) {
+          nearest[shared] = dot(d, d);
+          position[shared] = surface.point(v);
+        }
+      }
+    return nearest[0] < std::numeric_limits<double>::infinity() ? position[0] : position[1];
+  }
+};
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_VERTEX_PLACEMENT_CLOSEST_VERTEX_PLACEMENT_H

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_H
+#define CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_H
+
+#include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+template <class Clustering, class Map>
+void write_clusters(const Clustering& clustering, const Map& map) { clustering.write_clusters(map); }
+template <class Clustering>
+void write_clusters(const Clustering&, const CGAL::internal_np::Param_not_found&) {}
+
+template <class Clustering, class Map>
+void write_boundary_counts(const Clustering& clustering, const Map& map) { clustering.write_boundary_counts(map); }
+template <class Clustering>
+void write_boundary_counts(const Clustering&, const CGAL::internal_np::Param_not_found&) {}
+
+template <class Clustering, class Map>
+void read_clusters(Clustering& clustering, const Map& map) { clustering.set_clusters(map); }
+template <class Clustering>
+void read_clusters(Clustering&, const CGAL::internal_np::Param_not_found&)
+{
+  throw Invalid_input("start_from_face_clusters(true) was given without a face_cluster_map");
+}
+
+// Seeds as `seed` does and grows, unless the caller gives the clusters; they have to be `number` then, or any number
+// if that is 0.
+template <class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
+Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
+                               std::size_t number, const Seed& seed)
+{
+  typedef Parameter_type<internal_np::cluster_weight_t, NPIn, Maximum_density_weight> Weight;
+  typedef Parameter_type<internal_np::vertex_placement_t, NPIn, Centroid_placement> Placement;
+  Mwcvd_clustering<FaceGraph, Weight> clustering(input, np_in);
+  if (choose_parameter(get_parameter(np_in, internal_np::start_from_face_clusters_p), false)) {
+    read_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
+    if (number != 0 && clustering.number_of_clusters() != number)
+      throw Invalid_input("the face_cluster_map has " + std::to_string(clustering.number_of_clusters()) +
+                          " clusters, but " + std::to_string(number) + " vertices were asked for");
+  } else {
+    seed(clustering);
+    clustering.grow();
+  }
+  clustering.minimize(choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
+                                       Mwcvd_clustering<FaceGraph, Weight>::default_number_of_iterations));
+  clustering.extract_dual_mesh(
+    output, choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p)), np_out);
+  write_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
+  write_boundary_counts(clustering, get_parameter(np_in, internal_np::vertex_boundary_count));
+  return clustering.report();
+}
+
+} // namespace internal
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// coarsens a polygon mesh to a given number of vertices by a multiplicatively weighted centroidal Voronoi diagram of its
+/// faces.
+///
+/// The output is a triangle mesh, a 2-manifold without isolated vertices. It has exactly `number_of_vertices` vertices
+/// and, component by component, the genus, the number of border loops and the orientation of the input. The input is not
+/// modified. The same input and parameters give the same output.
+///
+/// \tparam FaceGraph a model of `FaceListGraph`
+/// \tparam OutputFaceGraph a model of `MutableFaceGraph`
+/// \tparam NamedParametersIn a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam NamedParametersOut a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param input a 2-manifold polygon mesh: any number of components, borders, faces of any number of sides
+/// \param number_of_vertices the number of vertices of the output, at least what the topology of the input needs (4 for a
+///        sphere, 3 for a disc) and at most the number of vertices of the input
+/// \param output is cleared and filled; its `i`-th vertex is that of cluster `i`. It must not be the input.
+/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{cluster_weight}
+///     \cgalParamDescription{the weight of a cluster in the energy}
+///     \cgalParamType{a model of `ClusterWeight`}
+///     \cgalParamDefault{`Maximum_density_weight()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_density}
+///     \cgalParamDescription{the density of the face whose normal deviates most from those around it, the paper's
+///                           \f$ \rho_{new} \f$, in \f$ [1, 10^{20}] \f$}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`50`}
+///     \cgalParamExtra{not used if `face_density_map` is given}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_density_map}
+///     \cgalParamDescription{densities to be used instead of those of `compute_face_densities()`, in
+///                           \f$ [10^{-20}, 10^{20}] \f$}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the faces as keys and values that `CGAL::to_double()` accepts}
+///     \cgalParamDefault{densities from the deviation of normals}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{neighborhood_level}
+///     \cgalParamDescription{the level of the neighborhoods of the seeds, for the overload without number of vertices}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{`7`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{the largest number of rounds of the minimization; with 0, the result is that of seeds and
+///                           growth alone}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{`1000`, which is hardly ever reached: the rounds end when one changes nothing}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_placement}
+///     \cgalParamDescription{the position of the vertex of a cluster}
+///     \cgalParamType{a model of `VertexPlacement`}
+///     \cgalParamDefault{`Centroid_placement()`}
+///     \cgalParamExtra{clusters on the border have their vertex on the border, whatever the placement}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_cluster_map}
+///     \cgalParamDescription{receives the cluster of each face of `input`}
+///     \cgalParamType{a model of `ReadWritePropertyMap` with the faces as keys and an integral value type}
+///     \cgalParamDefault{the clusters are not written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{start_from_face_clusters}
+///     \cgalParamDescription{whether `face_cluster_map` holds clusters, valid in the sense of `is_valid_clustering()`, that the
+///                           minimization shall start from}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{the number of clusters has to be `number_of_vertices`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_boundary_count_map}
+///     \cgalParamDescription{receives the boundary-edge count of each vertex of `input`: the number of edges at it between two
+///                           clusters or on the border}
+///     \cgalParamType{a model of `WritablePropertyMap` with the vertices as keys and an integral value type}
+///     \cgalParamDefault{the counts are not written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `input`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertices as keys and a point type as value}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, input)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_index_map}
+///     \cgalParamDescription{a property map associating to each face of `input` a unique index between `0` and
+///                           `num_faces(input) - 1`; faces are walked over in this order}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the faces as keys and `std::size_t` as value}
+///     \cgalParamDefault{the order in which `faces(input)` gives them}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an object that gives the coordinates of points}
+///     \cgalParamType{a class with functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` and the functions that give them,
+///                    as every \cgal kernel has}
+///     \cgalParamDefault{a kernel deduced from the point type}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told of the progress, and may cancel; pass `std::ref(visitor)` to have it used itself instead of
+///                           a copy}
+///     \cgalParamType{a model of `CoarseningVisitor`}
+///     \cgalParamDefault{`Coarsening_visitor_base`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `output`}
+///     \cgalParamType{a model of `WritablePropertyMap` with the vertices as keys and a point type as value}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, output)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an object that makes points}
+///     \cgalParamType{a class with the functor `Construct_point_3` and the function that gives it, as every \cgal kernel has}
+///     \cgalParamDefault{a kernel deduced from the point type}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return what was done, in numbers.
+///
+/// \throws Unreachable_number_of_vertices if the number of vertices cannot be had; it carries the nearest that can.
+/// \throws Invalid_input if the input has no faces, is not a 2-manifold or has a coordinate that is not finite, or if a
+/// parameter is out of range.
+/// \throws Coarsening_cancelled if the visitor said so.
+/// The output is as before the call if one of these is thrown.
+///
+/// The time is linear in the number of faces for seeds, growth and each round of the minimization.
+template <class FaceGraph, class OutputFaceGraph,
+          class NamedParametersIn = parameters::Default_named_parameters,
+          class NamedParametersOut = parameters::Default_named_parameters>
+Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_vertices, OutputFaceGraph& output,
+                               const NamedParametersIn& np_in = parameters::default_values(),
+                               const NamedParametersOut& np_out = parameters::default_values())
+{
+  return internal::coarsen_mesh(input, output, np_in, np_out, number_of_vertices,
+                                [&](auto& clustering) { clustering.seed(number_of_vertices); });
+}
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// coarsens a polygon mesh to as many vertices as there are seeds of the given level.
+///
+/// This overload takes the level from parameter `neighborhood_level`: the number of vertices is the number of seeds
+/// whose neighborhoods of that many steps are disjoint (see `neighborhood_seeds()`), unless the topology of the input
+/// needs more. Everything else is as in the overload that takes a number of vertices.
+template <class FaceGraph, class OutputFaceGraph,
+          class NamedParametersIn = parameters::Default_named_parameters,
+          class NamedParametersOut = parameters::Default_named_parameters>
+Coarsening_report coarsen_mesh(const FaceGraph& input, OutputFaceGraph& output,
+                               const NamedParametersIn& np_in = parameters::default_values(),
+                               const NamedParametersOut& np_out = parameters::default_values())
+{
+  const std::size_t level =
+    internal::choose_parameter(internal::get_parameter(np_in, internal_np::neighborhood_level_p), 7);
+  return internal::coarsen_mesh(input, output, np_in, np_out, 0,
+                                [&](auto& clustering) { clustering.seed_from_level(level); });
+}
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_H

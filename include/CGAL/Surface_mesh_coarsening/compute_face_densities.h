@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_COMPUTE_FACE_DENSITIES_H
+#define CGAL_SURFACE_MESH_COARSENING_COMPUTE_FACE_DENSITIES_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/named_parameters.h>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// computes the density of each face from the deviation of its normal from those around it (section 5.2 of the paper).
+///
+/// The deviation of a face is the mean of \f$ \| n - n_k \| \f$ over all pairs of a vertex of the face and a face
+/// \f$ k \f$ around that vertex. It is mapped linearly from \f$ [0, m] \f$, with \f$ m \f$ the largest deviation, to
+/// \f$ [1, r] \f$, with \f$ r \f$ the maximum density. If no face deviates, all densities are 1. Faces without area deviate
+/// from nothing. Around a vertex of more than 256 faces each is compared with 256 of them, evenly spread.
+///
+/// \tparam FaceGraph a model of `FaceListGraph`
+/// \tparam FaceDensityMap a model of `WritablePropertyMap` with the faces as keys and values that `double` converts to
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh a 2-manifold polygon mesh
+/// \param densities the map that receives the densities
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{maximum_density}
+///     \cgalParamDescription{the density of the face whose normal deviates most, in \f$ [1, 10^{20}] \f$}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`50`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertices as keys and a point type as value}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an object that gives the coordinates of points}
+///     \cgalParamType{a class with functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` and the functions that give them,
+///                    as every \cgal kernel has}
+///     \cgalParamDefault{a kernel deduced from the point type}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \throws Invalid_input if the mesh is not a 2-manifold, if a coordinate is not finite, or if the maximum density is out
+/// of range.
+///
+/// The time is linear in the sum of the squared valences of the vertices, with valences above 256 counted once only.
+template <class FaceGraph, class FaceDensityMap, class NamedParameters = parameters::Default_named_parameters>
+void compute_face_densities(const FaceGraph& mesh, FaceDensityMap densities,
+                            const NamedParameters& np = parameters::default_values())
+{
+  typedef typename boost::property_traits<FaceDensityMap>::value_type Value;
+  const internal::Numbering<FaceGraph> n = internal::numbering(mesh, np);
+  const double r_new = internal::maximum_density(np);
+  internal::Flat_mesh m = internal::flat_connectivity(mesh, n);
+  internal::copy_points(mesh, np, n, m);
+  const std::vector<double> values = internal::densities_of(n, m, r_new, CGAL::internal_np::Param_not_found());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    put(densities, n.faces[i], Value(values[i]));
+}
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_COMPUTE_FACE_DENSITIES_H

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_EXTRACT_DUAL_MESH_H
+#define CGAL_SURFACE_MESH_COARSENING_EXTRACT_DUAL_MESH_H
+
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clustering_fault.h>
+#include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/fill_face_graph.h>
+#include <CGAL/Surface_mesh_coarsening/internal/label_clusters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/place_vertices.h>
+
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+template <class FaceGraph, class DensityMap>
+std::vector<double> densities_or_one(const Numbering<FaceGraph>& n, const Flat_mesh& m, const DensityMap& map)
+{
+  return densities_of(n, m, 1, map);
+}
+template <class FaceGraph>
+std::vector<double> densities_or_one(const Numbering<FaceGraph>& n, const Flat_mesh&,
+                                     const CGAL::internal_np::Param_not_found&)
+{
+  return std::vector<double>(n.faces.size(), 1.);
+}
+
+struct Dual_soup
+{
+  std::vector<Vector> positions;
+  std::vector<Triangle> triangles;
+  Frame frame;
+};
+
+template <class FaceGraph, class FaceClusterMap, class NamedParameters>
+Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters, const NamedParameters& np)
+{
+  typedef Parameter_type<internal_np::vertex_placement_t, NamedParameters, Centroid_placement> Placement;
+  const Numbering<FaceGraph> n = numbering(mesh, np);
+  Clustering_input input;
+  Dual_soup dual;
+  input.mesh = flat_connectivity(mesh, n);
+  dual.frame = copy_points(mesh, np, n, input.mesh);
+  input.density = densities_or_one(n, input.mesh, get_parameter(np, internal_np::face_density));
+  input.complete();
+  Cluster_labels labels(input.mesh);
+  const auto names = label_clusters(n, clusters, labels);
+  const auto name = [&](std::size_t x) { return "cluster " + std::to_string(names[x]); };
+  const std::string fault = Clustering_check(labels, names.size()).fault_of_clusters(name);
+  if (!fault.empty())
+    throw Invalid_input(fault);
+  labels.recount();
+  dual.triangles = Careful_dual<decltype(name)>(labels, name).triangles();
+  dual.positions = place_vertices(Clustered_surface(input, labels, names.size()),
+                                  choose_parameter<Placement>(get_parameter(np, internal_np::vertex_placement_p)));
+  return dual;
+}
+
+} // namespace internal
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// makes the dual triangulation of clusters of faces of any origin: one vertex per cluster, one triangle where three
+/// clusters meet, a fan of triangles where more do (section 8.3 of the paper).
+///
+/// \tparam FaceGraph a model of `FaceListGraph`
+/// \tparam FaceClusterMap a model of `ReadablePropertyMap` with the faces as keys and an integral value type
+/// \tparam OutputFaceGraph a model of `MutableFaceGraph`
+/// \tparam NamedParametersIn a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam NamedParametersOut a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh a 2-manifold polygon mesh
+/// \param clusters the labels of the faces, any numbers. The vertex of a cluster comes in the order of the labels.
+/// \param output is cleared and filled
+/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `face_index_map`,
+/// `geom_traits`, `vertex_placement` as in `coarsen_mesh()`, and `face_density_map`, which is 1 by default
+/// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
+/// `output`
+///
+/// \throws Invalid_input if the mesh is not a 2-manifold, if a cluster is not a closed disc, or if two clusters meet in
+/// such a way that the dual cannot be a simplicial surface. `output` is as before then.
+template <class FaceGraph, class FaceClusterMap, class OutputFaceGraph,
+          class NamedParametersIn = parameters::Default_named_parameters,
+          class NamedParametersOut = parameters::Default_named_parameters>
+void extract_dual_mesh(const FaceGraph& mesh, const FaceClusterMap& clusters, OutputFaceGraph& output,
+                       const NamedParametersIn& np_in = parameters::default_values(),
+                       const NamedParametersOut& np_out = parameters::default_values())
+{
+  const internal::Dual_soup dual = internal::dual_of_clusters(mesh, clusters, np_in);
+  internal::fill_face_graph(dual.positions, dual.frame, dual.triangles, output, np_out);
+}
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// makes the dual triangulation of clusters of faces of any origin as a polygon soup. See `extract_dual_mesh()`.
+///
+/// \tparam PointRange a model of `BackInsertionSequence` of points that the geometry traits construct
+/// \tparam PolygonRange a model of `BackInsertionSequence` of ranges of indices that can be made from three of them in
+/// braces, such as `std::vector<std::size_t>` and `std::array<std::size_t, 3>`
+///
+/// \param points receives the points, after those that it holds already
+/// \param triangles receives the triangles, with indices into `points`
+template <class FaceGraph, class FaceClusterMap, class PointRange, class PolygonRange,
+          class NamedParameters = parameters::Default_named_parameters>
+void extract_dual_soup(const FaceGraph& mesh, const FaceClusterMap& clusters, PointRange& points, PolygonRange& triangles,
+                       const NamedParameters& np = parameters::default_values())
+{
+  typedef typename GetGeomTraits<FaceGraph, NamedParameters>::type Traits;
+  typedef typename PolygonRange::value_type Polygon;
+  const internal::Dual_soup dual = internal::dual_of_clusters(mesh, clusters, np);
+  const Traits traits =
+    internal::choose_parameter<Traits>(internal::get_parameter(np, CGAL::internal_np::geom_traits));
+  const std::size_t first = points.size();
+  for (const auto& p : internal::to_points(dual.positions, dual.frame, traits))
+    points.push_back(p);
+  for (const internal::Triangle& t : dual.triangles)
+    triangles.push_back(Polygon{{first + t[0], first + t[1], first + t[2]}});
+}
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_EXTRACT_DUAL_MESH_H

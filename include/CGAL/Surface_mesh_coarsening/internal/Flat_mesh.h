@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FLAT_MESH_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FLAT_MESH_H
+
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+typedef std::uint32_t Index;
+constexpr Index NONE = (std::numeric_limits<Index>::max)();
+
+typedef std::array<double, 3> Vector;
+
+inline Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+inline Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
+inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Vector cross(const Vector& a, const Vector& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// What topology says of one connected component.
+struct Component
+{
+  std::size_t faces = 0;
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  std::size_t loops = 0;
+
+  long euler_characteristic() const { return long(vertices) - long(edges) + long(faces); }
+  std::size_t genus() const { return std::size_t(2 - euler_characteristic() - long(loops)) / 2; }
+};
+
+// A polygon mesh in arrays: the corners of each face in counterclockwise order, the face across the edge that follows
+// each corner, and the faces around each vertex in counterclockwise order. The star of a vertex on the border begins
+// at its clockwise end, that of an inner vertex at its face of the smallest index.
+struct Flat_mesh
+{
+  std::vector<Index> first_corner;   // of each face, and one past the last
+  std::vector<Index> corner_vertex;  // of each corner
+  std::vector<Index> face_across;    // the edge from each corner to the next; NONE beyond the border
+  std::vector<Index> first_in_star;  // of each vertex, and one past the last
+  std::vector<Index> star;
+  std::vector<Index> loop;           // border loop of each vertex; NONE inside
+  std::vector<Index> component;      // of each face
+  std::vector<Component> components;
+  std::vector<Vector> points;        // relative to a local origin
+
+  std::size_t number_of_faces() const { return first_corner.size() - 1; }
+  std::size_t number_of_vertices() const { return first_in_star.size() - 1; }
+  std::size_t number_of_loops() const
+  {
+    std::size_t n = 0;
+    for (const Component& c : components)
+      n += c.loops;
+    return n;
+  }
+  bool is_on_border(Index v) const { return loop[v] != NONE; }
+  Index degree(Index f) const { return first_corner[f + 1] - first_corner[f]; }
+
+  Index next_corner(Index f, Index c) const { return c + 1 == first_corner[f + 1] ? first_corner[f] : c + 1; }
+  Index previous_corner(Index f, Index c) const
+  {
+    return c == first_corner[f] ? first_corner[f + 1] - 1 : c - 1;
+  }
+  Index corner_of(Index f, Index v) const
+  {
+    Index c = first_corner[f];
+    while (corner_vertex[c] != v)
+      ++c;
+    return c;
+  }
+  // Position of face `f` in the star of `v`, as an index into `star`.
+  Index position_in_star(Index v, Index f) const
+  {
+    Index i = first_in_star[v];
+    while (star[i] != f)
+      ++i;
+    return i;
+  }
+};
+
+// Fills what follows from the corners and the faces across edges; throws where they do not form a 2-manifold.
+class Flat_mesh_topology
+{
+public:
+  static void complete(Flat_mesh& m, std::size_t number_of_vertices)
+  {
+    check_faces(m);
+    count_stars(m, number_of_vertices);
+    std::vector<Index> start = first_corners_of_stars(m, number_of_vertices);
+    for (std::size_t v = 0; v < number_of_vertices; ++v)
+      walk_star(m, Index(v), start[v]);
+    number_components(m);
+    number_loops(m);
+  }
+
+private:
+  static void check_faces(const Flat_mesh& m)
+  {
+    for (std::size_t f = 0; f < m.number_of_faces(); ++f) {
+      const Index begin = m.first_corner[f], end = m.first_corner[f + 1];
+      if (end - begin < 3)
+        throw Invalid_input("face " + std::to_string(f) + " has " + std::to_string(end - begin) + " sides");
+      for (Index c = begin; c != end; ++c)
+        if (m.face_across[c] == f)
+          throw Invalid_input("face " + std::to_string(f) + " is its own neighbor across an edge");
+      check_distinct_vertices(m, Index(f));
+    }
+  }
+
+  static void check_distinct_vertices(const Flat_mesh& m, Index f)
+  {
+    const auto begin = m.corner_vertex.begin() + m.first_corner[f], end = m.corner_vertex.begin() + m.first_corner[f + 1];
+    auto twice = end;
+    if (end - begin <= 8) {
+      for (auto i = begin; i != end && twice == end; ++i)
+        if (std::find(i + 1, end, *i) != end)
+          twice = i;
+      if (twice == end)
+        return;
+    } else {
+      std::vector<Index> sorted(begin, end);
+      std::sort(sorted.begin(), sorted.end());
+      const auto pair = std::adjacent_find(sorted.begin(), sorted.end());
+      if (pair == sorted.end())
+        return;
+      twice = std::find(begin, end, *pair);
+    }
+    throw Invalid_input("face " + std::to_string(f) + " visits vertex " + std::to_string(*twice) + " twice");
+  }
+
+  static void count_stars(Flat_mesh& m, std::size_t number_of_vertices)
+  {
+    m.first_in_star.assign(number_of_vertices + 1, 0);
+    for (Index v : m.corner_vertex)
+      ++m.first_in_star[v + 1];
+    for (std::size_t v = 0; v < number_of_vertices; ++v)
+      m.first_in_star[v + 1] += m.first_in_star[v];
+    m.star.resize(m.corner_vertex.size());
+  }
+
+  // The face where each star begins. Kept per vertex as a face index; NONE for isolated vertices.
+  static std::vector<Index> first_corners_of_stars(Flat_mesh& m, std::size_t number_of_vertices)
+  {
+    std::vector<Index> start(number_of_vertices, NONE);
+    m.loop.assign(number_of_vertices, NONE);
+    for (std::size_t f = m.number_of_faces(); f-- > 0;)
+      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
+        const Index v = m.corner_vertex[c];
+        if (m.face_across[c] == NONE) {
+          if (m.loop[v] != NONE)
+            throw Invalid_input("vertex " + std::to_string(v) + " lies on the border twice");
+          m.loop[v] = 0; // on some loop; numbered later
+          start[v] = Index(f);
+        } else if (m.loop[v] == NONE) {
+          start[v] = Index(f);
+        }
+      }
+    return start;
+  }
+
+  static void walk_star(Flat_mesh& m, Index v, Index f)
+  {
+    const Index begin = m.first_in_star[v], end = m.first_in_star[v + 1];
+    if (begin == end)
+      return;
+    const Index first = f;
+    Index i = begin;
+    do {
+      m.star[i++] = f;
+      f = m.face_across[m.previous_corner(f, m.corner_of(f, v))];
+    } while (f != NONE && f != first && i != end);
+    const bool closed = m.loop[v] == NONE;
+    if (i != end || (closed ? f != first : f != NONE))
+      throw Invalid_input("vertex " + std::to_string(v) + " is not a manifold vertex: the faces around it form more than one fan");
+  }
+
+  static void number_components(Flat_mesh& m)
+  {
+    m.component.assign(m.number_of_faces(), NONE);
+    m.components.clear();
+    std::vector<Index> stack;
+    for (std::size_t seed = 0; seed < m.number_of_faces(); ++seed) {
+      if (m.component[seed] != NONE)
+        continue;
+      const Index id = Index(m.components.size());
+      Component component;
+      std::size_t border_edges = 0, corners = 0;
+      stack.assign(1, Index(seed));
+      m.component[seed] = id;
+      while (!stack.empty()) {
+        const Index f = stack.back();
+        stack.pop_back();
+        ++component.faces;
+        for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
+          const Index g = m.face_across[c];
+          ++corners;
+          if (g == NONE)
+            ++border_edges;
+          else if (m.component[g] == NONE) {
+            m.component[g] = id;
+            stack.push_back(g);
+          }
+        }
+      }
+      component.edges = (corners + border_edges) / 2;
+      m.components.push_back(component);
+    }
+    for (std::size_t v = 0; v < m.number_of_vertices(); ++v)
+      if (m.first_in_star[v] != m.first_in_star[v + 1])
+        ++m.components[m.component[m.star[m.first_in_star[v]]]].vertices;
+  }
+
+  static void number_loops(Flat_mesh& m)
+  {
+    std::vector<bool> done(m.number_of_vertices(), false);
+    Index loops = 0;
+    for (std::size_t v = 0; v < m.number_of_vertices(); ++v) {
+      if (m.loop[v] == NONE || done[v])
+        continue;
+      for (Index w = Index(v); !done[w]; w = next_on_border(m, w)) {
+        done[w] = true;
+        m.loop[w] = loops;
+      }
+      ++m.components[m.component[m.star[m.first_in_star[v]]]].loops;
+      ++loops;
+    }
+  }
+
+public:
+  // The end of the border edge that begins at border vertex `v` and has its face on the left.
+  static Index next_on_border(const Flat_mesh& m, Index v)
+  {
+    const Index f = m.star[m.first_in_star[v]];
+    return m.corner_vertex[m.next_corner(f, m.corner_of(f, v))];
+  }
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_FLAT_MESH_H

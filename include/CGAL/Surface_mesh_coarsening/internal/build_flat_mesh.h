@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_BUILD_FLAT_MESH_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_BUILD_FLAT_MESH_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/property_map.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The numbers that stand in the arrays for the faces and vertices of a face graph. Vertices are numbered in the order
+// of iteration; faces likewise, or as the caller's face index map says.
+template <class FaceGraph>
+struct Numbering
+{
+  typedef typename boost::graph_traits<FaceGraph>::face_descriptor face_descriptor;
+  typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor vertex_descriptor;
+
+  std::vector<face_descriptor> faces;
+  std::vector<vertex_descriptor> vertices;
+  typename boost::property_map<FaceGraph, dynamic_face_property_t<Index> >::const_type face_number;
+  typename boost::property_map<FaceGraph, dynamic_vertex_property_t<Index> >::const_type vertex_number;
+};
+
+inline void check_countable(std::size_t n, const char* what)
+{
+  // The upper half of the range stands for border loops where labels are concerned.
+  if (n >= NONE / 2)
+    throw Invalid_input("the mesh has " + std::to_string(n) + " " + what + ", more than the " +
+                        std::to_string(NONE / 2 - 1) + " that can be numbered");
+}
+
+template <class FaceGraph, class FaceIndexMap>
+void number_faces_by_map(const FaceGraph& mesh, const FaceIndexMap& index, Numbering<FaceGraph>& numbering)
+{
+  const auto none = boost::graph_traits<FaceGraph>::null_face();
+  std::vector<bool> taken(numbering.faces.size(), false);
+  std::vector<typename Numbering<FaceGraph>::face_descriptor> ordered(numbering.faces.size(), none);
+  for (const auto f : numbering.faces) {
+    const std::size_t i = std::size_t(get(index, f));
+    if (i >= ordered.size() || taken[i])
+      throw Invalid_input("the face index map gives " + std::to_string(i) + (i < ordered.size() ? " twice" : "") +
+                          " for a mesh of " + std::to_string(ordered.size()) + " faces");
+    taken[i] = true;
+    ordered[i] = f;
+  }
+  numbering.faces.swap(ordered);
+  (void)mesh;
+}
+
+template <class FaceGraph>
+void number_faces_by_map(const FaceGraph&, const CGAL::internal_np::Param_not_found&, Numbering<FaceGraph>&)
+{}
+
+template <class FaceGraph, class FaceIndexMap>
+Numbering<FaceGraph> number_elements(const FaceGraph& mesh, const FaceIndexMap& index)
+{
+  Numbering<FaceGraph> n;
+  n.faces.assign(faces(mesh).begin(), faces(mesh).end());
+  n.vertices.assign(vertices(mesh).begin(), vertices(mesh).end());
+  check_countable(n.faces.size(), "faces");
+  check_countable(n.vertices.size(), "vertices");
+  number_faces_by_map(mesh, index, n);
+  n.face_number = get(dynamic_face_property_t<Index>(), mesh);
+  n.vertex_number = get(dynamic_vertex_property_t<Index>(), mesh);
+  for (std::size_t i = 0; i < n.faces.size(); ++i)
+    put(n.face_number, n.faces[i], Index(i));
+  for (std::size_t i = 0; i < n.vertices.size(); ++i)
+    put(n.vertex_number, n.vertices[i], Index(i));
+  return n;
+}
+
+// Copies the connectivity. The first corner of each face is the one of its vertex of the smallest number, so that the
+// arrays do not depend on which halfedge a face graph keeps for a face.
+template <class FaceGraph>
+void copy_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, Flat_mesh& m)
+{
+  m.first_corner.reserve(n.faces.size() + 1);
+  m.first_corner.push_back(0);
+  m.corner_vertex.reserve(3 * n.faces.size());
+  m.face_across.reserve(3 * n.faces.size());
+  for (const auto f : n.faces) {
+    const std::size_t begin = m.corner_vertex.size();
+    for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh)) {
+      const auto beyond = face(opposite(h, mesh), mesh);
+      m.corner_vertex.push_back(get(n.vertex_number, source(h, mesh)));
+      m.face_across.push_back(beyond == boost::graph_traits<FaceGraph>::null_face() ? NONE : get(n.face_number, beyond));
+    }
+    const auto smallest = std::min_element(m.corner_vertex.begin() + begin, m.corner_vertex.end());
+    const std::size_t shift = smallest - (m.corner_vertex.begin() + begin);
+    std::rotate(m.corner_vertex.begin() + begin, m.corner_vertex.begin() + begin + shift, m.corner_vertex.end());
+    std::rotate(m.face_across.begin() + begin, m.face_across.begin() + begin + shift, m.face_across.end());
+    m.first_corner.push_back(Index(m.corner_vertex.size()));
+  }
+  check_countable(m.corner_vertex.size(), "face corners");
+}
+
+// The place of the arrays' coordinates in those of the mesh: point = origin + 2^exponent * coordinates.
+struct Frame
+{
+  Vector origin{{0, 0, 0}};
+  int exponent = 0;
+};
+
+// Moves the coordinates to the center of their bounding box, where energies keep their digits however far away the
+// mesh lies. Sizes near the ends of the range of double, whose sixth powers would leave it, are brought to about 1 by
+// a power of two, which rounds nothing.
+inline Frame to_local_frame(std::vector<Vector>& points, const std::vector<Index>& first_in_star)
+{
+  Frame frame;
+  const double inf = std::numeric_limits<double>::infinity();
+  Vector low{{inf, inf, inf}}, high{{-inf, -inf, -inf}};
+  for (std::size_t v = 0; v < points.size(); ++v)
+    for (int i = 0; i < 3; ++i) {
+      if (first_in_star[v] == first_in_star[v + 1])
+        continue;
+      if (!std::isfinite(points[v][i]))
+        throw Invalid_input("coordinate " + std::to_string(i) + " of vertex " + std::to_string(v) + " is " +
+                            std::to_string(points[v][i]));
+      low[i] = (std::min)(low[i], points[v][i]);
+      high[i] = (std::max)(high[i], points[v][i]);
+    }
+  double extent = 0;
+  for (int i = 0; i < 3; ++i)
+    if (low[i] <= high[i]) {
+      frame.origin[i] = 0.5 * low[i] + 0.5 * high[i];
+      extent = (std::max)(extent, 0.5 * high[i] - 0.5 * low[i]);
+    }
+  const int exponent = extent > 0 ? std::ilogb(extent) : 0;
+  if (exponent > 128 || exponent < -128)
+    frame.exponent = exponent;
+  for (Vector& p : points)
+    for (int i = 0; i < 3; ++i) {
+      p[i] -= frame.origin[i];
+      if (frame.exponent != 0)
+        p[i] = std::ldexp(p[i], -frame.exponent);
+    }
+  return frame;
+}
+
+template <class FaceGraph, class VertexPointMap, class GeomTraits>
+Frame copy_points(const Numbering<FaceGraph>& n, const VertexPointMap& point_map, const GeomTraits& traits, Flat_mesh& m)
+{
+  const auto x = traits.compute_x_3_object();
+  const auto y = traits.compute_y_3_object();
+  const auto z = traits.compute_z_3_object();
+  m.points.reserve(n.vertices.size());
+  for (const auto v : n.vertices) {
+    const auto& p = get(point_map, v);
+    m.points.push_back({CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p))});
+  }
+  return to_local_frame(m.points, m.first_in_star);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_BUILD_FLAT_MESH_H

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FACE_GEOMETRY_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FACE_GEOMETRY_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+struct Face_geometry
+{
+  double area;
+  Vector centroid;
+};
+
+// Half the sum of the cross products of a fan: its length is the area of a planar polygon, its direction the normal.
+inline Vector vector_area(const Flat_mesh& m, Index f)
+{
+  const Index begin = m.first_corner[f], end = m.first_corner[f + 1];
+  const Vector& p = m.points[m.corner_vertex[begin]];
+  Vector sum{{0, 0, 0}};
+  Vector side = m.points[m.corner_vertex[begin + 1]] - p;
+  for (Index c = begin + 2; c != end; ++c) {
+    const Vector next = m.points[m.corner_vertex[c]] - p;
+    sum = sum + cross(side, next);
+    side = next;
+  }
+  return 0.5 * sum;
+}
+
+inline Vector mean_of_corners(const Flat_mesh& m, Index f)
+{
+  Vector sum{{0, 0, 0}};
+  for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
+    sum = sum + m.points[m.corner_vertex[c]];
+  return (1. / m.degree(f)) * sum;
+}
+
+inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
+{
+  const Vector normal = vector_area(m, f);
+  const double area = std::sqrt(dot(normal, normal));
+  const Index begin = m.first_corner[f], end = m.first_corner[f + 1];
+  if (end - begin == 3 || !(area > 0))
+    return {area, mean_of_corners(m, f)};
+  // Triangles of the fan that lie on the other side of the polygon's boundary count negative.
+  const Vector& p = m.points[m.corner_vertex[begin]];
+  Vector sum{{0, 0, 0}};
+  for (Index c = begin + 2; c != end; ++c) {
+    const Vector a = m.points[m.corner_vertex[c - 1]] - p, b = m.points[m.corner_vertex[c]] - p;
+    sum = sum + (dot(cross(a, b), normal) / (6 * area * area)) * (a + b);
+  }
+  return {area, p + sum};
+}
+
+// The unit normal of each face, zero where a face has no area.
+inline std::vector<Vector> unit_normals(const Flat_mesh& m)
+{
+  std::vector<Vector> normals(m.number_of_faces());
+  for (std::size_t f = 0; f < normals.size(); ++f) {
+    const Vector n = vector_area(m, Index(f));
+    const double length = std::sqrt(dot(n, n));
+    normals[f] = length > 0 ? (1 / length) * n : Vector{{0, 0, 0}};
+  }
+  return normals;
+}
+
+// Section 5.2 of the paper before the mapping: for each face the mean length of the difference of its normal and the
+// normals of the faces around its vertices. A pair counts once for each vertex that its faces share; faces without a
+// normal deviate from nothing. Around a vertex of very many faces every one is compared with a fixed number of faces,
+// evenly spread, which keeps the work linear.
+inline std::vector<double> mean_normal_deviations(const Flat_mesh& m)
+{
+  constexpr Index most_compared = 256;
+  const std::vector<Vector> normals = unit_normals(m);
+  std::vector<double> sum(m.number_of_faces(), 0);
+  std::vector<double> pairs(m.number_of_faces(), 0);
+  for (std::size_t v = 0; v < m.number_of_vertices(); ++v) {
+    const Index begin = m.first_in_star[v], valence = m.first_in_star[v + 1] - begin;
+    const Index compared = (std::min)(valence, most_compared);
+    for (Index i = 0; i < valence; ++i) {
+      const Index f = m.star[begin + i];
+      pairs[f] += compared;
+      for (Index j = 0; j < compared; ++j) {
+        const Index offset = valence <= most_compared ? j : Index(std::uint64_t(j) * valence / compared);
+        const Index g = m.star[begin + offset];
+        if (f == g || normals[f] == Vector{{0, 0, 0}} || normals[g] == Vector{{0, 0, 0}})
+          continue;
+        const Vector d = normals[f] - normals[g];
+        sum[f] += std::sqrt(dot(d, d));
+      }
+    }
+  }
+  for (std::size_t f = 0; f < sum.size(); ++f)
+    sum[f] /= pairs[f];
+  return sum;
+}
+
+// The linear mapping of section 5.2 from [0, maximum] to [1, maximum_density].
+inline void map_to_densities(std::vector<double>& deviations, double maximum_density)
+{
+  const double maximum = deviations.empty() ? 0 : *std::max_element(deviations.begin(), deviations.end());
+  for (double& d : deviations)
+    d = maximum > 0 ? 1 + (maximum_density - 1) * (d / maximum) : 1;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_FACE_GEOMETRY_H

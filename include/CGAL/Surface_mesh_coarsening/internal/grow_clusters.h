@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_GROW_CLUSTERS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GROW_CLUSTERS_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Section 8.1 of the paper: the clusters in turn take the free faces next to them, a layer a round, until no face is
+// free. A cluster takes a face only if it stays a closed disc, which also makes discs of those neighborhoods of seeds
+// that are none. Neighborhoods being disjoint, they are the first layers of this growth.
+class Cluster_growth
+{
+public:
+  explicit Cluster_growth(Cluster_labels& labels) : labels_(labels), mesh_(labels.mesh()) {}
+
+  // Makes free face `f` the seed of cluster `label`.
+  void plant(Index f, Index label) { take(f, label); }
+
+  void run()
+  {
+    while (!next_layer_.empty()) {
+      layer_.swap(next_layer_);
+      next_layer_.clear();
+      for (const std::pair<Index, Index>& candidate : layer_)
+        if (labels_[candidate.first] == NONE && labels_.stays_disc_with(candidate.first, candidate.second))
+          take(candidate.first, candidate.second);
+    }
+  }
+
+  // Covers what the growth had to leave free because every cluster next to it would have closed upon itself: one of
+  // the free faces after the other seeds a new cluster. Returns the number of clusters, new ones included.
+  template <class FaceRange>
+  Index cover(const FaceRange& faces, Index number_of_clusters)
+  {
+    for (const Index f : faces)
+      if (labels_[f] == NONE) {
+        plant(f, number_of_clusters++);
+        run();
+      }
+    return number_of_clusters;
+  }
+
+private:
+  void take(Index f, Index label)
+  {
+    labels_.set(f, label);
+    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+      const Index g = mesh_.face_across[c];
+      if (g != NONE && labels_[g] == NONE)
+        next_layer_.emplace_back(g, label);
+    }
+  }
+
+  Cluster_labels& labels_;
+  const Flat_mesh& mesh_;
+  std::vector<std::pair<Index, Index> > layer_, next_layer_; // candidates: a face and the cluster next to it
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_GROW_CLUSTERS_H

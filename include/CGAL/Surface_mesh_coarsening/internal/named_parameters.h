@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_NAMED_PARAMETERS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_NAMED_PARAMETERS_H
+
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/build_flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <cmath>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+using CGAL::parameters::choose_parameter;
+using CGAL::parameters::get_parameter;
+using CGAL::parameters::get_parameter_reference;
+
+template <class Parameter, class NamedParameters, class Default>
+using Parameter_type =
+  std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<Parameter, NamedParameters, Default>::type>;
+
+template <class Parameter, class NamedParameters>
+constexpr bool has_parameter =
+  !std::is_same<Parameter_type<Parameter, NamedParameters, CGAL::internal_np::Param_not_found>,
+                CGAL::internal_np::Param_not_found>::value;
+
+template <class FaceGraph, class NamedParameters>
+Numbering<FaceGraph> numbering(const FaceGraph& mesh, const NamedParameters& np)
+{
+  return number_elements(mesh, get_parameter(np, CGAL::internal_np::face_index));
+}
+
+template <class FaceGraph>
+Flat_mesh flat_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n)
+{
+  Flat_mesh m;
+  copy_connectivity(mesh, n, m);
+  Flat_mesh_topology::complete(m, n.vertices.size());
+  return m;
+}
+
+template <class FaceGraph, class NamedParameters>
+Frame copy_points(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n, Flat_mesh& m)
+{
+  typedef typename GetGeomTraits<FaceGraph, NamedParameters>::type Traits;
+  const Traits traits = choose_parameter<Traits>(get_parameter(np, CGAL::internal_np::geom_traits));
+  const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                       get_const_property_map(CGAL::vertex_point, mesh));
+  return copy_points(n, points, traits, m);
+}
+
+template <class NamedParameters>
+double maximum_density(const NamedParameters& np)
+{
+  const double r = choose_parameter(get_parameter(np, internal_np::maximum_density_p), 50.);
+  if (!(r >= 1 && r <= 1e20))
+    throw Invalid_input("the maximum density is " + std::to_string(r) + ", not in [1, 1e20]");
+  return r;
+}
+
+// The caller's densities, checked.
+template <class FaceGraph, class DensityMap>
+std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&, double, const DensityMap& map)
+{
+  std::vector<double> densities;
+  densities.reserve(n.faces.size());
+  for (const auto f : n.faces) {
+    const double r = CGAL::to_double(get(map, f));
+    if (!(r >= 1e-20 && r <= 1e20))
+      throw Invalid_input("the density of face " + std::to_string(densities.size()) + " is " + std::to_string(r) +
+                          ", not in [1e-20, 1e20]");
+    densities.push_back(r);
+  }
+  return densities;
+}
+
+// The densities of section 5.2.
+template <class FaceGraph>
+std::vector<double> densities_of(const Numbering<FaceGraph>&, const Flat_mesh& m, double maximum_density,
+                                 const CGAL::internal_np::Param_not_found&)
+{
+  std::vector<double> densities = mean_normal_deviations(m);
+  map_to_densities(densities, maximum_density);
+  return densities;
+}
+
+template <class FaceGraph, class NamedParameters>
+Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
+                                  Frame& frame)
+{
+  Clustering_input input;
+  const double r_new = maximum_density(np);
+  input.mesh = flat_connectivity(mesh, n);
+  if (n.faces.empty())
+    throw Invalid_input("the input has no faces");
+  frame = copy_points(mesh, np, n, input.mesh);
+  input.density = densities_of(n, input.mesh, r_new, get_parameter(np, internal_np::face_density));
+  input.complete();
+  return input;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_NAMED_PARAMETERS_H

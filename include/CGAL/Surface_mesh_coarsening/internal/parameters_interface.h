@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The named parameters of the package, in the form of CGAL's own parameters_interface.h. It is included several
+// times, each time with another meaning of CGAL_add_named_parameter: there is no include guard.
+
+CGAL_add_named_parameter(face_density_t, face_density, face_density_map)
+CGAL_add_named_parameter(face_cluster_t, face_cluster, face_cluster_map)
+CGAL_add_named_parameter(start_from_face_clusters_t, start_from_face_clusters_p, start_from_face_clusters)
+CGAL_add_named_parameter(vertex_boundary_count_t, vertex_boundary_count, vertex_boundary_count_map)
+CGAL_add_named_parameter(cluster_weight_t, cluster_weight_p, cluster_weight)
+CGAL_add_named_parameter(maximum_density_t, maximum_density_p, maximum_density)
+CGAL_add_named_parameter(neighborhood_level_t, neighborhood_level_p, neighborhood_level)
+CGAL_add_named_parameter(vertex_placement_t, vertex_placement_p, vertex_placement)
+CGAL_add_named_parameter(subdivide_input_t, subdivide_input_p, subdivide_input)
+CGAL_add_named_parameter(minimum_component_area_t, minimum_component_area_p, minimum_component_area)

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEED_WALK_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEED_WALK_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Section 6 of the paper: walk the faces in order and take a face as a seed if no face within `level` steps across
+// edges belongs to the neighborhood of an earlier seed.
+//
+// Two neighborhoods of `level` steps are disjoint if and only if their centers are more than 2 * level steps apart.
+// So each new seed marks the faces within 2 * level steps, and whether a face may be a seed is one look. The walk that
+// marks does not go on behind a face that an earlier seed reached in as few steps, because that seed has marked
+// whatever lies behind; seeds being far apart, a face is reached by few of them, and the time is linear in the number
+// of faces for every level.
+class Seed_walk
+{
+public:
+  explicit Seed_walk(const Flat_mesh& mesh) : mesh_(mesh), steps_(mesh.number_of_faces(), NONE) {}
+
+  // Appends the seeds among the faces `candidates` to `seeds`.
+  template <class FaceRange>
+  void run(const FaceRange& candidates, Index level, std::vector<Index>& seeds)
+  {
+    for (const Index f : candidates)
+      if (steps_[f] == NONE) {
+        seeds.push_back(f);
+        mark(f, level);
+      }
+  }
+
+  // Forgets the marks on the faces `candidates`.
+  template <class FaceRange>
+  void forget(const FaceRange& candidates)
+  {
+    for (const Index f : candidates)
+      steps_[f] = NONE;
+  }
+
+private:
+  void mark(Index seed, Index level)
+  {
+    const Index reach = level < NONE / 4 ? 2 * level : NONE / 2;
+    queue_.assign(1, seed);
+    steps_[seed] = 0;
+    for (std::size_t i = 0; i < queue_.size(); ++i) {
+      const Index f = queue_[i], next = steps_[f] + 1;
+      if (next > reach)
+        break;
+      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+        const Index g = mesh_.face_across[c];
+        if (g != NONE && next < steps_[g]) {
+          steps_[g] = next;
+          queue_.push_back(g);
+        }
+      }
+    }
+  }
+
+  const Flat_mesh& mesh_;
+  std::vector<Index> steps_; // to the nearest seed, as far as walked; NONE: not within reach of any
+  std::vector<Index> queue_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEED_WALK_H

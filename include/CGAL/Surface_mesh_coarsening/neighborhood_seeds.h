@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_NEIGHBORHOOD_SEEDS_H
+#define CGAL_SURFACE_MESH_COARSENING_NEIGHBORHOOD_SEEDS_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seed_walk.h>
+
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// finds faces that are spread evenly over a mesh, by their adjacency alone (section 6 of the paper).
+///
+/// The faces are walked over in order. A face is taken as a seed if its neighborhood, which is the faces within `level`
+/// steps across edges, has no face in common with the neighborhood of an earlier seed. On a regular triangle mesh a
+/// neighborhood has \f$ 1 + 3 k (k + 1) / 2 \f$ faces for level \f$ k \f$.
+///
+/// \tparam FaceGraph a model of `FaceListGraph`
+/// \tparam OutputIterator a model of `OutputIterator` that accepts face descriptors
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh a 2-manifold polygon mesh
+/// \param level the number of steps; with 0, every face is a seed
+/// \param seeds receives the seeds in the order of the walk
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{face_index_map}
+///     \cgalParamDescription{a property map associating to each face of `mesh` a unique index between `0` and
+///                           `num_faces(mesh) - 1`: the walk goes over the faces in the order of their indices}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the faces as keys and `std::size_t` as value}
+///     \cgalParamDefault{the order in which `faces(mesh)` gives them}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `seeds`, past the last seed.
+///
+/// \throws Invalid_input if the mesh is not a 2-manifold or the face index map is not a numbering.
+///
+/// The time is linear in the number of faces, for every level.
+template <class FaceGraph, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
+OutputIterator neighborhood_seeds(const FaceGraph& mesh, std::size_t level, OutputIterator seeds,
+                                  const NamedParameters& np = parameters::default_values())
+{
+  using namespace internal;
+  const Numbering<FaceGraph> n = numbering(mesh, np);
+  const Flat_mesh m = flat_connectivity(mesh, n);
+  std::vector<Index> faces(m.number_of_faces()), found;
+  std::iota(faces.begin(), faces.end(), Index(0));
+  Seed_walk(m).run(faces, Index((std::min)(level, std::size_t(NONE))), found);
+  for (const Index f : found)
+    *seeds++ = n.faces[f];
+  return seeds;
+}
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_NEIGHBORHOOD_SEEDS_H
