@@ -37,6 +37,8 @@ struct Coarsening_report
   /// the number of connected components whose faces had to be subdivided internally, because face by face they
   /// could not carry the number of clusters.
   std::size_t subdivided_components = 0;
+  /// the number of connected components that were left out because of parameter `minimum_component_area`.
+  std::size_t dropped_components = 0;
 };
 
 } // namespace Surface_mesh_coarsening

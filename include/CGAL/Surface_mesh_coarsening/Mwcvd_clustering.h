@@ -54,8 +54,8 @@ public:
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \param mesh a 2-manifold polygon mesh
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `face_density_map`,
-  /// `maximum_density`, `cluster_weight`, `vertex_point_map`, `face_index_map`, `geom_traits` and `visitor`, as
-  /// `coarsen_mesh()` describes them
+  /// `maximum_density`, `cluster_weight`, `minimum_component_area`, `subdivide_input`, `vertex_point_map`,
+  /// `face_index_map`, `geom_traits` and `visitor`, as `coarsen_mesh()` describes them
   /// \throws Invalid_input if the mesh has no faces, is not a 2-manifold, has a coordinate that is not finite, or if a
   /// parameter is out of range.
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -67,6 +67,8 @@ public:
     visitor_.stage_begins(Coarsening_stage::PREPARATION);
     numbering_ = internal::numbering(mesh, np);
     input_ = internal::clustering_input(mesh, np, numbering_, frame_);
+    subdivide_ = internal::choose_parameter(internal::get_parameter(np, internal_np::subdivide_input_p), false);
+    dropped_components_ = internal::drop_small_components(np, frame_, input_);
     visitor_.stage_ends(Coarsening_stage::PREPARATION);
   }
 
@@ -84,8 +86,16 @@ public:
   /// \throws Unreachable_number_of_vertices if the mesh has fewer vertices, or if its topology does not allow so few.
   std::size_t seed(std::size_t number_of_clusters)
   {
-    return seed_as([&](internal::Initial_clustering& initial) { initial.seed(number_of_clusters); });
+    return seed_as([&](internal::Initial_clustering& initial) {
+      if (subdivide_)
+        initial.subdivide(faces_per_cluster * number_of_clusters);
+      initial.seed(number_of_clusters);
+    });
   }
+
+  /// The number of faces for each cluster that subdivision provides, if parameter `subdivide_input` asks for it. Clusters of
+  /// so many faces can be round.
+  static constexpr std::size_t faces_per_cluster = 20;
 
   /// takes all seeds whose neighborhoods of `level` steps are disjoint.
   /// \return the number of seeds, which is the number of clusters that `grow()` makes, unless the topology of the mesh
@@ -123,8 +133,8 @@ public:
     forget();
     std::size_t number = 0;
     labels_.emplace(input_.mesh);
-    for (std::size_t i = 0; i < numbering_.faces.size(); ++i) {
-      const std::size_t label = std::size_t(get(clusters, numbering_.faces[i]));
+    for (std::size_t i = 0; i < input_.parent.size(); ++i) {
+      const std::size_t label = std::size_t(get(clusters, numbering_.faces[input_.parent[i]]));
       if (label >= numbering_.faces.size()) {
         labels_.reset();
         throw Invalid_input("the cluster of face " + std::to_string(i) + " is " + std::to_string(label) +
@@ -140,7 +150,7 @@ public:
       throw Invalid_input(fault);
     }
     labels_->recount();
-    report_ = Coarsening_report();
+    reset_report();
     report_.clusters = number;
     begin_minimization(number);
   }
@@ -205,7 +215,7 @@ public:
   }
 
   /// returns the cluster of a face. Where the faces of a component had to be subdivided internally, it is the cluster of the
-  /// largest part of the face.
+  /// largest part of the face. Faces of components that were dropped get `number_of_clusters()`.
   std::size_t cluster(face_descriptor f) const { return cluster_of_face(get(numbering_.face_number, f)); }
 
   /// writes the cluster of each face, see `cluster()`.
@@ -257,11 +267,17 @@ private:
   {
     visitor_.stage_begins(Coarsening_stage::SEEDING);
     forget();
-    report_ = Coarsening_report();
+    reset_report();
     initial_.emplace(input_, report_);
     seed(*initial_);
     visitor_.stage_ends(Coarsening_stage::SEEDING);
     return report_.seeds;
+  }
+
+  void reset_report()
+  {
+    report_ = Coarsening_report();
+    report_.dropped_components = dropped_components_;
   }
 
   void forget()
@@ -283,9 +299,11 @@ private:
   std::size_t cluster_of_face(Index f) const
   {
     const internal::Clustering_input& input = working_input();
-    if (input.parent.size() == numbering_.faces.size())
+    if (input.parent.size() == numbering_.faces.size() && dropped_components_ == 0)
       return labels()[f];
     const auto pieces = std::equal_range(input.parent.begin(), input.parent.end(), f);
+    if (pieces.first == pieces.second)
+      return report_.clusters; // the face belongs to a component that was dropped
     std::map<Index, double> area;
     for (auto i = pieces.first; i != pieces.second; ++i)
       area[labels()[Index(i - input.parent.begin())]] += input.area[i - input.parent.begin()];
@@ -316,6 +334,8 @@ private:
   internal::Numbering<FaceGraph> numbering_;
   internal::Frame frame_;
   internal::Clustering_input input_;
+  bool subdivide_ = false;
+  std::size_t dropped_components_ = 0;
   Coarsening_report report_;
   std::optional<internal::Initial_clustering> initial_;
   std::optional<internal::Cluster_labels> labels_;

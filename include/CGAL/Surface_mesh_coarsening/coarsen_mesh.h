@@ -112,6 +112,20 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{`Centroid_placement()`}
 ///     \cgalParamExtra{clusters on the border have their vertex on the border, whatever the placement}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{subdivide_input}
+///     \cgalParamDescription{whether the faces, in an internal copy, are cut into one quadrilateral per corner, again and again,
+///                           until there are 20 of them for each vertex of the output. Clusters of few faces are then
+///                           rounder, and there is no upper limit of `number_of_vertices`.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{the cluster of a face is that of the largest part of it}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_component_area}
+///     \cgalParamDescription{connected components of a smaller area are left out; the report counts them}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0`: every component is kept}
+///     \cgalParamExtra{the faces left out get the number of clusters as their cluster}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_cluster_map}
 ///     \cgalParamDescription{receives the cluster of each face of `input`}
 ///     \cgalParamType{a model of `ReadWritePropertyMap` with the faces as keys and an integral value type}

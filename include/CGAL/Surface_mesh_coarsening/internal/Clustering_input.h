@@ -6,7 +6,9 @@
 #include <CGAL/Surface_mesh_coarsening/internal/face_geometry.h>
 #include <CGAL/Surface_mesh_coarsening/internal/subdivide_flat_mesh.h>
 
+#include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -38,9 +40,50 @@ struct Clustering_input
     std::vector<Index> cut_from(mesh.number_of_faces());
     std::iota(cut_from.begin(), cut_from.end(), Index(0));
     mesh = Flat_mesh_subdivision::run(mesh, chosen_component, cut_from);
+    take_from(cut_from);
+  }
+
+  // Leaves out the components whose area is smaller. Returns their number.
+  std::size_t drop_components_below(double least_area)
+  {
+    std::vector<double> areas(mesh.components.size(), 0);
+    for (std::size_t f = 0; f < area.size(); ++f)
+      areas[mesh.component[f]] += area[f];
+    const std::size_t dropped = std::count_if(areas.begin(), areas.end(), [&](double a) { return a < least_area; });
+    if (dropped == 0)
+      return 0;
+    std::vector<Index> new_number(mesh.number_of_faces(), NONE), kept;
+    for (std::size_t f = 0; f < new_number.size(); ++f)
+      if (!(areas[mesh.component[f]] < least_area)) {
+        new_number[f] = Index(kept.size());
+        kept.push_back(Index(f));
+      }
+    Flat_mesh smaller;
+    smaller.first_corner.assign(1, 0);
+    for (const Index f : kept) {
+      for (Index c = mesh.first_corner[f]; c != mesh.first_corner[f + 1]; ++c) {
+        const Index g = mesh.face_across[c];
+        smaller.corner_vertex.push_back(mesh.corner_vertex[c]);
+        smaller.face_across.push_back(g == NONE ? NONE : new_number[g]);
+      }
+      smaller.first_corner.push_back(Index(smaller.corner_vertex.size()));
+    }
+    smaller.points.swap(mesh.points);
+    Flat_mesh_topology::complete(smaller, smaller.points.size());
+    mesh = std::move(smaller);
+    take_from(kept);
+    return dropped;
+  }
+
+private:
+  // Makes the faces pieces of those in the list, or these themselves.
+  void take_from(const std::vector<Index>& old_faces)
+  {
     std::vector<double> densities;
     std::vector<Index> parents;
-    for (const Index f : cut_from) {
+    densities.reserve(old_faces.size());
+    parents.reserve(old_faces.size());
+    for (const Index f : old_faces) {
       densities.push_back(density[f]);
       parents.push_back(parent[f]);
     }
@@ -49,7 +92,6 @@ struct Clustering_input
     measure();
   }
 
-private:
   void measure()
   {
     area.resize(mesh.number_of_faces());

@@ -33,15 +33,22 @@ public:
   Initial_clustering(const Clustering_input& input, Coarsening_report& report) : input_(&input), report_(report)
   {
     const std::vector<Component>& components = input.mesh.components;
-    for (const Component& c : components) {
+    for (const Component& c : components)
       least_.push_back(fewest_vertices(c));
-      most_.push_back((std::max)(c.vertices, least_.back()));
-    }
+    bound_by_vertices();
     share_.assign(components.size(), 0);
     for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
       share_[input.mesh.component[f]] += input.mass(Index(f));
     cut_.assign(components.size(), false);
     from_pieces_.assign(components.size(), false);
+  }
+
+  // Cuts all faces into pieces, as often as it takes to have `faces` of them.
+  void subdivide(std::size_t faces)
+  {
+    while (input_->mesh.number_of_faces() < faces)
+      cut(std::vector<bool>(cut_.size(), true));
+    bound_by_vertices();
   }
 
   // Finds seeds, as many as give `number` clusters or more. Throws if that number cannot be had.
@@ -143,13 +150,24 @@ private:
         chosen[i] = cut_[i] = any = true;
         ++report_.subdivided_components;
       }
-    if (any) {
-      if (!cut_input_)
-        cut_input_ = *input_;
-      cut_input_->subdivide(chosen);
-      input_ = &*cut_input_;
-    }
+    if (any)
+      cut(chosen);
     return any;
+  }
+
+  void cut(const std::vector<bool>& chosen_components)
+  {
+    if (!cut_input_)
+      cut_input_ = *input_;
+    cut_input_->subdivide(chosen_components);
+    input_ = &*cut_input_;
+  }
+
+  void bound_by_vertices()
+  {
+    most_.clear();
+    for (std::size_t i = 0; i < least_.size(); ++i)
+      most_.push_back((std::max)(input_->mesh.components[i].vertices, least_[i]));
   }
 
   void seed_components()

@@ -107,6 +107,19 @@ Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& 
   return input;
 }
 
+// Leaves out the components of less than the area asked for, which is in the units of the mesh.
+template <class NamedParameters>
+std::size_t drop_small_components(const NamedParameters& np, const Frame& frame, Clustering_input& input)
+{
+  const double least = choose_parameter(get_parameter(np, internal_np::minimum_component_area_p), 0.);
+  if (!(least >= 0))
+    throw Invalid_input("the minimum component area is " + std::to_string(least));
+  const std::size_t dropped = input.drop_components_below(std::ldexp(least, -2 * frame.exponent));
+  if (input.mesh.number_of_faces() == 0)
+    throw Invalid_input("no component of the input has an area of " + std::to_string(least));
+  return dropped;
+}
+
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL
