@@ -17,7 +17,7 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -116,7 +116,7 @@ public:
       throw std::logic_error("grow() was called before seed()");
     visitor_.stage_begins(Coarsening_stage::GROWTH);
     minimization_.reset();
-    labels_.emplace(initial_->grow());
+    labels_ = std::make_unique<internal::Cluster_labels>(initial_->grow());
     begin_minimization(report_.clusters);
     visitor_.stage_ends(Coarsening_stage::GROWTH);
   }
@@ -132,7 +132,7 @@ public:
   {
     forget();
     std::size_t number = 0;
-    labels_.emplace(input_.mesh);
+    labels_ = std::make_unique<internal::Cluster_labels>(input_.mesh);
     for (std::size_t i = 0; i < input_.parent.size(); ++i) {
       const std::size_t label = std::size_t(get(clusters, numbering_.faces[input_.parent[i]]));
       if (label >= numbering_.faces.size()) {
@@ -255,8 +255,9 @@ public:
   {
     visitor_.stage_begins(Coarsening_stage::TRIANGULATION);
     const Clustered_surface surface(working_input(), labels(), report_.clusters);
-    const std::vector<internal::Vector> positions = internal::place_vertices(surface, placement);
-    internal::fill_face_graph(positions, frame_, internal::dual_triangles(labels()), output, np);
+    std::vector<internal::Triangle> triangles = internal::dual_triangles(labels());
+    const std::vector<internal::Vector> positions = internal::place_vertices(surface, placement, triangles);
+    internal::fill_face_graph(positions, frame_, triangles, output, np);
     visitor_.stage_ends(Coarsening_stage::TRIANGULATION);
   }
   /// @}
@@ -268,7 +269,7 @@ private:
     visitor_.stage_begins(Coarsening_stage::SEEDING);
     forget();
     reset_report();
-    initial_.emplace(input_, report_);
+    initial_ = std::make_unique<internal::Initial_clustering>(input_, report_);
     seed(*initial_);
     visitor_.stage_ends(Coarsening_stage::SEEDING);
     return report_.seeds;
@@ -291,7 +292,8 @@ private:
 
   void begin_minimization(std::size_t clusters)
   {
-    minimization_.emplace(working_input(), *labels_, clusters, weight_);
+    minimization_ = std::make_unique<internal::Energy_minimization<ClusterWeight> >(working_input(), *labels_, clusters,
+                                                                                     weight_);
     report_.initial_energy = report_.final_energy = minimization_->energy();
   }
 
@@ -337,9 +339,9 @@ private:
   bool subdivide_ = false;
   std::size_t dropped_components_ = 0;
   Coarsening_report report_;
-  std::optional<internal::Initial_clustering> initial_;
-  std::optional<internal::Cluster_labels> labels_;
-  std::optional<internal::Energy_minimization<ClusterWeight> > minimization_;
+  std::unique_ptr<internal::Initial_clustering> initial_;
+  std::unique_ptr<internal::Cluster_labels> labels_;
+  std::unique_ptr<internal::Energy_minimization<ClusterWeight> > minimization_;
 };
 
 } // namespace Surface_mesh_coarsening

@@ -56,7 +56,8 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
   labels.recount();
   dual.triangles = Careful_dual<decltype(name)>(labels, name).triangles();
   dual.positions = place_vertices(Clustered_surface(input, labels, names.size()),
-                                  choose_parameter<Placement>(get_parameter(np, internal_np::vertex_placement_p)));
+                                  choose_parameter<Placement>(get_parameter(np, internal_np::vertex_placement_p)),
+                                  dual.triangles);
   return dual;
 }
 
@@ -100,8 +101,11 @@ void extract_dual_mesh(const FaceGraph& mesh, const FaceClusterMap& clusters, Ou
 /// \tparam PolygonRange a model of `BackInsertionSequence` of ranges of indices that can be made from three of them in
 /// braces, such as `std::vector<std::size_t>` and `std::array<std::size_t, 3>`
 ///
+/// \param mesh a 2-manifold polygon mesh
+/// \param clusters the labels of the faces, any numbers
 /// \param points receives the points, after those that it holds already
 /// \param triangles receives the triangles, with indices into `points`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `np_in` in `extract_dual_mesh()`
 template <class FaceGraph, class FaceClusterMap, class PointRange, class PolygonRange,
           class NamedParameters = parameters::Default_named_parameters>
 void extract_dual_soup(const FaceGraph& mesh, const FaceClusterMap& clusters, PointRange& points, PolygonRange& triangles,

@@ -14,6 +14,7 @@
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
+/// \cond SKIP_IN_MANUAL
 namespace internal_np {
 
 #define CGAL_add_named_parameter(X, Y, Z) enum X { Y };
@@ -84,6 +85,7 @@ public:
 #undef CGAL_add_named_parameter
 #undef CGAL_SURFACE_MESH_COARSENING_MEMBER
 };
+/// \endcond
 
 namespace Surface_mesh_coarsening {
 
@@ -102,6 +104,7 @@ auto adopt(const NamedParameters& np)
   return Named_function_parameters<bool, CGAL::internal_np::all_default_t, Chain>(true, np);
 }
 
+/// \cond SKIP_IN_MANUAL
 #define CGAL_add_named_parameter(X, Y, Z) \
   template <typename K>                   \
   auto Z(const K& k)                      \
@@ -124,6 +127,7 @@ auto adopt(const NamedParameters& np)
 #undef CGAL_add_extra_named_parameter_with_compatibility
 #undef CGAL_add_named_parameter_with_compatibility_cref_only
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
+/// \endcond
 
 } // namespace parameters
 } // namespace Surface_mesh_coarsening

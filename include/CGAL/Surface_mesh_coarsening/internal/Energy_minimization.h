@@ -65,7 +65,26 @@ public:
     // the end is reached when no edge at all has a move left.
     if (moves == 0)
       moves = run_over(edges_, true);
+    CGAL_expensive_assertion(agrees_with_recount());
     return moves;
+  }
+
+  // Whether the boundary-edge counts and the sums are those that counting and adding up from scratch gives.
+  bool agrees_with_recount() const
+  {
+    if (labels_.recounted() != labels_.boundary_counts())
+      return false;
+    Energy_minimization fresh(*this);
+    fresh.sum_up();
+    const auto agree = [](double a, double b, double scale) { return std::abs(a - b) <= 1e-9 * scale; };
+    for (std::size_t i = 0; i < clusters_.size(); ++i) {
+      const Cluster_sums<Weight>&x = clusters_[i], &y = fresh.clusters_[i];
+      if (x.faces != y.faces || !agree(x.mass, y.mass, y.mass) ||
+          !agree(x.second_moment, y.second_moment, y.second_moment) ||
+          !agree(x.energy, y.energy, y.energy + weight_.weight(y.data, y.mass, y.faces) * y.second_moment))
+        return false;
+    }
+    return true;
   }
 
   double energy() const
@@ -86,7 +105,7 @@ public:
     for (std::size_t f = 0; f < faces_.size(); ++f)
       add(clusters_[labels_[Index(f)]], Index(f));
     for (Cluster_sums<Weight>& x : clusters_)
-      x.energy = energy_of(x.mass, x.moment, x.second_moment, weight_.weight(x.data, x.mass, x.faces));
+      x.energy = energy_of(x);
   }
 
 private:
@@ -104,14 +123,18 @@ private:
   struct Trial
   {
     Index face, from, to;
-    double energy_from, energy_to; // afterwards
-    double gain;                   // by which the energy falls
-    double scale;                  // of the energies that were subtracted for it
+    double gain;  // by which the energy falls
+    double scale; // of the energies that were subtracted for it
   };
 
   static double energy_of(double mass, const Vector& moment, double second_moment, double weight)
   {
     return mass > 0 ? weight * (std::max)(0., second_moment - dot(moment, moment) / mass) : 0;
+  }
+
+  double energy_of(const Cluster_sums<Weight>& x) const
+  {
+    return energy_of(x.mass, x.moment, x.second_moment, weight_.weight(x.data, x.mass, x.faces));
   }
 
   void add(Cluster_sums<Weight>& x, Index f) const
@@ -156,12 +179,9 @@ private:
     const Cluster_sums<Weight>& source = clusters_[from];
     const Cluster_sums<Weight>& target = clusters_[to];
     if (source.faces == 1)
-      return {f, from, to, 0, 0, -1, 0};
-    Trial t{f, from, to, energy_without(source, f), energy_with(target, f), 0, 0};
-    const double lost = source.energy - t.energy_from, won = t.energy_to - target.energy;
-    t.gain = lost - won;
-    t.scale = std::abs(lost) + std::abs(won);
-    return t;
+      return {f, from, to, -1, 0};
+    const double lost = source.energy - energy_without(source, f), won = energy_with(target, f) - target.energy;
+    return {f, from, to, lost - won, std::abs(lost) + std::abs(won)};
   }
 
   // Gains this small, relative to what they are the difference of, are taken for none. So moves between equal
@@ -277,10 +297,12 @@ private:
   {
     Cluster_sums<Weight>& source = clusters_[t.from];
     Cluster_sums<Weight>& target = clusters_[t.to];
+    CGAL_assertion_code(const double before = source.energy + target.energy;)
     remove(source, t.face);
     add(target, t.face);
-    source.energy = t.energy_from;
-    target.energy = t.energy_to;
+    source.energy = energy_of(source);
+    target.energy = energy_of(target);
+    CGAL_assertion(source.energy + target.energy < before);
     round_of_change_[t.from] = round_of_change_[t.to] = round_;
     for (Index c = mesh_.first_corner[t.face]; c != mesh_.first_corner[t.face + 1]; ++c)
       if (mesh_.face_across[c] != NONE && labels_.label_across(c) != t.to) {

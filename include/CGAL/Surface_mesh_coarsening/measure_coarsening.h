@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_MEASURE_COARSENING_H
+#define CGAL_SURFACE_MESH_COARSENING_MEASURE_COARSENING_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/Surface_sampling.h>
+#include <CGAL/Surface_mesh_coarsening/internal/named_parameters.h>
+
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// How far two meshes are apart, and what shape the triangles of the second have. Lengths are in the units of the meshes,
+/// angles in degrees.
+struct Coarsening_quality
+{
+  /// The root of the mean squared distance, the larger of the two directions.
+  double rms_distance = 0;
+  /// The mean distance, the larger of the two directions.
+  double mean_distance = 0;
+  /// The largest distance of a sample, the larger of the two directions.
+  double maximum_distance = 0;
+  /// The mean angle between the normals of the second mesh and those at the closest points of the first.
+  double mean_normal_deviation = 0;
+  /// The mean over the triangles of the second mesh of their smallest angle.
+  double mean_smallest_angle = 0;
+  /// The smallest angle of all triangles of the second mesh.
+  double smallest_angle = 0;
+  /// The number of pairs of faces of the second mesh that intersect.
+  std::size_t self_intersections = 0;
+  /// The root of the mean squared distance of the borders, the larger of the two directions; 0 without borders.
+  double border_rms_distance = 0;
+  /// The diagonal of the bounding box of the first mesh.
+  double diagonal = 0;
+};
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// measures how well a mesh stands for another.
+///
+/// Distances are measured from samples on each mesh to the other: as many as asked for, spread over the faces by area, at
+/// points that depend on nothing but the mesh. Polygons are triangulated by a fan for this.
+///
+/// \tparam FaceGraph a model of `FaceListGraph`
+/// \tparam CoarseFaceGraph a model of `FaceListGraph`
+/// \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the first mesh, for example the input of `coarsen_mesh()`
+/// \param coarse the second mesh, for example its output
+/// \param number_of_samples the number of samples in each direction
+/// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
+/// `mesh`
+/// \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
+/// `coarse`
+///
+/// \pre Both meshes have a face.
+/// \throws Invalid_input if one has none, or if a coordinate is not finite.
+template <class FaceGraph, class CoarseFaceGraph,
+          class NamedParameters1 = parameters::Default_named_parameters,
+          class NamedParameters2 = parameters::Default_named_parameters>
+Coarsening_quality measure_coarsening(const FaceGraph& mesh, const CoarseFaceGraph& coarse,
+                                      std::size_t number_of_samples = 100000,
+                                      const NamedParameters1& np1 = parameters::default_values(),
+                                      const NamedParameters2& np2 = parameters::default_values())
+{
+  using internal::Distance_statistics;
+  const internal::Triangle_mesh a = internal::triangulated_copy(mesh, np1), b = internal::triangulated_copy(coarse, np2);
+  Coarsening_quality quality;
+  quality.diagonal = internal::diagonal(a);
+  const Distance_statistics forth = internal::distances(a, b, number_of_samples);
+  const Distance_statistics back = internal::distances(b, a, number_of_samples);
+  quality.rms_distance = (std::max)(forth.rms(), back.rms());
+  quality.mean_distance = (std::max)(forth.mean(), back.mean());
+  quality.maximum_distance = (std::max)(forth.maximum, back.maximum);
+  quality.mean_normal_deviation = back.mean_normal_deviation();
+  quality.border_rms_distance = (std::max)(internal::border_distances(a, b, number_of_samples).rms(),
+                                           internal::border_distances(b, a, number_of_samples).rms());
+  quality.smallest_angle = 180;
+  for (const auto f : faces(b)) {
+    const double angle = internal::smallest_angle(b, f);
+    quality.smallest_angle = (std::min)(quality.smallest_angle, angle);
+    quality.mean_smallest_angle += angle / double(num_faces(b));
+  }
+  std::vector<std::pair<internal::Triangle_mesh::Face_index, internal::Triangle_mesh::Face_index> > pairs;
+  Polygon_mesh_processing::self_intersections(b, std::back_inserter(pairs));
+  quality.self_intersections = pairs.size();
+  return quality;
+}
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_MEASURE_COARSENING_H
