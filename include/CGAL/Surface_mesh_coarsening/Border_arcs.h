@@ -57,6 +57,7 @@ private:
   typedef internal::Index Index;
   typedef internal::Vector Vector;
 
+  /// \cond SKIP_IN_MANUAL
   struct Arc
   {
     Index cluster;
@@ -65,6 +66,7 @@ private:
     bool has_corner = false;
     Vector corner;
   };
+  /// \endcond
 
   // The label of the face at the border edge that begins at `v`: the first of its star.
   Index label_after(Index v) const { return labels_[mesh_.star[mesh_.first_in_star[v]]]; }

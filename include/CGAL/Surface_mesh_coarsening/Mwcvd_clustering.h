@@ -242,7 +242,7 @@ public:
   /// replaces `output` by the dual triangulation (section 8.3). Its `i`-th vertex is that of cluster `i`.
   ///
   /// \tparam Output a model of `MutableFaceGraph`
-  /// \tparam VertexPlacement a model of `VertexPlacement`
+  /// \tparam VertexPlacement a model of `VertexPlacement` or `GlobalVertexPlacement`
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \param output is cleared and filled
   /// \param placement gives each cluster in the interior its position; those on the border get theirs on the border
@@ -257,6 +257,7 @@ public:
     const Clustered_surface surface(working_input(), labels(), report_.clusters);
     std::vector<internal::Triangle> triangles = internal::dual_triangles(labels());
     const std::vector<internal::Vector> positions = internal::place_vertices(surface, placement, triangles);
+    visitor_.throw_if_cancelled();
     internal::fill_face_graph(positions, frame_, triangles, output, np);
     visitor_.stage_ends(Coarsening_stage::TRIANGULATION);
   }

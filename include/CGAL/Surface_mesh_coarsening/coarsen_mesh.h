@@ -5,6 +5,8 @@
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 
+#include <type_traits>
+
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
@@ -70,8 +72,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 /// \tparam NamedParametersOut a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param input a 2-manifold polygon mesh: any number of components, borders, faces of any number of sides
-/// \param number_of_vertices the number of vertices of the output, at least what the topology of the input needs (4 for a
-///        sphere, 3 for a disc) and at most the number of vertices of the input
+/// \param number_of_vertices the number of vertices of the output, at least what the topology of the input needs
+/// and at most the number of vertices of the input
 /// \param output is cleared and filled; its `i`-th vertex is that of cluster `i`. It must not be the input.
 /// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 /// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
@@ -108,7 +110,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_placement}
 ///     \cgalParamDescription{the position of the vertex of a cluster}
-///     \cgalParamType{a model of `VertexPlacement`}
+///     \cgalParamType{a model of `VertexPlacement` or `GlobalVertexPlacement`}
 ///     \cgalParamDefault{`Centroid_placement()`}
 ///     \cgalParamExtra{clusters on the border have their vertex on the border, whatever the placement}
 ///   \cgalParamNEnd
@@ -210,7 +212,11 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
 /// needs more. Everything else is as in the overload that takes a number of vertices.
 template <class FaceGraph, class OutputFaceGraph,
           class NamedParametersIn = parameters::Default_named_parameters,
-          class NamedParametersOut = parameters::Default_named_parameters>
+          class NamedParametersOut = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , std::enable_if_t<!std::is_integral<OutputFaceGraph>::value>* = nullptr // an `int` is a number of vertices
+#endif
+          >
 Coarsening_report coarsen_mesh(const FaceGraph& input, OutputFaceGraph& output,
                                const NamedParametersIn& np_in = parameters::default_values(),
                                const NamedParametersOut& np_out = parameters::default_values())

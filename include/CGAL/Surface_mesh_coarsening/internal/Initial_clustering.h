@@ -5,11 +5,13 @@
 
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Component_plan.h>
 #include <CGAL/Surface_mesh_coarsening/internal/merge_clusters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seed_walk.h>
 #include <CGAL/Surface_mesh_coarsening/internal/share_out_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/split_clusters.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -23,14 +25,13 @@ namespace internal {
 // Seeds and growth: a clustering with the number of clusters asked for, all of them closed discs, whose dual is a
 // simplicial surface of the topology of the mesh.
 //
-// The usual way for a component is the paper's: seeds, growth, merging down to the number wanted, with splits where
-// clusters meet twice. Where that does not reach the number, the faces of the component are cut into pieces, and the
-// clusters are merged two by two from single pieces in an order that does not depend on the number wanted. Whatever
-// number this second way reaches, it reaches all larger ones too.
+// Clusters that meet twice after growth are split, and clusters are merged down to the number wanted; Component_plan says
+// how, component by component. Components of fewer faces than clusters are cut into pieces.
 class Initial_clustering
 {
 public:
-  Initial_clustering(const Clustering_input& input, Coarsening_report& report) : input_(&input), report_(report)
+  Initial_clustering(const Clustering_input& input, Coarsening_report& report)
+    : uncut_input_(&input), input_(&input), report_(report)
   {
     const std::vector<Component>& components = input.mesh.components;
     for (const Component& c : components)
@@ -40,14 +41,18 @@ public:
     for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
       share_[input.mesh.component[f]] += input.mass(Index(f));
     cut_.assign(components.size(), false);
-    from_pieces_.assign(components.size(), false);
+    plan_.resize(components.size());
   }
 
   // Cuts all faces into pieces, as often as it takes to have `faces` of them.
   void subdivide(std::size_t faces)
   {
-    while (input_->mesh.number_of_faces() < faces)
-      cut(std::vector<bool>(cut_.size(), true));
+    while (uncut_input_->mesh.number_of_faces() < faces) {
+      if (!subdivided_input_)
+        subdivided_input_ = *uncut_input_;
+      subdivided_input_->subdivide(std::vector<bool>(cut_.size(), true));
+      input_ = uncut_input_ = &*subdivided_input_;
+    }
     bound_by_vertices();
   }
 
@@ -77,6 +82,8 @@ public:
     may_exceed_number_ = true;
     report_.level = level;
     report_.seeds = seeds_.size();
+    level_used_.assign(wanted_.size(), level);
+    seeds_used_ = wanted_;
     if (cut_where_needed())
       seed_components();
   }
@@ -91,13 +98,11 @@ public:
   {
     for (;;) {
       Cluster_labels labels(input_->mesh);
-      const std::vector<Index> failed = try_to_grow(labels);
+      const std::vector<Failure> failed = try_to_grow(labels);
       if (failed.empty())
         return labels;
-      // A component fails twice at the most: the first time it goes over to the second way, the second time its
-      // minimum is raised to what that way reaches.
-      for (const Index i : failed)
-        from_pieces_[i] = true;
+      for (const Failure& failure : failed)
+        revise_plan(failure);
       if (finding_least_)
         wanted_ = least_;
       else
@@ -107,6 +112,24 @@ public:
   }
 
 private:
+  struct Failure
+  {
+    Index component;
+    std::size_t reached; // clusters; 0 if the faces are too few
+  };
+
+  // A component that is out of plans has its minimum raised.
+  void revise_plan(const Failure& failure)
+  {
+    const Index i = failure.component;
+    if (plan_[i].revise(level_used_[i], seeds_used_[i], failure.reached, wanted_[i]))
+      return;
+    if (!plan_[i].has_nearest())
+      throw Invalid_input("component " + std::to_string(i) + " of the input cannot be clustered");
+    least_[i] = plan_[i].nearest();
+    most_[i] = (std::max)(most_[i], least_[i]);
+  }
+
   static std::size_t sum(const std::vector<std::size_t>& v)
   {
     return std::accumulate(v.begin(), v.end(), std::size_t(0));
@@ -141,33 +164,30 @@ private:
     return faces;
   }
 
+  // Returns whether the faces have changed.
   bool cut_where_needed()
   {
     std::vector<bool> chosen(wanted_.size(), false);
-    bool any = false;
     for (std::size_t i = 0; i < wanted_.size(); ++i)
-      if (!cut_[i] && (from_pieces_[i] || input_->mesh.components[i].faces < wanted_[i])) {
-        chosen[i] = cut_[i] = any = true;
-        ++report_.subdivided_components;
-      }
-    if (any)
-      cut(chosen);
-    return any;
-  }
-
-  void cut(const std::vector<bool>& chosen_components)
-  {
-    if (!cut_input_)
-      cut_input_ = *input_;
-    cut_input_->subdivide(chosen_components);
-    input_ = &*cut_input_;
+      chosen[i] = plan_[i].from_pieces() || uncut_input_->mesh.components[i].faces < wanted_[i];
+    if (chosen == cut_)
+      return false;
+    cut_.swap(chosen);
+    report_.subdivided_components = std::count(cut_.begin(), cut_.end(), true);
+    input_ = uncut_input_;
+    if (report_.subdivided_components > 0) {
+      cut_input_ = *uncut_input_;
+      cut_input_->subdivide(cut_);
+      input_ = &*cut_input_;
+    }
+    return true;
   }
 
   void bound_by_vertices()
   {
     most_.clear();
     for (std::size_t i = 0; i < least_.size(); ++i)
-      most_.push_back((std::max)(input_->mesh.components[i].vertices, least_[i]));
+      most_.push_back((std::max)(uncut_input_->mesh.components[i].vertices, least_[i]));
   }
 
   void seed_components()
@@ -185,14 +205,21 @@ private:
     Seed_walk walk(m);
     seeds_.clear();
     report_.level = 0;
+    level_used_.assign(wanted_.size(), 0);
+    seeds_used_.assign(wanted_.size(), 0);
     const Index* first = faces.data();
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
-      const Index* last = faces.data() + end[i];
-      if (from_pieces_[i])
-        seeds_.insert(seeds_.end(), first, last);
+      const Face_range range{first, faces.data() + end[i]};
+      const std::size_t before = seeds_.size();
+      if (plan_[i].from_pieces())
+        seeds_.insert(seeds_.end(), range.first, range.last);
+      else if (plan_[i].level() != NONE)
+        walk.run(range, level_used_[i] = plan_[i].level(), seeds_);
       else
-        report_.level = (std::max)(report_.level, seed_component(walk, Face_range{first, last}, wanted_[i]));
-      first = last;
+        level_used_[i] = seed_component(walk, range, wanted_[i]);
+      seeds_used_[i] = seeds_.size() - before;
+      report_.level = (std::max)(report_.level, std::size_t(level_used_[i]));
+      first = range.last;
     }
     report_.seeds = seeds_.size();
   }
@@ -205,7 +232,7 @@ private:
   };
 
   // Takes the seeds of the largest level, near the one expected, that gives enough of them. Returns the level.
-  std::size_t seed_component(Seed_walk& walk, const Face_range& faces, std::size_t wanted)
+  Index seed_component(Seed_walk& walk, const Face_range& faces, std::size_t wanted)
   {
     // On a regular mesh the neighborhood of level k has 1 + 3 k (k + 1) / 2 faces, and some three quarters of all
     // faces lie in one.
@@ -235,7 +262,7 @@ private:
   }
 
   // Returns the components where it did not come to the number wanted.
-  std::vector<Index> try_to_grow(Cluster_labels& labels)
+  std::vector<Failure> try_to_grow(Cluster_labels& labels)
   {
     Cluster_growth growth(labels);
     Index clusters = 0;
@@ -244,41 +271,42 @@ private:
     growth.run();
     clusters = growth.cover(all_faces(), clusters);
 
+    std::vector<Failure> failed;
     Cluster_splitting splitting(labels, clusters);
     report_.splits = splitting.run();
-    std::vector<Index> failed = splitting.fruitless_components();
-    for (const Index i : failed)
-      if (from_pieces_[i])
-        throw Invalid_input("the faces of component " + std::to_string(i) + " do not form a surface");
+    for (const Index i : splitting.fruitless_components())
+      failed.push_back({i, 0});
     if (!failed.empty())
       return failed;
     labels.recount();
 
-    Cluster_merging merging(labels, splitting.number_of_clusters(), input_->area, wanted_, from_pieces_);
+    std::vector<bool> two_by_two;
+    for (const Component_plan& plan : plan_)
+      two_by_two.push_back(plan.two_by_two());
+    Cluster_merging merging(labels, splitting.number_of_clusters(), input_->area, wanted_, two_by_two);
     report_.merges = merging.run();
     for (std::size_t i = 0; i < wanted_.size(); ++i)
-      if (merging.number_of_clusters(i) != wanted_[i]) {
-        failed.push_back(Index(i));
-        if (from_pieces_[i]) {
-          least_[i] = merging.number_of_clusters(i);
-          most_[i] = (std::max)(most_[i], least_[i]);
-        }
-      }
+      if (merging.number_of_clusters(i) != wanted_[i])
+        failed.push_back({Index(i), merging.number_of_clusters(i)});
     if (failed.empty())
       seeds_ = merging.compact();
     report_.clusters = seeds_.size();
     return failed;
   }
 
-  const Clustering_input* input_;
-  std::optional<Clustering_input> cut_input_;
+  const Clustering_input* uncut_input_; // the one given, or a subdivision of it
+  const Clustering_input* input_;       // the same, or with components cut into pieces
+  std::optional<Clustering_input> subdivided_input_, cut_input_;
   Coarsening_report& report_;
   std::size_t number_ = 0;
   bool may_exceed_number_ = false; // where topology needs more
   bool finding_least_ = false;
   std::vector<std::size_t> least_, most_, wanted_; // clusters per component
   std::vector<double> share_;                      // mass per component
-  std::vector<bool> cut_, from_pieces_;            // per component: faces cut into pieces; the second way
+  std::vector<Component_plan> plan_;
+  std::vector<bool> cut_;                          // components that are cut into pieces
+  std::vector<Index> level_used_;                  // per component, of its seeds
+  std::vector<std::size_t> seeds_used_;
   std::vector<Index> seeds_;
 };
 

@@ -40,7 +40,6 @@ public:
   {
     if (stage_ends_)
       stage_ends_(stage);
-    throw_if_cancelled();
   }
   void round_done(std::size_t round, std::size_t moves, double energy) const
   {

@@ -146,19 +146,34 @@ private:
   std::size_t merge_at(Index v)
   {
     std::vector<Index> group = chosen_;
+    Index merged = NONE;
     std::size_t merges = 0;
-    while (group.size() > 1 && excess_at(v) > 0 && merge_two_of(group, v))
+    while (group.size() > 1 && excess_at(v) > 0) {
+      const Index x = merge_two_of(group, v);
+      if (x == NONE)
+        break;
+      merged = x;
       ++merges;
+    }
     if (merges == 0 && runs_.size() > group.size()) {
       group = clusters_at(v);
-      merges = merge_two_of(group, v);
+      merged = merge_two_of(group, v);
+      merges = merged != NONE;
     }
     if (merges > 0) {
-      seed_[group.front()] = mesh_.star[mesh_.first_in_star[v]];
-      for (const Index x : group)
-        enqueue_boundary_of(x, v);
+      seed_[merged] = face_at(v, merged);
+      enqueue_boundary_of(merged, v);
     }
     return merges;
+  }
+
+  // The first face of cluster `x` around `v`.
+  Index face_at(Index v, Index x) const
+  {
+    Index i = mesh_.first_in_star[v];
+    while (labels_[mesh_.star[i]] != x)
+      ++i;
+    return mesh_.star[i];
   }
 
   std::vector<Index> clusters_at(Index v)
@@ -171,8 +186,8 @@ private:
   }
 
   // Merges the two neighbors at `v` among the clusters of the group that have the smallest summed area of those that may
-  // be merged. Their place in the group is the one of the first.
-  bool merge_two_of(std::vector<Index>& group, Index v)
+  // be merged. Their place in the group is the one of the first. Returns the merged cluster, NONE if there is none.
+  Index merge_two_of(std::vector<Index>& group, Index v)
   {
     pairs_.clear();
     for (std::size_t i = 0; i < group.size(); ++i)
@@ -183,12 +198,13 @@ private:
     for (const Pair& pair : pairs_) {
       const Directed_edge e = edge_between(v, group[pair.first], group[pair.second]);
       if (e.face != NONE && may_merge(e)) {
-        group[pair.first] = merge(e);
+        const Index merged = merge(e);
+        group[pair.first] = merged;
         group.erase(group.begin() + pair.second);
-        return true;
+        return merged;
       }
     }
-    return false;
+    return NONE;
   }
 
   // The edge at `v` between clusters `a` and `b`, seen from the one that is followed by the other.
@@ -275,10 +291,7 @@ private:
   // Merging may have made other merges around the new cluster possible, and has made all of them larger.
   void enqueue_boundary_of(Index x, Index v)
   {
-    Index i = mesh_.first_in_star[v];
-    while (labels_[mesh_.star[i]] != x)
-      ++i;
-    const Index face = mesh_.star[i];
+    const Index face = face_at(v, x);
     Index f = face;
     Directed_edge e = walk_.boundary_edge(f);
     while (e.face == NONE && (f = next_in_cluster_[f]) != face)

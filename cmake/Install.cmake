@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Installs the headers and what find_package(Surface_mesh_coarsening) reads. Nothing installed names an absolute path,
+# so the prefix can be moved.
+
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+set(config_dir ${CMAKE_INSTALL_DATADIR}/cmake/Surface_mesh_coarsening)
+
+install(TARGETS Surface_mesh_coarsening
+  EXPORT Surface_mesh_coarsening_targets
+  FILE_SET HEADERS
+  FILE_SET internal_headers)
+install(EXPORT Surface_mesh_coarsening_targets
+  FILE Surface_mesh_coarseningTargets.cmake
+  NAMESPACE Surface_mesh_coarsening::
+  DESTINATION ${config_dir})
+
+configure_package_config_file(
+  ${CMAKE_CURRENT_LIST_DIR}/Surface_mesh_coarseningConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/cmake/Surface_mesh_coarseningConfig.cmake
+  INSTALL_DESTINATION ${config_dir})
+write_basic_package_version_file(
+  ${PROJECT_BINARY_DIR}/cmake/Surface_mesh_coarseningConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion
+  ARCH_INDEPENDENT)
+install(FILES
+  ${PROJECT_BINARY_DIR}/cmake/Surface_mesh_coarseningConfig.cmake
+  ${PROJECT_BINARY_DIR}/cmake/Surface_mesh_coarseningConfigVersion.cmake
+  DESTINATION ${config_dir})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/surface_mesh_coarsening)

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Stands for all tools.
+add_custom_target(tools)
+
+# surface_mesh_coarsening_add_tool(NAME): a program of several sources, those of the directory NAME beside the
+# calling file, built to bin/. What tools share is in the examples' directory support/.
+function(surface_mesh_coarsening_add_tool name)
+  find_package(Boost REQUIRED COMPONENTS program_options)
+  find_package(PNG REQUIRED)
+  find_package(nlohmann_json 3 REQUIRED)
+  file(GLOB sources CONFIGURE_DEPENDS ${name}/*.cpp)
+  add_executable(${name} ${sources})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/examples/Surface_mesh_coarsening)
+  target_link_libraries(${name} PRIVATE
+    Surface_mesh_coarsening::Surface_mesh_coarsening
+    Boost::program_options
+    PNG::PNG
+    nlohmann_json::nlohmann_json)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+  add_dependencies(tools ${name})
+endfunction()
+
+# surface_mesh_coarsening_add_run(NAME COMMAND... [MODELS MODEL...]): a CTest test that runs a command in a directory
+# of its own in the build tree, and is skipped with a message where one of the models was not found.
+function(surface_mesh_coarsening_add_run name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "COMMAND;MODELS")
+  foreach(model IN LISTS arg_MODELS)
+    if(NOT model_${model})
+      add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E echo "Skipped: the model ${model} was not found")
+      set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "^Skipped: ")
+      return()
+    endif()
+  endforeach()
+  file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/run/${name})
+  add_test(NAME ${name} COMMAND ${arg_COMMAND} WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/run/${name})
+  if(CGAL_DATA_DIR)
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT CGAL_DATA_DIR=${CGAL_DATA_DIR})
+  endif()
+endfunction()

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// \ingroup PkgSurfaceMeshCoarseningConcepts
+/// \cgalConcept
+///
+/// The concept `CoarseningVisitor` describes objects that are told how far a coarsening has come, and that may cancel it.
+///
+/// A visitor is passed with named parameter `visitor`, as a copy or, in `std::ref()`, itself. All calls come from the thread
+/// that called the library. The library reads no clock: a visitor that wants to know how long a stage takes reads one when
+/// the stage begins and when it ends.
+///
+/// \cgalRefines{`CopyConstructible`, unless it is passed in `std::ref()`}
+///
+/// \cgalHasModelsBegin
+/// \cgalHasModels{`CGAL::Surface_mesh_coarsening::Coarsening_visitor_base`}
+/// \cgalHasModelsEnd
+class CoarseningVisitor
+{
+public:
+  /// is called when `stage` begins.
+  void stage_begins(CGAL::Surface_mesh_coarsening::Coarsening_stage stage);
+
+  /// is called when `stage` has ended. It is not called for a stage that ended with an exception.
+  void stage_ends(CGAL::Surface_mesh_coarsening::Coarsening_stage stage);
+
+  /// is called after each round of the minimization: `round` is its number, the first being 1, `moves` the number of faces
+  /// that changed cluster in it, and `energy` the energy (8) after it.
+  void round_done(std::size_t round, std::size_t moves, double energy);
+
+  /// is asked at the beginning and at the end of each stage and after each round of the minimization, and possibly at other
+  /// times. If it returns `false`, `CGAL::Surface_mesh_coarsening::Coarsening_cancelled` is thrown.
+  bool go_further();
+};

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// \ingroup PkgSurfaceMeshCoarseningConcepts
+/// \cgalConcept
+///
+/// The concept `VertexPlacement` describes where the vertex of a cluster is put in the output, one cluster at a time. See
+/// `GlobalVertexPlacement` for all of them together.
+///
+/// It is asked for clusters that have no edge on the border of the mesh. Those that have one get their vertex on the border,
+/// whatever the placement, see section \ref smc_borders of the manual.
+///
+/// An object that is not passed is default constructed; otherwise the default constructor is not needed.
+///
+/// \cgalRefines{`CopyConstructible`}
+///
+/// \cgalHasModelsBegin
+/// \cgalHasModels{`CGAL::Surface_mesh_coarsening::Centroid_placement`}
+/// \cgalHasModels{`CGAL::Surface_mesh_coarsening::Closest_vertex_placement`}
+/// \cgalHasModels{`CGAL::Surface_mesh_coarsening::Quadric_placement`}
+/// \cgalHasModelsEnd
+class VertexPlacement
+{
+public:
+  /// returns the position of the vertex of cluster `cluster`, in the coordinates of `surface`: those of its faces and
+  /// vertices, which are relative to a local origin.
+  CGAL::Surface_mesh_coarsening::Clustered_surface::Point
+  operator()(const CGAL::Surface_mesh_coarsening::Clustered_surface& surface, std::size_t cluster) const;
+};

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Options.h"
+
+#include "support/file_type.h"
+#include "coarsening.h"
+
+#include <CGAL/Surface_mesh_coarsening/version.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+namespace coarsen_mesh_tool {
+namespace {
+
+namespace po = boost::program_options;
+
+// Numbers are read by hand: the stream operators behind Boost.Program_options take "-1" for an unsigned number.
+std::size_t to_count(const std::string& option, const std::string& text, std::size_t least, std::size_t most)
+{
+  std::size_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  if (read.ec != std::errc() || read.ptr != end || value < least || value > most)
+    throw Wrong_usage("--" + option + " takes a whole number from " + std::to_string(least) +
+                      (most < (std::numeric_limits<unsigned>::max)() ? " to " + std::to_string(most) : " on") +
+                      ", not '" + text + "'");
+  return value;
+}
+
+std::optional<double> to_number(const std::string& text)
+{
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(value))
+    return std::nullopt;
+  return value;
+}
+
+Vector to_direction(const std::string& option, const std::string& text)
+{
+  std::vector<double> coordinates;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');)
+    if (const auto value = to_number(part))
+      coordinates.push_back(*value);
+    else
+      coordinates.resize(4); // is refused below
+  if (coordinates.size() == 3 && text.back() != ',') {
+    const double largest = (std::max)({std::abs(coordinates[0]), std::abs(coordinates[1]), std::abs(coordinates[2])});
+    if (largest > 0)
+      return Vector(coordinates[0] / largest, coordinates[1] / largest, coordinates[2] / largest);
+  }
+  throw Wrong_usage("--" + option + " takes a direction X,Y,Z that is not zero, not '" + text + "'");
+}
+
+std::string joined(const std::vector<std::string>& names)
+{
+  std::string result;
+  for (const std::string& name : names)
+    result += (result.empty() ? "" : ", ") + name;
+  return result;
+}
+
+void check_choice(const std::string& option, const std::string& value, const std::vector<std::string>& names)
+{
+  if (std::find(names.begin(), names.end(), value) == names.end())
+    throw Wrong_usage("--" + option + " is one of " + joined(names) + ", not '" + value + "'");
+}
+
+po::options_description described_options()
+{
+  const auto text = [] { return po::value<std::string>(); };
+  po::options_description result("Options");
+  // clang-format off
+  result.add_options()
+    ("vertices,n", text()->value_name("N"), "number of vertices of the result")
+    ("neighborhood-level,k", text()->value_name("K"),
+     "instead of --vertices: one vertex for every seed whose neighborhood of K layers of faces is free (default 7)")
+    ("rounds", text()->value_name("R"),
+     "stop after R rounds of minimization; 0 shows seeds and growth alone (default: until a round changes nothing, at most 1000)")
+    ("weight,w", text()->value_name("W")->default_value(default_weight()), joined(weight_names()).c_str())
+    ("maximum-density", text()->value_name("R")->default_value("50"),
+     "densities run from 1 on flat parts to R on the sharpest ones; the weight variance does well with 3")
+    ("placement", text()->value_name("P")->default_value(default_placement()), joined(placement_names()).c_str())
+    ("clusters", text()->value_name("FILE"), "write the input with a color and a label for each face (.ply)")
+    ("picture", text()->value_name("FILE"), "write a picture of the result and of the clusters (.png)")
+    ("view", text()->value_name("X,Y,Z"), "direction from which the picture is taken (default 1,0.5,0.8)")
+    ("up", text()->value_name("X,Y,Z"), "direction that points up in the picture (default 0,1,0)")
+    ("report", text()->value_name("FILE"), "write parameters, counts, topology and times (JSON)")
+    ("repair",
+     "mend the input first: merge coincident points, remove useless faces, orient, duplicate non-manifold vertices, "
+     "stitch borders, remove degenerate triangles and unused points")
+    ("threads", text()->value_name("T")->default_value("1"),
+     "upper bound for the number of threads; this version computes on one")
+    ("quiet", "print nothing but errors")
+    ("version", "print the version")
+    ("help", "print this text");
+  // clang-format on
+  return result;
+}
+
+void print_help(const po::options_description& described)
+{
+  std::cout << "Usage: coarsen_mesh [options] INPUT OUTPUT\n\n"
+               "Coarsens a polygon mesh to a triangle mesh with few vertices that keeps the features of the surface,\n"
+               "by multiplicatively weighted centroidal Voronoi diagrams. INPUT is an oriented 2-manifold mesh; INPUT\n"
+               "and OUTPUT are .off, .obj, .ply or .stl files. Messages number faces and vertices from 0.\n\n"
+            << described
+            << "\nExit status: 0 done, 1 could not (one line on standard error says why), 2 wrong usage.\n";
+}
+
+void check_files(const Options& options)
+{
+  if (!is_mesh_file_type(file_type(options.input)))
+    throw Wrong_usage("INPUT must be an .off, .obj, .ply or .stl file, not '" + options.input + "'");
+  if (!is_mesh_file_type(file_type(options.output)))
+    throw Wrong_usage("OUTPUT must be an .off, .obj, .ply or .stl file, not '" + options.output + "'");
+  if (!options.clusters.empty() && file_type(options.clusters) != "ply")
+    throw Wrong_usage("--clusters takes a .ply file, not '" + options.clusters + "'");
+  if (!options.picture.empty() && file_type(options.picture) != "png")
+    throw Wrong_usage("--picture takes a .png file, not '" + options.picture + "'");
+
+  // OUTPUT may take the input's place, which is what a user who names the same file twice asks for.
+  std::vector<std::string> files = {options.input, options.clusters, options.picture, options.report};
+  for (int pass = 0; pass < 2; ++pass, files[0] = options.output)
+    for (std::size_t i = 0; i < files.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (!files[i].empty() &&
+            std::filesystem::path(files[i]).lexically_normal() == std::filesystem::path(files[j]).lexically_normal())
+          throw Wrong_usage("'" + files[i] + "' is named twice");
+}
+
+// Tells whether the option was given, also for those with a default.
+std::optional<std::string> given(const po::variables_map& values, const std::string& option)
+{
+  const auto found = values.find(option);
+  return found == values.end() ? std::nullopt : std::optional<std::string>(found->second.as<std::string>());
+}
+
+Options checked_options(const po::variables_map& values)
+{
+  Options options;
+  const std::size_t any = (std::numeric_limits<std::size_t>::max)();
+  if (!values.count("input") || !values.count("output"))
+    throw Wrong_usage("INPUT and OUTPUT are needed");
+  options.input = *given(values, "input");
+  options.output = *given(values, "output");
+  if (const auto text = given(values, "vertices"))
+    options.vertices = to_count("vertices", *text, 1, any);
+  if (const auto text = given(values, "neighborhood-level"))
+    options.neighborhood_level = static_cast<unsigned>(to_count("neighborhood-level", *text, 0, 1000000));
+  if (options.vertices && options.neighborhood_level)
+    throw Wrong_usage("--vertices and --neighborhood-level exclude each other");
+  if (const auto text = given(values, "rounds"))
+    options.rounds = to_count("rounds", *text, 0, any);
+  options.weight = *given(values, "weight");
+  check_choice("weight", options.weight, weight_names());
+  options.placement = *given(values, "placement");
+  check_choice("placement", options.placement, placement_names());
+  const std::string density_text = *given(values, "maximum-density");
+  options.maximum_density = to_number(density_text).value_or(0);
+  if (!(options.maximum_density >= 1 && options.maximum_density <= 1e20))
+    throw Wrong_usage("--maximum-density takes a number from 1 to 1e20, not '" + density_text + "'");
+  options.clusters = given(values, "clusters").value_or("");
+  options.picture = given(values, "picture").value_or("");
+  options.report = given(values, "report").value_or("");
+  if (const auto text = given(values, "view"))
+    options.view = to_direction("view", *text);
+  if (const auto text = given(values, "up"))
+    options.up = to_direction("up", *text);
+  options.repair = values.count("repair") > 0;
+  options.quiet = values.count("quiet") > 0;
+  options.threads = static_cast<unsigned>(to_count("threads", *given(values, "threads"), 1, 1000000));
+  check_files(options);
+  return options;
+}
+
+} // namespace
+
+std::optional<Options> read_options(int argc, char* argv[])
+{
+  const po::options_description described = described_options();
+  po::options_description all;
+  all.add(described).add_options()("input", po::value<std::string>())("output", po::value<std::string>());
+  po::positional_options_description positional;
+  positional.add("input", 1).add("output", 1);
+  po::variables_map values;
+  try {
+    const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(), values);
+  } catch (const po::error& e) {
+    throw Wrong_usage(e.what());
+  }
+  if (values.count("help")) {
+    print_help(described);
+    return std::nullopt;
+  }
+  if (values.count("version")) {
+    std::cout << "coarsen_mesh " CGAL_SURFACE_MESH_COARSENING_VERSION "\n";
+    return std::nullopt;
+  }
+  return checked_options(values);
+}
+
+} // namespace coarsen_mesh_tool

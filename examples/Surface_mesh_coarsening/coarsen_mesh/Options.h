@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COARSEN_MESH_OPTIONS_H
+#define COARSEN_MESH_OPTIONS_H
+
+#include "support/Mesh.h"
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace coarsen_mesh_tool {
+
+using namespace coarsening_support;
+
+// A command line that cannot be understood or obeyed.
+class Wrong_usage : public std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+// What the command line asks for. An empty file name asks for nothing.
+struct Options
+{
+  std::string input, output;
+  std::optional<std::size_t> vertices;
+  std::optional<unsigned> neighborhood_level;
+  std::optional<std::size_t> rounds; // as many as it takes when not given
+  std::string weight, placement;     // names out of the lists in Choices.h
+  double maximum_density = 50;
+  std::string clusters, picture, report;
+  Vector view = Vector(1, 0.5, 0.8), up = Vector(0, 1, 0);
+  bool repair = false, quiet = false;
+  unsigned threads = 1;
+};
+
+// Reads the command line. Returns nothing when a question (--help, --version) has been answered on standard output.
+std::optional<Options> read_options(int argc, char* argv[]);
+
+} // namespace coarsen_mesh_tool
+
+#endif // COARSEN_MESH_OPTIONS_H

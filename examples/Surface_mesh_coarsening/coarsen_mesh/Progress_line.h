@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COARSEN_MESH_PROGRESS_LINE_H
+#define COARSEN_MESH_PROGRESS_LINE_H
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace coarsen_mesh_tool {
+
+// One line on a terminal's standard error that tells what is being done. It appears when the work has taken a second, and
+// leaves no trace. Its own thread paints it, so that it lives on while a long step reports nothing.
+class Progress_line
+{
+  std::mutex mutex;
+  std::condition_variable wake;
+  std::string text;
+  bool ended = false;
+  const std::chrono::steady_clock::time_point birth = std::chrono::steady_clock::now();
+  std::thread painter;
+
+public:
+  // Does nothing at all unless `wanted` and standard error is a terminal.
+  explicit Progress_line(bool wanted);
+  ~Progress_line() { end(); }
+  Progress_line(const Progress_line&) = delete;
+  Progress_line& operator=(const Progress_line&) = delete;
+
+  void say(const std::string& what);
+
+  // Erases the line; it does not come back.
+  void end();
+
+private:
+  void paint_until_end();
+};
+
+} // namespace coarsen_mesh_tool
+
+#endif // COARSEN_MESH_PROGRESS_LINE_H

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COARSEN_MESH_TOOL_VISITOR_H
+#define COARSEN_MESH_TOOL_VISITOR_H
+
+#include "support/Timing_visitor.h"
+#include "Progress_line.h"
+
+#include <cstddef>
+#include <string>
+
+namespace coarsen_mesh_tool {
+
+// Measures the stages and tells the user about them.
+class Tool_visitor : public coarsening_support::Timing_visitor
+{
+  using Stage = CGAL::Surface_mesh_coarsening::Coarsening_stage;
+  Progress_line& progress;
+
+public:
+  Tool_visitor(coarsening_support::Stage_times& times, Progress_line& progress)
+    : Timing_visitor(times),
+      progress(progress)
+  {}
+
+  void stage_begins(Stage stage)
+  {
+    progress.say(coarsening_support::stage_name(stage));
+    Timing_visitor::stage_begins(stage);
+  }
+
+  void round_done(std::size_t round, std::size_t moves, double)
+  {
+    progress.say("minimization: round " + std::to_string(round) + ", " + std::to_string(moves) + " moves");
+  }
+};
+
+} // namespace coarsen_mesh_tool
+
+#endif // COARSEN_MESH_TOOL_VISITOR_H

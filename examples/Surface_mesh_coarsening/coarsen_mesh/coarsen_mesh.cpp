@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// coarsen_mesh: coarsens the mesh in a file. `coarsen_mesh --help` tells how it is used.
+
+#include "support/Failure.h"
+#include "support/Stage_times.h"
+#include "support/certificate.h"
+#include "support/file_type.h"
+#include "Deferred_interruption.h"
+#include "Options.h"
+#include "Output_files.h"
+#include "Progress_line.h"
+#include "Tool_visitor.h"
+#include "coarsening.h"
+#include "input.h"
+#include "picture.h"
+#include "report.h"
+#include "serialization.h"
+
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/assertions_behaviour.h>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace coarsen_mesh_tool {
+namespace {
+
+namespace SMC = CGAL::Surface_mesh_coarsening;
+
+Coarsening_result coarsen_or_explain(const Input& input, const Options& options, Stage_times& times,
+                                     Progress_line& progress)
+{
+  Tool_visitor visitor(times, progress);
+  try {
+    Coarsening_result result = coarsen(input.mesh, options, visitor);
+    times.end();
+    return result;
+  } catch (const SMC::Unreachable_number_of_vertices& e) {
+    throw Failure(options.input,
+                  one_line(e.what()) + " (nearest number that works: " + std::to_string(e.nearest()) + ")");
+  } catch (const SMC::Invalid_input& e) {
+    throw Failure(options.input, one_line(e.what()));
+  }
+}
+
+std::string summary(const Options& options, const Input& input, const Coarsening_result& result,
+                    const Certificate& certificate, const Stage_times& times)
+{
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, "%.2f s", times.total());
+  const std::string dropped =
+    input.unused_points > 0 ? ", " + std::to_string(input.unused_points) + " unused points dropped" : "";
+  return options.input + " (" + std::to_string(input.mesh.number_of_vertices()) + " vertices, " +
+         std::to_string(input.mesh.number_of_faces()) + " faces" + dropped + ") -> " + options.output + " (" +
+         std::to_string(result.mesh.number_of_vertices()) + " vertices, " +
+         std::to_string(result.mesh.number_of_faces()) + " faces), " + std::to_string(result.report.rounds) +
+         " rounds, " + std::string(certificate.kept() ? "topology kept, " : "topology changed, ") + seconds;
+}
+
+// Computes everything, and only then lets the files appear.
+std::string run(const Options& options)
+{
+  Stage_times times;
+  Progress_line progress(!options.quiet);
+  const Input input = read_input(options, times, progress);
+  const Coarsening_result result = coarsen_or_explain(input, options, times, progress);
+
+  times.begin("check");
+  progress.say("checking the result");
+  const auto fault = triangle_mesh_fault(result.mesh);
+  if (fault)
+    throw Failure(options.input, "the result is not a valid mesh and is not written: " + *fault);
+  const Certificate certificate = certify(input.mesh, result.labels, result.mesh);
+
+  std::vector<std::pair<std::string, std::string> > files; // name and content
+  if (!options.picture.empty()) {
+    times.begin("picture");
+    progress.say("rendering");
+    files.emplace_back(options.picture,
+                       picture_bytes(input.mesh, result.labels, result.mesh, options.view, options.up));
+  }
+  times.begin("write");
+  progress.say("writing");
+  files.emplace_back(options.output, mesh_bytes(result.mesh, file_type(options.output)));
+  if (!options.clusters.empty())
+    files.emplace_back(options.clusters, cluster_bytes(input.mesh, result.labels));
+  progress.end();
+  const Deferred_interruption deferred;
+  Output_files outputs;
+  for (const auto& file : files)
+    outputs.stage(file.first, file.second);
+  times.end();
+  if (!options.report.empty())
+    outputs.stage(options.report, report_text(options, input, result, fault, certificate, times));
+  outputs.commit();
+  return summary(options, input, result, certificate, times);
+}
+
+int complain(const std::string& what, int status)
+{
+  std::cerr << "coarsen_mesh: " << one_line(what) << (status == 2 ? " (see coarsen_mesh --help)" : "") << std::endl;
+  return status;
+}
+
+int run_and_report(int argc, char* argv[])
+{
+  try {
+    const auto options = read_options(argc, argv);
+    if (!options)
+      return 0;
+    const std::string done = run(*options);
+    if (!options->quiet)
+      std::cout << done << std::endl;
+    return 0;
+  } catch (const Wrong_usage& e) {
+    return complain(e.what(), 2);
+  } catch (const std::bad_alloc&) {
+    return complain("there is not enough memory", 1);
+  } catch (const std::exception& e) {
+    return complain(e.what(), 1);
+  }
+}
+
+} // namespace
+} // namespace coarsen_mesh_tool
+
+int main(int argc, char* argv[])
+{
+  // CGAL's own messages span several lines; what they say arrives as an exception too.
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
+  CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
+  // A reader that goes away and a file that grows too large are failures to write, and no reason to die on the spot.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  return coarsen_mesh_tool::run_and_report(argc, argv);
+}

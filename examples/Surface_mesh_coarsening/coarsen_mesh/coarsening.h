@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COARSEN_MESH_COARSENING_H
+#define COARSEN_MESH_COARSENING_H
+
+#include "Options.h"
+#include "Tool_visitor.h"
+
+#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace coarsen_mesh_tool {
+
+struct Coarsening_result
+{
+  Mesh mesh;                       // its vertex i stands for the label i
+  std::vector<std::size_t> labels; // per face of the input
+  CGAL::Surface_mesh_coarsening::Coarsening_report report;
+};
+
+// The names that the command line knows.
+const std::vector<std::string>& weight_names();
+const std::vector<std::string>& placement_names();
+std::string default_weight();
+std::string default_placement();
+
+// Coarsens with the weight, the placement and the numbers that the options name.
+Coarsening_result coarsen(const Mesh& input, const Options& options, Tool_visitor& visitor);
+
+} // namespace coarsen_mesh_tool
+
+#endif // COARSEN_MESH_COARSENING_H

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "input.h"
+
+#include "support/Failure.h"
+#include "support/Muted_streams.h"
+#include "support/read_soup.h"
+#include "support/soup_fault.h"
+#include "support/to_mesh.h"
+
+#include <exception>
+
+namespace coarsen_mesh_tool {
+namespace {
+
+std::vector<Repair_step> try_repair(const std::string& file, Soup& soup)
+{
+  const Muted_streams muted; // one line on standard error is promised
+  try {
+    return repair(soup);
+  } catch (const std::exception& e) {
+    throw Failure(file, "cannot be repaired: " + one_line(e.what()));
+  }
+}
+
+} // namespace
+
+Input read_input(const Options& options, Stage_times& times, Progress_line& progress)
+{
+  times.begin("read");
+  progress.say("reading " + options.input);
+  Soup soup = read_soup(options.input);
+  Input result;
+  result.points_in_file = soup.points.size();
+  result.polygons_in_file = soup.polygons.size();
+  if (options.repair) {
+    times.begin("repair");
+    progress.say("repairing");
+    result.repairs = try_repair(options.input, soup);
+    times.begin("read");
+  }
+  if (const auto fault = soup_fault(soup))
+    throw Failure(options.input, (options.repair ? "is not an oriented 2-manifold even after the repair: "
+                                                 : "is not an oriented 2-manifold (--repair may help): ") +
+                                   *fault);
+  result.unused_points = drop_unused_points(soup);
+  result.mesh = to_mesh(soup);
+  times.end();
+  return result;
+}
+
+} // namespace coarsen_mesh_tool

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COARSEN_MESH_INPUT_H
+#define COARSEN_MESH_INPUT_H
+
+#include "support/Mesh.h"
+#include "support/Stage_times.h"
+#include "Options.h"
+#include "Progress_line.h"
+#include "repair.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace coarsen_mesh_tool {
+
+struct Input
+{
+  Mesh mesh;
+  std::size_t points_in_file = 0, polygons_in_file = 0;
+  std::size_t unused_points = 0; // dropped without being asked: they belong to no surface
+  std::vector<Repair_step> repairs;
+};
+
+// Reads the input, repairs it if asked to, and makes sure that it is an oriented 2-manifold. Throws Failure otherwise.
+Input read_input(const Options& options, Stage_times& times, Progress_line& progress);
+
+} // namespace coarsen_mesh_tool
+
+#endif // COARSEN_MESH_INPUT_H

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COARSEN_MESH_SERIALIZATION_H
+#define COARSEN_MESH_SERIALIZATION_H
+
+#include "support/Mesh.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace coarsen_mesh_tool {
+
+using namespace coarsening_support;
+
+// Returns what a file of this type (off, obj, ply, stl) holds for the mesh. OFF and OBJ keep all digits; PLY and STL are
+// binary.
+std::string mesh_bytes(const Mesh& mesh, const std::string& type);
+
+// Returns a PLY file of the mesh with the properties red, green, blue, alpha and label for each face.
+std::string cluster_bytes(const Mesh& mesh, const std::vector<std::size_t>& labels);
+
+} // namespace coarsen_mesh_tool
+
+#endif // COARSEN_MESH_SERIALIZATION_H

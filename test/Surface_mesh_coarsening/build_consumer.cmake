@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Configures, builds and runs the application in consumer/, which gets the library by find_package from a prefix, or by
+# add_subdirectory from the sources.
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK_DIR})
+if(WAY STREQUAL "find_package")
+  # What is installed must not depend on where it was installed to.
+  run(${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${WORK_DIR}/installed)
+  file(RENAME ${WORK_DIR}/installed ${WORK_DIR}/moved)
+  set(way_option -D CMAKE_PREFIX_PATH=${WORK_DIR}/moved)
+else()
+  set(way_option -D SURFACE_MESH_COARSENING_SOURCE_DIR=${PROJECT_SOURCE_DIR})
+endif()
+
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK_DIR}/build -G ${GENERATOR}
+  -D CMAKE_BUILD_TYPE=Release
+  -D CMAKE_CXX_COMPILER=${COMPILER}
+  -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
+  -D CGAL_DIR=${CGAL_DIR}
+  ${way_option})
+run(${CMAKE_COMMAND} --build ${WORK_DIR}/build --parallel 1)
+run(${WORK_DIR}/build/consumer)
+
+# Nothing of the project but the library belongs to an application's build.
+file(GLOB_RECURSE others ${WORK_DIR}/build/*coarsen_mesh* ${WORK_DIR}/build/*test_*.o)
+if(others)
+  message(FATAL_ERROR "The application's build holds more than the application: ${others}")
+endif()

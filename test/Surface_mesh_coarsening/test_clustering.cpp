@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Seeds, growth, minimization and dual, held against brute force: on generated meshes and on models, for each weight.
+
+#define BOOST_TEST_MODULE clustering
+#include "support/face_graphs.h"
+#include "support/reference_energy.h"
+
+#include "models.h"
+
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/compute_face_densities.h>
+#include <CGAL/Surface_mesh_coarsening/is_valid_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/neighborhood_seeds.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/mpl/list.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace SMC = CGAL::Surface_mesh_coarsening;
+namespace utf = boost::unit_test;
+using generated::Soup;
+using reference::Labels;
+using reference::Reference_mesh;
+using test::Mesh;
+
+namespace {
+
+typedef boost::mpl::list<SMC::Uniform_weight, SMC::Weighted_area_weight, SMC::Maximum_density_weight,
+                         SMC::Exact_maximum_density_weight, SMC::Density_variance_weight>
+  Weights;
+
+template <class Weight>
+double r_new() { return std::is_same<Weight, SMC::Density_variance_weight>::value ? 3. : 50.; }
+
+void check_close(double a, double b, double relative, const std::string& what)
+{
+  BOOST_CHECK_MESSAGE(std::abs(a - b) <= relative * (std::max)(std::abs(a), std::abs(b)),
+                      what << ": " << a << " and " << b << " differ");
+}
+
+// Elements and points are what they were.
+bool same_mesh(const Mesh& a, const Mesh& b)
+{
+  if (a.number_of_vertices() != b.number_of_vertices() || a.number_of_halfedges() != b.number_of_halfedges() ||
+      a.number_of_faces() != b.number_of_faces() || a.properties<Mesh::Face_index>() != b.properties<Mesh::Face_index>() ||
+      a.properties<Mesh::Vertex_index>() != b.properties<Mesh::Vertex_index>())
+    return false;
+  for (const auto v : a.vertices())
+    if (a.point(v) != b.point(v) || a.halfedge(v) != b.halfedge(v))
+      return false;
+  for (const auto h : a.halfedges())
+    if (a.next(h) != b.next(h) || a.target(h) != b.target(h) || a.face(h) != b.face(h))
+      return false;
+  return true;
+}
+
+// How many dual triangles look the way that the surface looks around the vertex where their clusters meet.
+template <class Positions>
+double fraction_of_upright_triangles(const Reference_mesh& m, const Labels& labels, const Positions& position)
+{
+  const std::vector<reference::Face> faces = reference::faces_of(m.soup());
+  std::vector<reference::Vector> normal(reference::number_of_clusters(labels), reference::Vector{{0, 0, 0}});
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    for (int k = 0; k < 3; ++k)
+      normal[labels[f]][k] += faces[f].area * faces[f].normal[k];
+  std::size_t upright = 0;
+  const auto triangles = reference::dual_triangles(m, labels);
+  for (const reference::Triangle& t : triangles) {
+    reference::Vector around = normal[t[0]];
+    const auto n = reference::cross(reference::difference(position[t[1]], position[t[0]]),
+                         reference::difference(position[t[2]], position[t[0]]));
+    for (int k = 1; k < 3; ++k)
+      for (int i = 0; i < 3; ++i)
+        around[i] += normal[t[k]][i];
+    upright += reference::dot(n, around) > 0;
+  }
+  return triangles.empty() ? 1. : double(upright) / double(triangles.size());
+}
+
+template <class Clustering>
+void check_dual(const Clustering& clustering, const Reference_mesh& m, const Labels& labels, double least_upright)
+{
+  Mesh output;
+  clustering.extract_dual_mesh(output);
+  const Soup soup = test::to_soup(output);
+  BOOST_CHECK(CGAL::is_valid_polygon_mesh(output));
+  BOOST_CHECK(CGAL::is_triangle_mesh(output));
+  BOOST_CHECK_EQUAL(soup.points.size(), clustering.number_of_clusters());
+  for (const auto v : vertices(output))
+    BOOST_CHECK(!output.is_isolated(v));
+  // The very triangles, in the orientation of the mesh, that brute force makes of the labels: with fault_of_clustering() that is
+  // a 2-manifold of the right topology and orientation.
+  BOOST_CHECK(test::normalized(test::triangles_of(soup)) == test::normalized(reference::dual_triangles(m, labels)));
+  const double upright = fraction_of_upright_triangles(m, labels, soup.points);
+  BOOST_CHECK_MESSAGE(upright >= least_upright, "only " << upright << " of the dual triangles look outwards");
+}
+
+template <class Clustering>
+void check_boundary_counts(const Clustering& clustering, const Mesh& mesh, const Reference_mesh& m, const Labels& labels)
+{
+  const auto counts = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+  clustering.write_boundary_counts(counts);
+  const std::vector<std::size_t> expected = reference::boundary_counts(m, labels);
+  std::size_t wrong = 0;
+  for (const auto v : vertices(mesh))
+    wrong += get(counts, v) != expected[v];
+  BOOST_CHECK_EQUAL(wrong, 0u);
+}
+
+// Labels that change no energy by rounding, or no energy at all: what the energy of a converged clustering gains by
+// any single move of a face.
+template <class Weight>
+void check_local_minimum(const Reference_mesh& m, const Labels& labels, const std::vector<reference::Face>& faces,
+                         const std::vector<double>& densities, const Weight& weight)
+{
+  const std::vector<reference::Real> before = reference::energies(faces, densities, labels, weight);
+  std::size_t valid = 0, gains = 0;
+  Labels moved = labels;
+  for (std::size_t f = 0; f < labels.size(); ++f) {
+    const std::size_t from = labels[f];
+    std::vector<std::size_t> tried(1, from);
+    for (const std::size_t g : m.faces_across(f)) {
+      if (g == reference::none || std::find(tried.begin(), tried.end(), labels[g]) != tried.end())
+        continue;
+      const std::size_t to = labels[g];
+      tried.push_back(to);
+      moved[f] = to;
+      if (reference::number_of_clusters(moved) == before.size() && reference::fault_of_clustering(m, moved).empty()) {
+        ++valid;
+        const std::vector<reference::Real> after = reference::energies(faces, densities, moved, weight);
+        const reference::Real lost = before[from] - after[from], won = after[to] - before[to];
+        gains += lost - won > 1.1e-7L * (std::abs(lost) + std::abs(won)) + 1e-14L * (before[from] + before[to]);
+      }
+      moved[f] = from;
+    }
+  }
+  BOOST_CHECK_GT(valid, 0u);
+  BOOST_CHECK_MESSAGE(gains == 0, gains << " of " << valid << " allowed moves lower the energy of a converged clustering");
+}
+
+struct How
+{
+  double least_upright = 0.95;
+  bool local_minimum = false;
+};
+
+template <class Weight>
+void check_clustering(const Soup& input, std::size_t n, const How how = How())
+{
+  const Mesh mesh = test::to_mesh(input), copy = mesh;
+  const Soup soup = test::to_soup(mesh);
+  const Reference_mesh m(soup);
+  const std::vector<reference::Face> faces = reference::faces_of(soup);
+  const std::vector<double> densities = reference::densities(m, r_new<Weight>());
+  const Weight weight = Weight();
+
+  SMC::Mwcvd_clustering<Mesh, Weight> c(mesh, SMC::parameters::maximum_density(r_new<Weight>()));
+  BOOST_CHECK_GE(c.seed(n), n);
+  c.grow();
+  BOOST_REQUIRE_EQUAL(c.report().subdivided_components, 0u);
+  Labels labels = test::labels_in(c, mesh);
+  BOOST_CHECK_EQUAL(reference::fault_of_clustering(m, labels), "");
+  BOOST_CHECK_EQUAL(reference::number_of_clusters(labels), n);
+  BOOST_CHECK_EQUAL(c.number_of_clusters(), n);
+  check_close(c.energy(), reference::energy(faces, densities, labels, weight), 1e-9, "initial energy");
+  BOOST_CHECK_EQUAL(c.report().initial_energy, c.energy());
+  check_boundary_counts(c, mesh, m, labels);
+
+  // Round by round.
+  double energy = c.energy();
+  std::size_t rounds = 0, moves = 0;
+  bool changed = true;
+  while (changed && rounds < 1000) {
+    changed = c.minimize_round();
+    ++rounds;
+    BOOST_CHECK_MESSAGE(c.energy() <= energy * (1 + 1e-12), "round " << rounds << " has raised the energy from " << energy
+                                                                     << " to " << c.energy());
+    BOOST_CHECK_EQUAL(changed, c.report().moves != moves);
+    energy = c.energy();
+    moves = c.report().moves;
+    if (rounds == 1 || rounds % 16 == 0) {
+      labels = test::labels_in(c, mesh);
+      check_close(energy, reference::energy(faces, densities, labels, weight), 1e-9, "energy in between");
+      BOOST_CHECK_EQUAL(reference::fault_of_clustering(m, labels), "");
+    }
+  }
+  BOOST_CHECK(c.report().converged);
+  BOOST_CHECK_EQUAL(c.report().rounds, rounds);
+  BOOST_CHECK(!c.minimize_round()); // and it stays so
+
+  labels = test::labels_in(c, mesh);
+  BOOST_CHECK_EQUAL(reference::number_of_clusters(labels), n);
+  BOOST_CHECK_EQUAL(reference::fault_of_clustering(m, labels), "");
+  BOOST_CHECK(SMC::is_valid_clustering(
+    mesh, boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index f) { return labels[f]; })));
+  check_close(c.energy(), reference::energy(faces, densities, labels, weight), 1e-9, "final energy");
+  check_boundary_counts(c, mesh, m, labels);
+  check_dual(c, m, labels, how.least_upright);
+  if (how.local_minimum)
+    check_local_minimum(m, labels, faces, densities, weight);
+
+  // The one call does the same, and does it again.
+  for (int i = 0; i < 2; ++i) {
+    const auto clusters = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+    Mesh output;
+    const auto report = SMC::coarsen_mesh(
+      mesh, n, output,
+      SMC::parameters::face_cluster_map(clusters).cluster_weight(weight).maximum_density(r_new<Weight>()));
+    BOOST_CHECK(test::labels_of(mesh, clusters) == labels);
+    BOOST_CHECK_EQUAL(report.moves, moves);
+    check_close(report.final_energy, c.energy(), 1e-12, "energies of two ways"); // one has summed up in between
+    Mesh same;
+    c.extract_dual_mesh(same);
+    BOOST_CHECK(same_mesh(output, same));
+  }
+  BOOST_CHECK(same_mesh(mesh, copy));
+}
+
+Soup bumpy(const Soup& s, double amplitude) { return generated::with_noise(s, amplitude); }
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(closed_meshes, Weight, Weights)
+{
+  using namespace generated;
+  How minimum;
+  minimum.local_minimum = true;
+  check_clustering<Weight>(bumpy(triangle_sphere(4), 0.01), 60, minimum);
+  check_clustering<Weight>(triangle_sphere(3), 20, minimum); // many equal energies
+  check_clustering<Weight>(triangle_sphere(5), 300);
+  check_clustering<Weight>(cube_grid(12), 50, minimum);
+  check_clustering<Weight>(partly_triangulated(cube_grid(20)), 100);
+  check_clustering<Weight>(dual(bumpy(triangle_sphere(4), 0)), 80);
+  check_clustering<Weight>(triangulated(torus(40, 20)), 100, minimum);
+  check_clustering<Weight>(plate_with_windows(2, 6), 150);
+  check_clustering<Weight>(triangulated(plate_with_windows(5, 4)), 200);
+  check_clustering<Weight>(joined(triangle_sphere(3), translated(triangulated(torus(20, 20)), 5, 0, 0)), 60, minimum);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(meshes_with_border, Weight, Weights)
+{
+  using namespace generated;
+  How minimum;
+  minimum.local_minimum = true;
+  check_clustering<Weight>(bumpy(triangulated(grid(20, 15)), 0.05), 40, minimum);
+  check_clustering<Weight>(grid(30, 30), 50, minimum);
+  check_clustering<Weight>(partly_triangulated(tube(40, 20)), 60, minimum);
+  check_clustering<Weight>(bumpy(with_holes(triangle_sphere(4), 12), 0.01), 100, minimum);
+  check_clustering<Weight>(with_holes(triangulated(torus(40, 30)), 5), 100);
+  check_clustering<Weight>(joined(tube(30, 10), translated(fan(200), 5, 0, 0)), 50);
+}
+
+// A flat mesh that shares no vertex of the grid with anything: counts and energies by hand.
+BOOST_AUTO_TEST_CASE(energy_by_hand)
+{
+  const Mesh mesh = test::to_mesh(generated::grid(4, 2));
+  // Columns 0 and 1 upper and lower half, and the rest: 3 clusters of 2, 2 and 4 unit squares around a vertex.
+  const Labels labels{0, 1, 0, 1, 2, 2, 2, 2};
+  const auto map = boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index f) { return labels[f]; });
+  SMC::Mwcvd_clustering<Mesh, SMC::Uniform_weight> uniform(mesh);
+  uniform.set_clusters(map);
+  // Two squares: 2 * 1/4. Four: 4 * 1/2.
+  BOOST_CHECK_CLOSE(uniform.energy(), 0.5 + 0.5 + 2, 1e-10);
+  SMC::Mwcvd_clustering<Mesh, SMC::Weighted_area_weight> area(mesh);
+  area.set_clusters(map);
+  BOOST_CHECK_CLOSE(area.energy(), 2 * 0.5 + 2 * 0.5 + 4 * 2, 1e-10);
+  SMC::Mwcvd_clustering<Mesh, SMC::Exact_maximum_density_weight> exact(mesh);
+  exact.set_clusters(map);
+  BOOST_CHECK_CLOSE(exact.energy(), 3, 1e-10);
+  SMC::Mwcvd_clustering<Mesh, SMC::Maximum_density_weight> norm(mesh);
+  norm.set_clusters(map);
+  BOOST_CHECK_CLOSE(norm.energy(), std::pow(2, 0.1) + std::pow(4, 0.1) * 2, 1e-10);
+  SMC::Mwcvd_clustering<Mesh, SMC::Density_variance_weight> variance(mesh);
+  variance.set_clusters(map);
+  BOOST_CHECK_CLOSE(variance.energy(), 3, 1e-10);
+  BOOST_CHECK_EQUAL(variance.number_of_clusters(), 3u);
+}
+
+BOOST_AUTO_TEST_CASE(no_iterations_are_seeds_and_growth)
+{
+  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(4), 0.02));
+  const auto clusters = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+  Mesh output;
+  const auto report =
+    SMC::coarsen_mesh(mesh, 70, output, SMC::parameters::number_of_iterations(0).face_cluster_map(clusters));
+  BOOST_CHECK_EQUAL(report.rounds, 0u);
+  BOOST_CHECK_EQUAL(report.moves, 0u);
+  BOOST_CHECK(!report.converged);
+  BOOST_CHECK_EQUAL(report.initial_energy, report.final_energy);
+  SMC::Mwcvd_clustering<Mesh> c(mesh);
+  c.seed(70);
+  c.grow();
+  BOOST_CHECK(test::labels_of(mesh, clusters) == test::labels_in(c, mesh));
+  // Each seed stands for its own cluster.
+  std::vector<Mesh::Face_index> seeds;
+  c.seeds(std::back_inserter(seeds));
+  BOOST_REQUIRE_EQUAL(seeds.size(), 70u);
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+    BOOST_CHECK_EQUAL(c.cluster(seeds[i]), i);
+
+  const auto limited = SMC::coarsen_mesh(mesh, 70, output, SMC::parameters::number_of_iterations(3));
+  BOOST_CHECK_EQUAL(limited.rounds, 3u);
+  BOOST_CHECK_LT(limited.final_energy, limited.initial_energy);
+}
+
+BOOST_AUTO_TEST_CASE(levels)
+{
+  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangulated(generated::cube_grid(20)), 0.005));
+  const Reference_mesh m(test::to_soup(mesh));
+  for (const std::size_t level : {2, 4, 7}) {
+    std::vector<Mesh::Face_index> seeds, found;
+    SMC::neighborhood_seeds(mesh, level, std::back_inserter(seeds));
+    SMC::Mwcvd_clustering<Mesh> c(mesh);
+    BOOST_CHECK_EQUAL(c.seed_from_level(level), seeds.size());
+    c.seeds(std::back_inserter(found));
+    BOOST_CHECK(found == seeds);
+    const auto clusters = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+    Mesh output;
+    const auto report = SMC::coarsen_mesh(
+      mesh, output, SMC::parameters::neighborhood_level(level).face_cluster_map(clusters).number_of_iterations(5));
+    BOOST_CHECK_EQUAL(report.level, level);
+    BOOST_CHECK_EQUAL(report.seeds, seeds.size());
+    BOOST_CHECK_EQUAL(report.clusters, seeds.size());
+    BOOST_CHECK_EQUAL(output.number_of_vertices(), seeds.size());
+    BOOST_CHECK_EQUAL(reference::fault_of_clustering(m, test::labels_of(mesh, clusters)), "");
+  }
+  Mesh seven, by_default;
+  SMC::coarsen_mesh(mesh, seven, SMC::parameters::neighborhood_level(7));
+  SMC::coarsen_mesh(mesh, by_default);
+  BOOST_CHECK(same_mesh(seven, by_default));
+}
+
+BOOST_AUTO_TEST_CASE(start_from_clusters)
+{
+  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(4), 0.02));
+  const auto grown = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+  const auto direct = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+  Mesh output, again;
+  SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::number_of_iterations(0).face_cluster_map(grown));
+  const Labels before = test::labels_of(mesh, grown);
+  const auto first = SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::face_cluster_map(direct));
+  const auto second = SMC::coarsen_mesh(
+    mesh, 50, again, SMC::parameters::start_from_face_clusters(true).face_cluster_map(grown));
+  BOOST_CHECK(test::labels_of(mesh, grown) == test::labels_of(mesh, direct));
+  BOOST_CHECK(test::labels_of(mesh, grown) != before);
+  BOOST_CHECK_EQUAL(first.final_energy, second.final_energy);
+  BOOST_CHECK(same_mesh(output, again));
+  // From converged clusters nothing moves; the number may be left out.
+  const auto third =
+    SMC::coarsen_mesh(mesh, again, SMC::parameters::face_cluster_map(grown).start_from_face_clusters(true));
+  BOOST_CHECK_EQUAL(third.moves, 0u);
+  BOOST_CHECK_EQUAL(third.rounds, 1u);
+  BOOST_CHECK_EQUAL(third.clusters, 50u);
+  BOOST_CHECK(same_mesh(output, again));
+}
+
+BOOST_AUTO_TEST_SUITE(fandisk, *utf::precondition(test::If_found{models::fandisk}))
+BOOST_AUTO_TEST_CASE_TEMPLATE(weights, Weight, Weights)
+{
+  check_clustering<Weight>(test::read_soup(models::fandisk), 527);
+}
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(bunny, *utf::precondition(test::If_found{models::bunny}))
+BOOST_AUTO_TEST_CASE_TEMPLATE(weights, Weight, Weights)
+{
+  check_clustering<Weight>(test::read_soup(models::bunny), 594);
+}
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(horse, *utf::precondition(test::If_found{models::horse}))
+BOOST_AUTO_TEST_CASE_TEMPLATE(weights, Weight, Weights)
+{
+  check_clustering<Weight>(test::read_soup(models::horse), 1579);
+}
+BOOST_AUTO_TEST_SUITE_END()

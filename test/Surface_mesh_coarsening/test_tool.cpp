@@ -1,0 +1,622 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs the tool coarsen_mesh as a process. Its path is taken from the environment variable COARSEN_MESH.
+
+#define BOOST_TEST_MODULE tool
+#include "support/generate_meshes.h"
+#include "support/read_soup.h"
+#include "support/soup_fault.h"
+#include "support/to_mesh.h"
+
+#include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/Surface_mesh_coarsening/version.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using coarsening_support::Face;
+using coarsening_support::Mesh;
+using Json = nlohmann::json;
+
+std::string content_of(const fs::path& file)
+{
+  std::ifstream is(file, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(is), std::istreambuf_iterator<char>());
+}
+
+std::string off_text(const generated::Soup& soup)
+{
+  std::ostringstream os;
+  os.precision(17);
+  os << "OFF\n" << soup.points.size() << ' ' << soup.polygons.size() << " 0\n";
+  for (const auto& p : soup.points)
+    os << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  for (const auto& polygon : soup.polygons) {
+    os << polygon.size();
+    for (std::size_t v : polygon)
+      os << ' ' << v;
+    os << '\n';
+  }
+  return os.str();
+}
+
+struct Outcome
+{
+  int status;
+  std::string out, err;
+
+  bool is_one_line_error() const { return out.empty() && std::count(err.begin(), err.end(), '\n') == 1; }
+  bool names(const std::string& text) const { return err.find(text) != std::string::npos; }
+};
+
+std::string quoted(const std::string& text) { return "'" + text + "'"; }
+
+// A directory of its own for each test case; the tool runs in it.
+class Workshop
+{
+  fs::path directory = fs::temp_directory_path() / ("test_tool_" + std::to_string(getpid()));
+
+public:
+  Workshop()
+  {
+    fs::remove_all(directory);
+    fs::create_directories(directory);
+  }
+  ~Workshop()
+  {
+    std::error_code ignored;
+    fs::remove_all(directory, ignored);
+  }
+
+  fs::path operator/(const std::string& name) const { return directory / name; }
+
+  void write(const std::string& name, const std::string& text) const
+  {
+    std::ofstream(directory / name, std::ios::binary) << text;
+  }
+  void write(const std::string& name, const generated::Soup& soup) const { write(name, off_text(soup)); }
+
+  std::vector<std::string> files() const
+  {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(directory))
+      if (entry.path().filename() != "stdout" && entry.path().filename() != "stderr")
+        names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  // `arguments` are those of a shell.
+  Outcome run(const std::string& arguments) const
+  {
+    const std::string command = "cd " + quoted(directory.string()) + " && " + quoted(std::getenv("COARSEN_MESH")) +
+                                " " + arguments + " >stdout 2>stderr </dev/null";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(directory / "stdout"),
+            content_of(directory / "stderr")};
+  }
+
+  void run_well(const std::string& arguments) const
+  {
+    const Outcome outcome = run(arguments);
+    BOOST_TEST(outcome.status == 0, arguments << ": " << outcome.err);
+    BOOST_TEST(outcome.err.empty());
+  }
+
+  Json report(const std::string& name) const { return Json::parse(content_of(directory / name)); }
+
+  Mesh mesh(const std::string& name) const
+  {
+    const auto soup = coarsening_support::read_soup((directory / name).string());
+    const auto fault = coarsening_support::soup_fault(soup);
+    BOOST_TEST(!fault.has_value());
+    return coarsening_support::to_mesh(soup);
+  }
+};
+
+boost::test_tools::assertion_result has_tool(boost::unit_test::test_unit_id)
+{
+  if (std::getenv("COARSEN_MESH"))
+    return true;
+  std::cout << "Skipped: the environment variable COARSEN_MESH does not name the tool" << std::endl;
+  return false;
+}
+
+const std::vector<std::string> weights = {"uniform", "area", "maximum", "exact-maximum", "variance"};
+
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(tool, *boost::unit_test::precondition(has_tool))
+
+BOOST_AUTO_TEST_CASE(questions)
+{
+  const Workshop shop;
+  const Outcome version = shop.run("--version");
+  BOOST_TEST(version.status == 0);
+  BOOST_TEST(version.out == "coarsen_mesh " CGAL_SURFACE_MESH_COARSENING_VERSION "\n");
+  const Outcome help = shop.run("--help");
+  BOOST_TEST(help.status == 0);
+  for (const char* option :
+       {"--vertices", "--neighborhood-level", "--rounds", "--weight", "--maximum-density", "--placement", "--clusters",
+        "--picture", "--view", "--report", "--repair", "--threads", "--quiet", "--version", "--help"})
+    BOOST_TEST(help.out.find(option) != std::string::npos, option);
+  for (const std::string& weight : weights)
+    BOOST_TEST(help.out.find(weight) != std::string::npos, weight);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_usage)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::octahedron());
+  for (const char* arguments : {"",
+                                "in.off",
+                                "in.off out.xyz",
+                                "in.xyz out.off",
+                                "in.off out.off extra",
+                                "in.off out.off --no-such-option",
+                                "in.off out.off --vert 6",
+                                "in.off out.off -n",
+                                "in.off out.off -n 0",
+                                "in.off out.off -n -6",
+                                "in.off out.off -n 6.5",
+                                "in.off out.off -n 99999999999999999999999",
+                                "in.off out.off -n 6 -k 1",
+                                "in.off out.off -k -1",
+                                "in.off out.off --rounds x",
+                                "in.off out.off -w heavy",
+                                "in.off out.off -w ''",
+                                "in.off out.off --maximum-density 0.5",
+                                "in.off out.off --maximum-density nan",
+                                "in.off out.off --maximum-density 1e400",
+                                "in.off out.off --placement nowhere",
+                                "in.off out.off --view 1,2",
+                                "in.off out.off --view 0,0,0",
+                                "in.off out.off --view 1,2,x",
+                                "in.off out.off --view 1,2,3,4",
+                                "in.off out.off --clusters c.off",
+                                "in.off out.off --picture p.jpg",
+                                "in.off out.off --threads 0",
+                                "in.off out.ply --clusters ./out.ply",
+                                "in.off out.off --report in.off"}) {
+    const Outcome outcome = shop.run(arguments);
+    BOOST_TEST(outcome.status == 2, arguments);
+    BOOST_TEST(outcome.is_one_line_error(), arguments);
+  }
+  BOOST_TEST(shop.files() == std::vector<std::string>{"in.off"}, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(unreadable_input)
+{
+  const Workshop shop;
+  shop.write("empty.off", "");
+  shop.write("text.off", "This is no mesh.\n");
+  shop.write("short.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n");
+  shop.write("greedy.off", "OFF\n2000000000 2000000000 0\n0 0 0\n");
+  shop.write("colorless.off", "COFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3");
+  shop.write("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
+  shop.write("stray.ply", "ply\nformat ascii 1.0\nproperty double x\nend_header\n");
+  shop.write("short.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+                          "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0");
+  shop.write("odd.obj", "v 0 0 0\nnonsense\n");
+  shop.write("short.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n");
+  fs::create_directory(shop / "folder.off");
+  const std::vector<std::string> before = shop.files();
+  for (const std::string name : {"missing.off", "empty.off", "text.off", "short.off", "greedy.off", "points.off",
+                                 "stray.ply", "short.ply", "odd.obj", "short.stl", "folder.off"})
+    for (const std::string repair : {"", " --repair"}) {
+      const Outcome outcome = shop.run(name + " out.off --report out.json" + repair);
+      BOOST_TEST(outcome.status == 1, name);
+      BOOST_TEST(outcome.is_one_line_error(), name);
+      BOOST_TEST(outcome.names("coarsen_mesh: " + name + ": "), outcome.err);
+    }
+  BOOST_TEST(shop.files() == before, boost::test_tools::per_element());
+  shop.run_well("colorless.off out.off -n 3"); // it lacks nothing that matters
+}
+
+BOOST_AUTO_TEST_CASE(formats)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::triangulated(generated::torus(24, 16)));
+  for (const std::string type : {"off", "obj", "ply", "stl"}) {
+    shop.run_well("in.off fine." + type + " -n 200");
+    const Mesh fine = shop.mesh("fine." + type);
+    BOOST_TEST(fine.number_of_vertices() == 200u);
+    BOOST_TEST(fine.number_of_faces() == 400u);
+    shop.run_well("fine." + type + " coarse." + type + " -n 60");
+    BOOST_TEST(shop.mesh("coarse." + type).number_of_vertices() == 60u);
+  }
+  const Mesh off = shop.mesh("fine.off"), ply = shop.mesh("fine.ply"), obj = shop.mesh("fine.obj");
+  for (auto v : off.vertices()) // no digit is lost
+    BOOST_TEST((off.point(v) == ply.point(v) && off.point(v) == obj.point(v)));
+}
+
+BOOST_AUTO_TEST_CASE(choices)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::with_noise(generated::triangle_sphere(3), 0.01));
+  for (const std::string& weight : weights)
+    for (const std::string placement : {"centroid", "closest-vertex"}) {
+      shop.run_well("in.off out.off -n 50 --threads 4 -w " + weight + " --placement " + placement + " --report r.json");
+      const Json report = shop.report("r.json");
+      BOOST_TEST(report["parameters"]["weight"] == weight);
+      BOOST_TEST(report["parameters"]["placement"] == placement);
+      BOOST_TEST(report["parameters"]["threads"]["allowed"] == 4);
+      BOOST_TEST(report["parameters"]["maximum_density"] == 50.);
+      BOOST_TEST(report["output"]["valid"] == true);
+      BOOST_TEST(report["output"]["vertices"] == 50);
+      BOOST_TEST(report["clustering"]["clusters"] == 50);
+      BOOST_TEST(report["clustering"]["converged"] == true);
+      BOOST_TEST(report["clustering"]["final_energy"] <= report["clustering"]["initial_energy"]);
+    }
+
+  shop.run_well("in.off out.off -k 3 --rounds 0 --report r.json");
+  const Json rough = shop.report("r.json");
+  BOOST_TEST(rough["parameters"]["neighborhood_level"] == 3);
+  BOOST_TEST(rough["parameters"]["vertices"].is_null());
+  BOOST_TEST(rough["clustering"]["rounds"] == 0);
+  BOOST_TEST(rough["clustering"]["moves"] == 0);
+  BOOST_TEST(rough["clustering"]["level"] == 3);
+  BOOST_TEST(rough["clustering"]["clusters"] == rough["output"]["vertices"]);
+  shop.run_well("in.off out.off -k 3 --rounds 2 --report r.json");
+  BOOST_TEST(shop.report("r.json")["clustering"]["rounds"] == 2);
+}
+
+BOOST_AUTO_TEST_CASE(report_and_certificate)
+{
+  const Workshop shop;
+  // A torus of quadrangles, a tube, and a point that nothing uses.
+  generated::Soup soup =
+    generated::joined(generated::torus(20, 12), generated::translated(generated::tube(16, 10), 9, 0, 0));
+  soup.points.insert(soup.points.begin(), {7, 7, 7});
+  for (auto& polygon : soup.polygons)
+    for (std::size_t& v : polygon)
+      ++v;
+  shop.write("in.off", soup);
+  shop.run_well("in.off out.off -n 60 --report r.json");
+  const Json report = shop.report("r.json");
+
+  BOOST_TEST(report["version"] == CGAL_SURFACE_MESH_COARSENING_VERSION);
+  BOOST_TEST(report["input"]["file"] == "in.off");
+  BOOST_TEST(report["input"]["points_in_file"] == soup.points.size());
+  BOOST_TEST(report["input"]["vertices"] == soup.points.size() - 1);
+  BOOST_TEST(report["input"]["unused_points_dropped"] == 1);
+  BOOST_TEST(report["input"]["faces"] == soup.polygons.size());
+  BOOST_TEST(report["input"]["repair"].is_null());
+  BOOST_TEST(report["output"]["vertices"] == 60);
+  BOOST_TEST(report["output"]["valid"] == true);
+  BOOST_TEST(report["output"]["fault"].is_null());
+
+  const Json& certificate = report["certificate"];
+  BOOST_TEST(certificate["kept"] == true);
+  BOOST_TEST(certificate["components_one_to_one"] == true);
+  BOOST_TEST(certificate["orientation_kept"] == true);
+  BOOST_REQUIRE(certificate["components"].size() == 2u);
+  const int genus[] = {1, 0}, loops[] = {0, 2};
+  std::size_t vertices = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (const char* when : {"before", "after"}) {
+      const Json& counts = certificate["components"][i][when];
+      BOOST_TEST(counts["genus"] == genus[i]);
+      BOOST_TEST(counts["border_loops"] == loops[i]);
+      BOOST_TEST(counts["euler_characteristic"] == 0);
+      BOOST_TEST(counts["vertices"].get<int>() - counts["edges"].get<int>() + counts["faces"].get<int>() == 0);
+    }
+    vertices += certificate["components"][i]["after"]["vertices"].get<std::size_t>();
+  }
+  BOOST_TEST(vertices == 60u);
+
+  double sum = 0;
+  for (const char* stage :
+       {"read", "preparation", "seeding", "growth", "minimization", "triangulation", "check", "write"}) {
+    BOOST_REQUIRE(report["seconds"][stage].is_number());
+    BOOST_TEST(report["seconds"][stage].get<double>() >= 0);
+    sum += report["seconds"][stage].get<double>();
+  }
+  BOOST_TEST(sum <= report["seconds"]["total"].get<double>());
+}
+
+BOOST_AUTO_TEST_CASE(clusters)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::torus(40, 24)); // vertices of four faces: clusters may meet at a point only
+  shop.run_well("in.off out.off -n 70 --clusters clusters.ply");
+  const std::string text = content_of(shop / "clusters.ply"), header = text.substr(0, text.find("end_header"));
+  BOOST_TEST(header.find("property uint label\n") != std::string::npos);
+  for (const char* channel : {"red", "green", "blue"})
+    BOOST_TEST(header.find("property uchar " + std::string(channel) + "\n") != std::string::npos);
+
+  Mesh mesh;
+  std::ifstream is(shop / "clusters.ply", std::ios::binary);
+  std::string comments;
+  BOOST_REQUIRE(CGAL::IO::read_PLY(is, mesh, comments));
+  BOOST_TEST(mesh.number_of_faces() == 960u);
+  std::map<std::size_t, std::array<int, 3> > color_of_label;
+  const auto color = mesh.add_property_map<Face, CGAL::IO::Color>("f:color").first;
+  const auto label = mesh.add_property_map<Face, std::uint32_t>("f:label").first;
+  for (Face f : mesh.faces()) {
+    BOOST_TEST(label[f] < 70u);
+    const std::array<int, 3> rgb = {color[f].red(), color[f].green(), color[f].blue()};
+    BOOST_TEST((color_of_label.emplace(label[f], rgb).first->second == rgb));
+  }
+  BOOST_TEST(color_of_label.size() == 70u);
+  for (auto e : mesh.edges()) {
+    const Face f = mesh.face(mesh.halfedge(e, 0)), g = mesh.face(mesh.halfedge(e, 1));
+    BOOST_TEST(((label[f] == label[g]) == (color_of_label[label[f]] == color_of_label[label[g]])));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(picture)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::cube_grid(8)); // of quadrangles
+  shop.run_well("in.off out.off -n 60 --picture picture.png");
+  const std::string png = content_of(shop / "picture.png");
+  BOOST_REQUIRE(png.size() > 1000u);
+  BOOST_TEST(png.substr(1, 3) == "PNG");
+  const auto number = [&png](std::size_t at) {
+    std::size_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      value = 256 * value + static_cast<unsigned char>(png[at + i]);
+    return value;
+  };
+  BOOST_TEST(number(16) > number(20)); // two views side by side
+  shop.run_well("in.off out.off -n 60 --picture other.png --view -1,0.2,0.3 --up 0,0,1");
+  BOOST_TEST((content_of(shop / "other.png") != png));
+}
+
+BOOST_AUTO_TEST_CASE(same_input_same_output)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::with_noise(generated::triangle_sphere(3), 0.01));
+  for (const std::string run : {"1", "2"})
+    shop.run_well("in.off o" + run + ".off -n 80 --clusters c" + run + ".ply --picture p" + run + ".png");
+  BOOST_TEST((content_of(shop / "o1.off") == content_of(shop / "o2.off")));
+  BOOST_TEST((content_of(shop / "c1.ply") == content_of(shop / "c2.ply")));
+  BOOST_TEST((content_of(shop / "p1.png") == content_of(shop / "p2.png")));
+}
+
+BOOST_AUTO_TEST_CASE(messages_on_success)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::octahedron());
+  const Outcome loud = shop.run("in.off out.off -n 5");
+  BOOST_TEST(loud.status == 0);
+  BOOST_TEST(std::count(loud.out.begin(), loud.out.end(), '\n') == 1);
+  BOOST_TEST(loud.err.empty()); // no progress line where there is no terminal
+  const Outcome quiet = shop.run("in.off out.off -n 5 --quiet");
+  BOOST_TEST(quiet.status == 0);
+  BOOST_TEST(quiet.out.empty());
+  BOOST_TEST(quiet.err.empty());
+}
+
+BOOST_AUTO_TEST_CASE(number_of_vertices_out_of_reach)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::triangulated(generated::torus(20, 12)));
+  for (const char* number : {"3", "100000"}) {
+    const Outcome outcome = shop.run(std::string("in.off out.off -n ") + number);
+    BOOST_TEST(outcome.status == 1);
+    BOOST_TEST(outcome.is_one_line_error());
+    const std::string lead = "nearest number that works: ";
+    const std::size_t found = outcome.err.find(lead);
+    BOOST_REQUIRE(found != std::string::npos);
+    BOOST_TEST(!fs::exists(shop / "out.off"));
+    const std::string nearest = std::to_string(std::stoul(outcome.err.substr(found + lead.size())));
+    shop.run_well("in.off out.off -n " + nearest);
+    BOOST_TEST(std::to_string(shop.mesh("out.off").number_of_vertices()) == nearest);
+    fs::remove(shop / "out.off");
+  }
+}
+
+// ---- inputs that are no manifolds ----
+
+BOOST_AUTO_TEST_CASE(faulty_input_is_named)
+{
+  const Workshop shop;
+  const generated::Soup good = generated::octahedron();
+  const auto expect = [&shop](const generated::Soup& soup, const std::string& message) {
+    shop.write("in.off", soup);
+    const Outcome outcome = shop.run("in.off out.off -n 4");
+    BOOST_TEST(outcome.status == 1);
+    BOOST_TEST(outcome.is_one_line_error());
+    BOOST_TEST(outcome.names("in.off"), outcome.err);
+    BOOST_TEST(outcome.names("--repair"), outcome.err);
+    BOOST_TEST(outcome.names(message), outcome.err);
+    BOOST_TEST(!fs::exists(shop / "out.off"));
+  };
+
+  generated::Soup soup = good;
+  std::swap(soup.polygons[3][0], soup.polygons[3][1]);
+  expect(soup, "are oriented against each other along the edge between the vertices");
+
+  soup = good;
+  soup.polygons.push_back(soup.polygons[2]);
+  expect(soup, "is shared by 3 faces (");
+
+  soup = good;
+  soup.polygons[5][2] = soup.polygons[5][0];
+  expect(soup, "face 5 uses vertex " + std::to_string(good.polygons[5][0]));
+
+  soup = good;
+  soup.polygons.push_back({0, 1});
+  expect(soup, "face 8 has only 2 vertices");
+
+  soup = good; // a second octahedron that hangs on the tip of the first
+  for (const auto& p : good.points)
+    soup.points.push_back({p[0] + 2, p[1], p[2]});
+  const auto at = [&soup](double x) {
+    const auto found = std::find(soup.points.begin(), soup.points.end(), generated::Point{x, 0, 0});
+    return static_cast<std::size_t>(found - soup.points.begin());
+  };
+  const std::size_t tip = at(1), n = good.points.size();
+  for (auto polygon : good.polygons) {
+    for (std::size_t& v : polygon)
+      v = good.points[v] == generated::Point{-1, 0, 0} ? tip : v + n;
+    soup.polygons.push_back(polygon);
+  }
+  expect(soup, "the faces around vertex " + std::to_string(tip) + " at (1, 0, 0) form 2 groups");
+
+  expect(generated::moebius_strip(12), "are oriented against each other");
+}
+
+BOOST_AUTO_TEST_CASE(faulty_numbers_are_named)
+{
+  const Workshop shop;
+  const std::string header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+                             "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  shop.write("in.ply", header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
+  BOOST_TEST(shop.run("in.ply out.off").names("face 0 names a vertex that is not there"));
+  shop.write("in.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 nan 0\nendloop\n"
+                       "endfacet\nendsolid\n");
+  const Outcome outcome = shop.run("in.stl out.off");
+  BOOST_TEST(outcome.status == 1);
+  BOOST_TEST(outcome.is_one_line_error());
+}
+
+// How often each step of the repair was done.
+std::map<std::string, int> steps(const Json& report)
+{
+  std::map<std::string, int> result;
+  for (const Json& step : report["input"]["repair"])
+    result[step["action"].get<std::string>()] += step["count"].get<int>();
+  return result;
+}
+
+BOOST_AUTO_TEST_CASE(repair)
+{
+  const Workshop shop;
+  generated::Soup soup = generated::triangle_sphere(2);
+  const std::size_t vertices = soup.points.size();
+  std::swap(soup.polygons[3][0], soup.polygons[3][1]); // turned
+  soup.polygons.push_back(soup.polygons[7]);           // repeated
+  soup.polygons.push_back({0, 0, 1});                  // degenerate
+  soup.points.push_back({9, 9, 9});                    // unused
+  soup.points.push_back(soup.points[soup.polygons[0][0]]);
+  soup.polygons[0][0] = soup.points.size() - 1; // torn off
+  shop.write("in.off", soup);
+  BOOST_TEST(shop.run("in.off out.off -n 40").status == 1);
+  shop.run_well("in.off out.off -n 40 --repair --report r.json");
+  const Json report = shop.report("r.json");
+  BOOST_TEST(report["input"]["vertices"] == vertices);
+  BOOST_TEST(report["certificate"]["components"][0]["before"]["euler_characteristic"] == 2);
+  BOOST_TEST(report["seconds"]["repair"].is_number());
+  std::map<std::string, int> done = steps(report);
+  BOOST_TEST(done["merged coincident points"] == 1);
+  BOOST_TEST(done["reversed faces"] >= 1);
+  BOOST_TEST(done["removed unused points"] == 1);
+  BOOST_TEST(done["removed repeated faces and faces without three different vertices"] == 2);
+
+  // Triangles that share nothing are stitched, one without area is taken out.
+  generated::Soup torn;
+  for (const auto& polygon : generated::triangle_sphere(2).polygons) {
+    for (std::size_t v : polygon)
+      torn.points.push_back(soup.points[v]);
+    torn.polygons.push_back({torn.points.size() - 3, torn.points.size() - 2, torn.points.size() - 1});
+  }
+  shop.write("torn.off", torn);
+  shop.run_well("torn.off out.off -n 40 --repair");
+  BOOST_TEST(shop.mesh("out.off").number_of_faces() == 76u);
+
+  generated::Soup flat = generated::grid(4, 4);
+  flat = generated::triangulated(flat);
+  const auto edge = flat.polygons[0]; // its first edge gets a vertex in the middle, and a triangle without area
+  const auto &a = flat.points[edge[0]], &b = flat.points[edge[1]];
+  flat.points.push_back({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
+  const std::size_t middle = flat.points.size() - 1;
+  flat.polygons[0] = {edge[0], middle, edge[2]};
+  flat.polygons.push_back({middle, edge[1], edge[2]});
+  flat.polygons.push_back({edge[0], edge[1], middle});
+  shop.write("flat.off", flat);
+  shop.run_well("flat.off out.off -n 8 --repair --report r.json");
+  done = steps(shop.report("r.json"));
+  BOOST_TEST(done["removed degenerate faces"] == 1);
+
+  // What cannot be oriented is cut open.
+  shop.write("strip.off", generated::moebius_strip(20));
+  shop.run_well("strip.off out.off -n 8 --repair --report r.json");
+  BOOST_TEST(shop.report("r.json")["certificate"]["components"][0]["before"]["border_loops"] == 1);
+  BOOST_TEST(shop.report("r.json")["certificate"]["components"][0]["before"]["euler_characteristic"] == 1);
+
+  // A sound input stays as it is.
+  shop.write("sound.off", generated::cube_grid(3));
+  shop.run_well("sound.off out.off -n 20 --repair --report r.json");
+  BOOST_TEST(shop.report("r.json")["input"]["repair"].empty());
+}
+
+// ---- output files appear whole or not at all ----
+
+BOOST_AUTO_TEST_CASE(nothing_is_left_after_a_failure)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::octahedron());
+  shop.write("out.off", "old");
+  fs::create_directory(shop / "folder");
+  const std::vector<std::string> before = shop.files();
+  for (const char* arguments :
+       {"in.off out.off -n 5 --clusters c.ply --picture p.png --report missing/r.json",
+        "in.off out.off -n 5 --clusters missing/c.ply --report r.json", "in.off missing/out.off -n 5 --report r.json",
+        "in.off out.off -n 5 --clusters c.ply --report folder",
+        "in.off out.off -n 1 --clusters c.ply --picture p.png --report r.json"}) {
+    const Outcome outcome = shop.run(arguments);
+    BOOST_TEST(outcome.status == 1, arguments);
+    BOOST_TEST(outcome.is_one_line_error(), arguments);
+    BOOST_TEST(shop.files() == before, boost::test_tools::per_element());
+    BOOST_TEST(content_of(shop / "out.off") == "old");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(files_are_replaced)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::octahedron());
+  shop.write("target.off", "old");
+  fs::permissions(shop / "target.off", fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("target.off", shop / "link.off");
+  shop.run_well("in.off link.off -n 5 --report r.json");
+  BOOST_TEST(fs::is_symlink(shop / "link.off"));
+  BOOST_TEST(shop.mesh("target.off").number_of_vertices() == 5u);
+  BOOST_TEST((fs::status(shop / "target.off").permissions() == (fs::perms::owner_read | fs::perms::owner_write)));
+
+  shop.run_well("in.off in.off -n 4");
+  BOOST_TEST(shop.mesh("in.off").number_of_vertices() == 4u);
+  const std::vector<std::string> expected = {"in.off", "link.off", "r.json", "target.off"};
+  BOOST_TEST(shop.files() == expected, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(pipes_are_written_to)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::octahedron());
+  BOOST_REQUIRE(mkfifo((shop / "pipe").c_str(), 0600) == 0);
+  BOOST_REQUIRE(std::system(("cat " + quoted((shop / "pipe").string()) + " >" + quoted((shop / "copy").string()) +
+                             " & echo $! >" + quoted((shop / "reader").string()))
+                              .c_str()) == 0);
+  shop.run_well("in.off out.off -n 5 --report pipe");
+  BOOST_TEST(fs::is_fifo(shop / "pipe"));
+  for (int waits = 0; waits < 100 && content_of(shop / "copy").find("seconds") == std::string::npos; ++waits)
+    usleep(50000);
+  BOOST_TEST(shop.report("copy")["output"]["vertices"] == 5);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests what the programs share: the check of a soup, the counts of the certificate, the colors of clusters, the renderer.
+
+#define BOOST_TEST_MODULE tool_support
+#include "support/Camera.h"
+#include "support/Scene.h"
+#include "support/certificate.h"
+#include "support/cluster_colors.h"
+#include "support/generate_meshes.h"
+#include "support/render.h"
+#include "support/soup_fault.h"
+#include "support/to_mesh.h"
+
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace {
+
+using namespace coarsening_support;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+Soup soup_of(const generated::Soup& source)
+{
+  Soup soup;
+  for (const auto& p : source.points)
+    soup.points.emplace_back(p[0], p[1], p[2]);
+  soup.polygons = source.polygons;
+  return soup;
+}
+
+Mesh mesh_of(const generated::Soup& source) { return to_mesh(soup_of(source)); }
+
+// The same question, answered with CGAL alone.
+bool is_manifold_for_cgal(const Soup& soup)
+{
+  if (!PMP::is_polygon_soup_a_polygon_mesh(soup.polygons))
+    return false;
+  Mesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+  std::vector<Halfedge> cones;
+  PMP::non_manifold_vertices(mesh, std::back_inserter(cones));
+  return cones.empty();
+}
+
+Component_counts only_component(const generated::Soup& source)
+{
+  const Mesh_components components = mesh_components(mesh_of(source));
+  BOOST_REQUIRE(components.counts.size() == 1u);
+  return components.counts[0];
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(soup_check_agrees_with_cgal)
+{
+  std::mt19937 engine(7);
+  std::size_t good = 0, bad = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const std::size_t points = 4 + engine() % 4, faces = 1 + engine() % 5;
+    Soup soup;
+    for (std::size_t i = 0; i < points; ++i)
+      soup.points.emplace_back(double(i), double(i * i), 0);
+    for (std::size_t f = 0; f < faces; ++f) {
+      std::vector<std::size_t> corners(points);
+      for (std::size_t i = 0; i < points; ++i)
+        corners[i] = i;
+      std::shuffle(corners.begin(), corners.end(), engine);
+      corners.resize(3 + engine() % 2);
+      soup.polygons.push_back(corners);
+    }
+    const bool expected = is_manifold_for_cgal(soup);
+    ++(expected ? good : bad);
+    BOOST_TEST_REQUIRE(!soup_fault(soup).has_value() == expected);
+  }
+  BOOST_TEST(good > 1000u);
+  BOOST_TEST(bad > 1000u);
+}
+
+BOOST_AUTO_TEST_CASE(soup_check_accepts_manifolds)
+{
+  for (const generated::Soup& source :
+       {generated::tetrahedron(), generated::cube_grid(4), generated::torus(7, 5), generated::seven_vertex_torus(),
+        generated::plate_with_windows(3), generated::single_triangle(), generated::grid(3, 5), generated::tube(6, 4),
+        generated::fan(9), generated::many_tetrahedra(5), generated::bipyramid(50)})
+    BOOST_TEST(!soup_fault(soup_of(source)).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(counts)
+{
+  BOOST_TEST(only_component(generated::cube_grid(3)).genus() == 0);
+  BOOST_TEST(only_component(generated::cube_grid(3)).border_loops == 0u);
+  BOOST_TEST(only_component(generated::torus(6, 5)).genus() == 1);
+  BOOST_TEST(only_component(generated::plate_with_windows(5)).genus() == 5);
+  BOOST_TEST(only_component(generated::tube(6, 5)).genus() == 0);
+  BOOST_TEST(only_component(generated::tube(6, 5)).border_loops == 2u);
+  BOOST_TEST(only_component(generated::grid(4, 5)).border_loops == 1u);
+  const Component_counts grid = only_component(generated::grid(4, 5));
+  BOOST_TEST(grid.vertices == 30u);
+  BOOST_TEST(grid.edges == 49u);
+  BOOST_TEST(grid.faces == 20u);
+  BOOST_TEST(mesh_components(mesh_of(generated::many_tetrahedra(6))).counts.size() == 6u);
+}
+
+// The octahedron is the dual of the cube, whose faces are the clusters.
+BOOST_AUTO_TEST_CASE(certificate_of_a_dual)
+{
+  const Mesh cube = mesh_of(generated::cube_grid(1));
+  std::vector<std::size_t> labels(6);
+  Soup dual;
+  for (Face f : cube.faces()) {
+    labels[f] = f;
+    const Point& a = cube.point(cube.target(cube.halfedge(f)));
+    const Point& b = cube.point(cube.target(cube.next(cube.next(cube.halfedge(f)))));
+    dual.points.push_back(CGAL::midpoint(a, b));
+  }
+  for (Vertex v : cube.vertices()) {
+    dual.polygons.emplace_back();
+    for (Face f : cube.faces_around_target(cube.halfedge(v)))
+      dual.polygons.back().insert(dual.polygons.back().begin(), f);
+  }
+  const Mesh octahedron = to_mesh(dual);
+  BOOST_TEST(!triangle_mesh_fault(octahedron).has_value());
+  const Certificate good = certify(cube, labels, octahedron);
+  BOOST_TEST(good.kept());
+
+  for (auto& triangle : dual.polygons)
+    std::reverse(triangle.begin(), triangle.end());
+  const Certificate turned = certify(cube, labels, to_mesh(dual));
+  BOOST_TEST(!turned.orientation_kept);
+  BOOST_TEST(!turned.kept());
+
+  dual.polygons.pop_back();
+  const Certificate open = certify(cube, labels, to_mesh(dual));
+  BOOST_TEST(!open.components[0].kept());
+  BOOST_TEST(!open.kept());
+}
+
+BOOST_AUTO_TEST_CASE(certificate_of_joined_and_lost_components)
+{
+  const Mesh two = mesh_of(generated::many_tetrahedra(2)), one = mesh_of(generated::many_tetrahedra(1));
+  std::vector<std::size_t> labels = {0, 1, 2, 3, 4, 5, 6, 7};
+  BOOST_TEST(certify(two, labels, two).one_to_one);
+  BOOST_TEST(!certify(two, {0, 1, 2, 3, 4, 5, 6, 3}, two).one_to_one); // a label in both components
+  const Certificate lost = certify(two, labels, one);
+  BOOST_TEST(!lost.components[1].after.has_value());
+  BOOST_TEST(!lost.kept());
+  BOOST_TEST(!certify(one, {0, 1, 2, 3}, two).one_to_one); // a component that comes from nowhere
+}
+
+BOOST_AUTO_TEST_CASE(faults_of_triangle_meshes)
+{
+  BOOST_TEST(triangle_mesh_fault(mesh_of(generated::cube_grid(2))).has_value());
+  Mesh isolated = mesh_of(generated::tetrahedron());
+  isolated.add_vertex(Point(5, 5, 5));
+  BOOST_TEST(triangle_mesh_fault(isolated).has_value());
+  Soup pillow = soup_of(generated::single_triangle());
+  pillow.polygons.push_back({2, 1, 0});
+  BOOST_TEST(!soup_fault(pillow).has_value()); // a manifold, but not a simplicial one
+  BOOST_TEST(triangle_mesh_fault(to_mesh(pillow)).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(neighbors_differ_in_color)
+{
+  const Mesh mesh = mesh_of(generated::triangle_sphere(3));
+  std::mt19937 engine(3);
+  for (std::size_t clusters : {1u, 2u, 30u, 1000u}) {
+    std::vector<std::size_t> labels(mesh.number_of_faces());
+    for (std::size_t& label : labels)
+      label = engine() % clusters;
+    const std::vector<std::size_t> colors = color_clusters(mesh, labels);
+    for (const auto& pair : cluster_adjacencies(mesh, labels))
+      BOOST_TEST(colors[pair.first] != colors[pair.second]);
+  }
+  std::set<Rgb> palette;
+  for (std::size_t i = 0; i < 40; ++i)
+    palette.insert(palette_color(i));
+  BOOST_TEST(palette.size() == 40u);
+}
+
+BOOST_AUTO_TEST_CASE(rendering)
+{
+  const Mesh mesh = mesh_of(generated::triangulated(generated::cube_grid(1)));
+  const std::vector<Point> points(mesh.points().begin(), mesh.points().end());
+  const Camera camera(points, Vector(0, 0, 1), Vector(0, 1, 0), 100);
+  const Image image = render(mesh_scene(mesh), camera);
+  const Rgb white = {{255, 255, 255}};
+  BOOST_TEST(image.width == 100u);
+  BOOST_TEST(image.height == 100u);
+  BOOST_TEST((image.at(0, 0) == white));
+  BOOST_TEST((image.at(50, 40) != white)); // the front, of one color but for the diagonal
+  BOOST_TEST((image.at(50, 40) == image.at(40, 30)));
+  const auto shown = static_cast<std::size_t>(
+    std::count_if(image.pixels.begin(), image.pixels.end(), [&white](const Rgb& c) { return c != white; }));
+  BOOST_TEST(shown > 90u * 90u); // a square with margins of 4 pixels, and its outline
+  BOOST_TEST(shown < 96u * 96u);
+
+  // The light does not depend on whether the mesh is inside out.
+  const Mesh turned = mesh_of(generated::reversed(generated::triangulated(generated::cube_grid(1))));
+  BOOST_TEST((render(mesh_scene(turned), camera).at(50, 40) == image.at(50, 40)));
+}
