@@ -3,14 +3,13 @@
 # Stands for all tools.
 add_custom_target(tools)
 
-# surface_mesh_coarsening_add_tool(NAME): a program of several sources, those of the directory NAME beside the
-# calling file, built to bin/. What tools share is in the examples' directory support/.
+# surface_mesh_coarsening_add_tool(NAME SOURCE...): a program that is built to bin/. What tools share is in the examples'
+# directory support/.
 function(surface_mesh_coarsening_add_tool name)
   find_package(Boost REQUIRED COMPONENTS program_options)
   find_package(PNG REQUIRED)
   find_package(nlohmann_json 3 REQUIRED)
-  file(GLOB sources CONFIGURE_DEPENDS ${name}/*.cpp)
-  add_executable(${name} ${sources})
+  add_executable(${name} ${ARGN})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/examples/Surface_mesh_coarsening)
   target_link_libraries(${name} PRIVATE
     Surface_mesh_coarsening::Surface_mesh_coarsening
@@ -32,9 +31,13 @@ function(surface_mesh_coarsening_add_run name)
       return()
     endif()
   endforeach()
-  file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/run/${name})
-  add_test(NAME ${name} COMMAND ${arg_COMMAND} WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/run/${name})
+  set(directory ${CMAKE_CURRENT_BINARY_DIR}/run/${name})
+  file(MAKE_DIRECTORY ${directory})
+  add_test(NAME ${name} COMMAND ${arg_COMMAND} WORKING_DIRECTORY ${directory})
   if(CGAL_DATA_DIR)
-    set_tests_properties(${name} PROPERTIES ENVIRONMENT CGAL_DATA_DIR=${CGAL_DATA_DIR})
+    set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT CGAL_DATA_DIR=${CGAL_DATA_DIR})
+  endif()
+  if(TARGET coarsen_mesh)
+    set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT COARSEN_MESH=$<TARGET_FILE:coarsen_mesh>)
   endif()
 endfunction()

@@ -51,8 +51,10 @@ typedef CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, CGAL::L
 Soup rounded_to_float(const Soup& s)
 {
   return generated::with_points(s, [](generated::Point p) {
-    for (double& x : p)
-      x = double(float(x));
+    for (double& x : p) {
+      const volatile float f = float(x); // g++ 12 vectorizes a conversion there and back to nothing
+      x = f;
+    }
     return p;
   });
 }

@@ -27,6 +27,7 @@ struct Cluster_sums
   Index faces = 0;
   typename Weight::Cluster_data data;
   double energy = 0;
+  double magnitude = 0;         // of what the energy is the difference of
 };
 
 // Sections 5.1 and 8.2 of the paper: in rounds over the edges between clusters, the face on one side or on the other
@@ -105,7 +106,7 @@ public:
     for (std::size_t f = 0; f < faces_.size(); ++f)
       add(clusters_[labels_[Index(f)]], Index(f));
     for (Cluster_sums<Weight>& x : clusters_)
-      x.energy = energy_of(x);
+      update_energy(x);
   }
 
 private:
@@ -123,18 +124,28 @@ private:
   struct Trial
   {
     Index face, from, to;
-    double gain;  // by which the energy falls
-    double scale; // of the energies that were subtracted for it
+    double gain;      // by which the energy falls
+    double scale;     // of the changes of energy that it is the difference of
+    double magnitude; // of the sums that these are the difference of
   };
 
-  static double energy_of(double mass, const Vector& moment, double second_moment, double weight)
+  struct Energy
   {
-    return mass > 0 ? weight * (std::max)(0., second_moment - dot(moment, moment) / mass) : 0;
+    double value, magnitude;
+  };
+
+  static Energy energy_of(double mass, const Vector& moment, double second_moment, double weight)
+  {
+    if (!(mass > 0))
+      return {0, 0};
+    return {weight * (std::max)(0., second_moment - dot(moment, moment) / mass), weight * second_moment};
   }
 
-  double energy_of(const Cluster_sums<Weight>& x) const
+  void update_energy(Cluster_sums<Weight>& x) const
   {
-    return energy_of(x.mass, x.moment, x.second_moment, weight_.weight(x.data, x.mass, x.faces));
+    const Energy energy = energy_of(x.mass, x.moment, x.second_moment, weight_.weight(x.data, x.mass, x.faces));
+    x.energy = energy.value;
+    x.magnitude = energy.magnitude;
   }
 
   void add(Cluster_sums<Weight>& x, Index f) const
@@ -157,7 +168,7 @@ private:
     weight_.remove(x.data, data_[f]);
   }
 
-  double energy_with(const Cluster_sums<Weight>& x, Index f) const
+  Energy energy_with(const Cluster_sums<Weight>& x, Index f) const
   {
     const Face& face = faces_[f];
     const double mass = x.mass + face.mass;
@@ -165,7 +176,7 @@ private:
                      weight_.weight_with(x.data, data_[f], mass, x.faces + 1));
   }
 
-  double energy_without(const Cluster_sums<Weight>& x, Index f) const
+  Energy energy_without(const Cluster_sums<Weight>& x, Index f) const
   {
     const Face& face = faces_[f];
     const double mass = x.mass - face.mass;
@@ -179,14 +190,16 @@ private:
     const Cluster_sums<Weight>& source = clusters_[from];
     const Cluster_sums<Weight>& target = clusters_[to];
     if (source.faces == 1)
-      return {f, from, to, -1, 0};
-    const double lost = source.energy - energy_without(source, f), won = energy_with(target, f) - target.energy;
-    return {f, from, to, lost - won, std::abs(lost) + std::abs(won)};
+      return {f, from, to, -1, 0, 0};
+    const Energy without = energy_without(source, f), with = energy_with(target, f);
+    const double lost = source.energy - without.value, won = with.value - target.energy;
+    return {f, from, to, lost - won, std::abs(lost) + std::abs(won),
+            source.magnitude + target.magnitude + without.magnitude + with.magnitude};
   }
 
   // Gains this small, relative to what they are the difference of, are taken for none. So moves between equal
-  // energies, frequent on regular meshes, do not depend on roundings, and the loop must end.
-  static bool is_gain(const Trial& t) { return t.gain > 1e-7 * t.scale; }
+  // energies, frequent on regular meshes, do not depend on roundings, and each move lowers the energy as computed.
+  static bool is_gain(const Trial& t) { return t.gain > 1e-7 * t.scale && t.gain > 1e-14 * t.magnitude; }
   static bool is_better(const Trial& t, const Trial& than)
   {
     return t.gain - than.gain > 1e-7 * (t.scale + than.scale);
@@ -300,8 +313,8 @@ private:
     CGAL_assertion_code(const double before = source.energy + target.energy;)
     remove(source, t.face);
     add(target, t.face);
-    source.energy = energy_of(source);
-    target.energy = energy_of(target);
+    update_energy(source);
+    update_energy(target);
     CGAL_assertion(source.energy + target.energy < before);
     round_of_change_[t.from] = round_of_change_[t.to] = round_;
     for (Index c = mesh_.first_corner[t.face]; c != mesh_.first_corner[t.face + 1]; ++c)

@@ -211,12 +211,17 @@ private:
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
       const Face_range range{first, faces.data() + end[i]};
       const std::size_t before = seeds_.size();
-      if (plan_[i].from_pieces())
-        seeds_.insert(seeds_.end(), range.first, range.last);
-      else if (plan_[i].level() != NONE)
+      if (plan_[i].level() != NONE)
         walk.run(range, level_used_[i] = plan_[i].level(), seeds_);
-      else
+      else {
         level_used_[i] = seed_component(walk, range, wanted_[i]);
+        if (plan_[i].two_by_two()) {
+          level_used_[i] = Component_plan::rung(level_used_[i]);
+          seeds_.resize(before);
+          walk.forget(range);
+          walk.run(range, level_used_[i], seeds_);
+        }
+      }
       seeds_used_[i] = seeds_.size() - before;
       report_.level = (std::max)(report_.level, std::size_t(level_used_[i]));
       first = range.last;

@@ -60,21 +60,14 @@ public:
   // Returns the number of merges of two clusters.
   std::size_t run()
   {
-    for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v)
-      if (labels_.boundary_count(Index(v)) >= 3 && excess_at(Index(v)) > 0)
-        enqueue(Index(v));
+    // A merge is tried again after one of its clusters has changed. What may make it possible farther off is looked for
+    // when nothing is left to try.
     std::size_t merges = 0;
-    while (!queue_.empty()) {
-      const Candidate candidate = queue_.top();
-      queue_.pop();
-      const Index v = candidate.second;
-      if (labels_.boundary_count(v) < 3 || excess_at(v) == 0)
-        continue;
-      if (candidate.first < choose(v)) {
-        enqueue(v); // the clusters have grown since
-        continue;
-      }
-      merges += merge_at(v);
+    for (std::size_t more = 1; more > 0; merges += more) {
+      for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v)
+        if (labels_.boundary_count(Index(v)) >= 3 && excess_at(Index(v)) > 0)
+          enqueue(Index(v));
+      more = work_off();
     }
     return merges;
   }
@@ -96,6 +89,23 @@ public:
   }
 
 private:
+  std::size_t work_off()
+  {
+    std::size_t merges = 0;
+    while (!queue_.empty()) {
+      const Candidate candidate = queue_.top();
+      queue_.pop();
+      const Index v = candidate.second;
+      if (labels_.boundary_count(v) < 3 || excess_at(v) == 0)
+        continue;
+      if (candidate.first < choose(v))
+        enqueue(v); // the clusters have grown since
+      else
+        merges += merge_at(v);
+    }
+    return merges;
+  }
+
   typedef std::pair<double, Index> Candidate; // summed area and vertex
 
   struct Pair
@@ -160,10 +170,8 @@ private:
       merged = merge_two_of(group, v);
       merges = merged != NONE;
     }
-    if (merges > 0) {
+    if (merges > 0)
       seed_[merged] = face_at(v, merged);
-      enqueue_boundary_of(merged, v);
-    }
     return merges;
   }
 
@@ -276,7 +284,10 @@ private:
       std::swap(kept_face, gone_face);
     const Index kept = labels_[kept_face], gone = labels_[gone_face];
     Index f = gone_face;
+    affected_.clear();
     do {
+      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+        affected_.push_back(mesh_.corner_vertex[c]);
       labels_.move(f, kept);
       f = next_in_cluster_[f];
     } while (f != gone_face);
@@ -285,27 +296,10 @@ private:
     area_[kept] += area_[gone];
     size_[gone] = 0;
     --count_[mesh_.component[kept_face]];
+    for (const Index v : affected_)
+      if (labels_.boundary_count(v) >= 3 && excess_at(v) > 0)
+        enqueue(v);
     return kept;
-  }
-
-  // Merging may have made other merges around the new cluster possible, and has made all of them larger.
-  void enqueue_boundary_of(Index x, Index v)
-  {
-    const Index face = face_at(v, x);
-    Index f = face;
-    Directed_edge e = walk_.boundary_edge(f);
-    while (e.face == NONE && (f = next_in_cluster_[f]) != face)
-      e = walk_.boundary_edge(f);
-    if (e.face == NONE)
-      return;
-    affected_.clear();
-    walk_.along_boundary(e, [&](Index w, const std::vector<Index>&) {
-      affected_.push_back(w);
-      return true;
-    });
-    for (const Index w : affected_)
-      if (labels_.boundary_count(w) >= 3 && excess_at(w) > 0)
-        enqueue(w);
   }
 
   Cluster_labels& labels_;

@@ -32,10 +32,15 @@ inline std::size_t fewest_vertices(const Component& c)
 
 // Shares `total` out in proportion to `shares`, with `least[i] <= result[i] <= most[i]`. Needs that the sums of
 // `least` and `most` enclose `total`. Rounds by largest remainders; equal ones go to the smaller index.
-inline std::vector<std::size_t> share_out(std::size_t total, const std::vector<double>& shares,
+inline std::vector<std::size_t> share_out(std::size_t total, std::vector<double> shares,
                                           const std::vector<std::size_t>& least, const std::vector<std::size_t>& most)
 {
   const std::size_t n = shares.size();
+  // No share is nothing, so that what others cannot take goes to those without area.
+  const double all_shares = std::accumulate(shares.begin(), shares.end(), 0.);
+  const double all_most = double(std::accumulate(most.begin(), most.end(), std::size_t(0)));
+  for (std::size_t i = 0; i < n; ++i)
+    shares[i] = (all_shares > 0 ? shares[i] / all_shares : 0) + 1e-9 * double(most[i]) / all_most;
   const auto clamped = [&](std::size_t i, double x) {
     return (std::min)((std::max)(x, double(least[i])), double(most[i]));
   };
@@ -47,7 +52,7 @@ inline std::vector<std::size_t> share_out(std::size_t total, const std::vector<d
       sum += clamped(i, factor * shares[i]);
     return sum;
   };
-  while (sum_at(high) < double(total) && std::isfinite(high))
+  while (sum_at(high) < double(total))
     high *= 2;
   for (int step = 0; step < 100; ++step) {
     const double middle = 0.5 * (low + high);
