@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Times each stage of the coarsening, and the whole, on generated meshes of several sizes and on the models found when the
-// project was configured. `faces/s` counts the faces of the input; `per_face` is its reciprocal.
+// Times each stage of the coarsening, and the whole, on generated meshes of several sizes and on the models found when
+// the project was configured. `faces/s` counts the faces of the input; `per_face` is its reciprocal.
 
 #include "found_models.h"
 #include "support/models.h"

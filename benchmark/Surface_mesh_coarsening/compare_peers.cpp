@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs this package and the other coarsening methods that were there when this was compiled on the same meshes, in turn, and
-// prints the seconds as CSV. Reading files is not timed. Turns are taken so that what else the machine does hits all alike;
-// medians and their ratios say more than single times, and processor seconds more than those of the clock where other
-// programs run.
+// Runs this package and the other coarsening methods that were there when this was compiled on the same meshes, and
+// prints the seconds as CSV. Reading files is not timed. The methods take turns, so that what else the machine does hits
+// all alike. Medians and their ratios say more than single times, and processor seconds more than those of the clock
+// where other programs run.
 
 #include "support/Surface_certificate.h"
 #include "support/models.h"
@@ -255,8 +255,9 @@ void compare(const std::string& name, const Mesh& mesh, std::size_t number, std:
       first_median = median;
     std::cout << name << ',' << mesh.number_of_faces() << ',' << number << ",\"" << methods[i].name << "\","
               << times[i].result.vertices << ",\"" << judged(times[i], mesh) << "\"," << times[i].clock.size() << ','
-              << quantile(clock, 0.5) << ',' << median << ',' << median / first_median << ',' << processor.front() << ','
-              << quantile(processor, 0.25) << ',' << quantile(processor, 0.75) << ',' << processor.back() << std::endl;
+              << quantile(clock, 0.5) << ',' << median << ',' << median / first_median << ','
+              << processor.front() << ',' << quantile(processor, 0.25) << ',' << quantile(processor, 0.75) << ','
+              << processor.back() << std::endl;
   }
 }
 
@@ -269,8 +270,8 @@ int main(int argc, char** argv)
     return 2;
   }
   try {
-    std::cout << "model,faces,asked,method,vertices,result,runs,clock_median_s,processor_median_s,ratio_to_first,minimum_s,"
-                 "quartile_1_s,quartile_3_s,maximum_s"
+    std::cout << "model,faces,asked,method,vertices,result,runs,clock_median_s,processor_median_s,ratio_to_first,"
+                 "minimum_s,quartile_1_s,quartile_3_s,maximum_s"
               << std::endl;
     const std::size_t rounds = (std::max)(1ul, std::strtoul(argv[1], nullptr, 10));
     for (int i = 2; i + 1 < argc; i += 2) {

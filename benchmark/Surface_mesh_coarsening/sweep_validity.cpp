@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Coarsens many meshes to many numbers of vertices with four weights and judges every result: the output has to be a
-// 2-manifold triangle mesh with exactly the number of vertices asked for, and component by component the genus, the border
-// loops and the orientation of the input. Prints a line per mesh and ends with 1 if a run failed.
+// 2-manifold triangle mesh with exactly the number of vertices asked for, and component by component the genus, the
+// border loops and the orientation of the input. Prints a line per mesh and ends with 1 if a run failed.
 
 #include "support/Validity_checks.h"
 #include "support/Watchdog.h"

@@ -36,7 +36,10 @@ typedef boost::mpl::list<SMC::Uniform_weight, SMC::Weighted_area_weight, SMC::Ma
   Weights;
 
 template <class Weight>
-double r_new() { return std::is_same<Weight, SMC::Density_variance_weight>::value ? 3. : 50.; }
+double r_new()
+{
+  return std::is_same<Weight, SMC::Density_variance_weight>::value ? 3. : 50.;
+}
 
 void check_close(double a, double b, double relative, const std::string& what)
 {
@@ -48,7 +51,8 @@ void check_close(double a, double b, double relative, const std::string& what)
 bool same_mesh(const Mesh& a, const Mesh& b)
 {
   if (a.number_of_vertices() != b.number_of_vertices() || a.number_of_halfedges() != b.number_of_halfedges() ||
-      a.number_of_faces() != b.number_of_faces() || a.properties<Mesh::Face_index>() != b.properties<Mesh::Face_index>() ||
+      a.number_of_faces() != b.number_of_faces() ||
+      a.properties<Mesh::Face_index>() != b.properties<Mesh::Face_index>() ||
       a.properties<Mesh::Vertex_index>() != b.properties<Mesh::Vertex_index>())
     return false;
   for (const auto v : a.vertices())
@@ -74,7 +78,7 @@ double fraction_of_upright_triangles(const Reference_mesh& m, const Labels& labe
   for (const reference::Triangle& t : triangles) {
     reference::Vector around = normal[t[0]];
     const auto n = reference::cross(reference::difference(position[t[1]], position[t[0]]),
-                         reference::difference(position[t[2]], position[t[0]]));
+                                    reference::difference(position[t[2]], position[t[0]]));
     for (int k = 1; k < 3; ++k)
       for (int i = 0; i < 3; ++i)
         around[i] += normal[t[k]][i];
@@ -94,15 +98,16 @@ void check_dual(const Clustering& clustering, const Reference_mesh& m, const Lab
   BOOST_CHECK_EQUAL(soup.points.size(), clustering.number_of_clusters());
   for (const auto v : vertices(output))
     BOOST_CHECK(!output.is_isolated(v));
-  // The very triangles, in the orientation of the mesh, that brute force makes of the labels: with fault_of_clustering() that is
-  // a 2-manifold of the right topology and orientation.
+  // The very triangles, in the orientation of the mesh, that brute force makes of the labels: with
+  // fault_of_clustering() that is a 2-manifold of the right topology and orientation.
   BOOST_CHECK(test::normalized(test::triangles_of(soup)) == test::normalized(reference::dual_triangles(m, labels)));
   const double upright = fraction_of_upright_triangles(m, labels, soup.points);
   BOOST_CHECK_MESSAGE(upright >= least_upright, "only " << upright << " of the dual triangles look outwards");
 }
 
 template <class Clustering>
-void check_boundary_counts(const Clustering& clustering, const Mesh& mesh, const Reference_mesh& m, const Labels& labels)
+void check_boundary_counts(const Clustering& clustering, const Mesh& mesh, const Reference_mesh& m,
+                           const Labels& labels)
 {
   const auto counts = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
   clustering.write_boundary_counts(counts);
@@ -113,8 +118,7 @@ void check_boundary_counts(const Clustering& clustering, const Mesh& mesh, const
   BOOST_CHECK_EQUAL(wrong, 0u);
 }
 
-// Labels that change no energy by rounding, or no energy at all: what the energy of a converged clustering gains by
-// any single move of a face.
+// No allowed move of a single face lowers the energy of a converged clustering by more than the tolerance.
 template <class Weight>
 void check_local_minimum(const Reference_mesh& m, const Labels& labels, const std::vector<reference::Face>& faces,
                          const std::vector<double>& densities, const Weight& weight)
@@ -141,7 +145,8 @@ void check_local_minimum(const Reference_mesh& m, const Labels& labels, const st
     }
   }
   BOOST_CHECK_GT(valid, 0u);
-  BOOST_CHECK_MESSAGE(gains == 0, gains << " of " << valid << " allowed moves lower the energy of a converged clustering");
+  BOOST_CHECK_MESSAGE(gains == 0,
+                      gains << " of " << valid << " allowed moves lower the energy of a converged clustering");
 }
 
 struct How
@@ -179,8 +184,8 @@ void check_clustering(const Soup& input, std::size_t n, const How how = How())
   while (changed && rounds < 1000) {
     changed = c.minimize_round();
     ++rounds;
-    BOOST_CHECK_MESSAGE(c.energy() <= energy * (1 + 1e-12), "round " << rounds << " has raised the energy from " << energy
-                                                                     << " to " << c.energy());
+    BOOST_CHECK_MESSAGE(c.energy() <= energy * (1 + 1e-12),
+                        "round " << rounds << " has raised the energy from " << energy << " to " << c.energy());
     BOOST_CHECK_EQUAL(changed, c.report().moves != moves);
     energy = c.energy();
     moves = c.report().moves;
@@ -256,7 +261,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(meshes_with_border, Weight, Weights)
   check_clustering<Weight>(joined(tube(30, 10), translated(fan(200), 5, 0, 0)), 50);
 }
 
-// A flat mesh that shares no vertex of the grid with anything: counts and energies by hand.
+// Energies of a flat mesh by hand.
 BOOST_AUTO_TEST_CASE(energy_by_hand)
 {
   const Mesh mesh = test::to_mesh(generated::grid(4, 2));
@@ -345,8 +350,8 @@ BOOST_AUTO_TEST_CASE(start_from_clusters)
   SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::number_of_iterations(0).face_cluster_map(grown));
   const Labels before = test::labels_of(mesh, grown);
   const auto first = SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::face_cluster_map(direct));
-  const auto second = SMC::coarsen_mesh(
-    mesh, 50, again, SMC::parameters::start_from_face_clusters(true).face_cluster_map(grown));
+  const auto second =
+    SMC::coarsen_mesh(mesh, 50, again, SMC::parameters::start_from_face_clusters(true).face_cluster_map(grown));
   BOOST_CHECK(test::labels_of(mesh, grown) == test::labels_of(mesh, direct));
   BOOST_CHECK(test::labels_of(mesh, grown) != before);
   BOOST_CHECK_EQUAL(first.final_energy, second.final_energy);

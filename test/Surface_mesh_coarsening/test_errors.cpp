@@ -48,7 +48,8 @@ void expect(const Function& f, const std::vector<std::string>& parts)
   } catch (const Exception& e) {
     const std::string message = e.what();
     for (const std::string& part : parts)
-      BOOST_CHECK_MESSAGE(message.find(part) != std::string::npos, "'" << message << "' does not have '" << part << "'");
+      BOOST_CHECK_MESSAGE(message.find(part) != std::string::npos,
+                          "'" << message << "' does not have '" << part << "'");
   }
   BOOST_CHECK(equal(test::to_soup(output), start));
 }
@@ -64,8 +65,8 @@ void expect_not_manifold(const Mesh& mesh, const std::vector<std::string>& parts
 {
   expect_invalid_mesh(mesh, parts);
   std::vector<Mesh::Face_index> seeds;
-  const auto labels = boost::make_function_property_map<Mesh::Face_index, std::size_t>(
-    [](Mesh::Face_index f) { return std::size_t(f); });
+  const auto labels =
+    boost::make_function_property_map<Mesh::Face_index, std::size_t>([](Mesh::Face_index f) { return std::size_t(f); });
   expect<SMC::Invalid_input>([&](Mesh&) { SMC::neighborhood_seeds(mesh, 2, std::back_inserter(seeds)); }, parts);
   BOOST_CHECK(seeds.empty());
   expect<SMC::Invalid_input>([&](Mesh&) { SMC::is_valid_clustering(mesh, labels); }, parts);

@@ -44,8 +44,8 @@ namespace {
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
 typedef CGAL::Simple_cartesian<double> Double_kernel;
 typedef CGAL::Simple_cartesian<float> Float_kernel;
-typedef CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, CGAL::Linear_cell_complex_traits<3, Epick> >::type
-  Linear_cell_complex;
+typedef CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<
+  2, 3, CGAL::Linear_cell_complex_traits<3, Epick> >::type Linear_cell_complex;
 
 // Coordinates that float holds exactly.
 Soup rounded_to_float(const Soup& s)
@@ -62,7 +62,8 @@ Soup rounded_to_float(const Soup& s)
 Soup closed_soup() { return rounded_to_float(generated::with_noise(generated::triangle_sphere(4), 0.02)); }
 Soup open_soup()
 {
-  return rounded_to_float(generated::with_noise(generated::with_holes(generated::triangulated(generated::grid(20, 20)), 3), 0.2));
+  return rounded_to_float(
+    generated::with_noise(generated::with_holes(generated::triangulated(generated::grid(20, 20)), 3), 0.2));
 }
 
 struct Result
@@ -106,7 +107,8 @@ void check_all_graphs(const Soup& soup, std::size_t n)
     BOOST_CHECK_MESSAGE(r.labels == expected.labels, name << " gives other labels");
     BOOST_CHECK_EQUAL(r.vertices, expected.vertices);
     BOOST_CHECK_EQUAL(r.faces, expected.faces);
-    BOOST_CHECK_MESSAGE(r.energy == expected.energy, name << " gives energy " << r.energy << ", not " << expected.energy);
+    BOOST_CHECK_MESSAGE(r.energy == expected.energy,
+                        name << " gives energy " << r.energy << ", not " << expected.energy);
   };
   check(coarsen<CGAL::Surface_mesh<Epick::Point_3> >(soup, n), "Surface_mesh with EPICK");
   check(coarsen<CGAL::Surface_mesh<Float_kernel::Point_3> >(soup, n), "Surface_mesh in float");
@@ -134,8 +136,7 @@ bool same_points_and_triangles(const Mesh& a, const Mesh& b)
 Mesh marked_mesh() { return test::to_mesh(generated::joined(generated::tetrahedron(), generated::octahedron())); }
 
 // A kernel that counts what it is asked for.
-struct Counting_traits
-  : Double_kernel
+struct Counting_traits : Double_kernel
 {
   explicit Counting_traits(std::size_t& reads, std::size_t& points) : reads_(&reads), points_(&points) {}
   Counting_traits() = default;
@@ -232,7 +233,8 @@ BOOST_AUTO_TEST_CASE(point_maps)
 
   // Points of the output go into the map given.
   Mesh unplaced;
-  auto placed = unplaced.add_property_map<Mesh::Vertex_index, Epick::Point_3>("v:placed", Epick::Point_3(7, 7, 7)).first;
+  auto placed =
+    unplaced.add_property_map<Mesh::Vertex_index, Epick::Point_3>("v:placed", Epick::Point_3(7, 7, 7)).first;
   SMC::coarsen_mesh(mesh, 60, unplaced, CGAL::parameters::default_values(), CGAL::parameters::vertex_point_map(placed));
   BOOST_REQUIRE_EQUAL(unplaced.number_of_vertices(), 60u);
   for (const auto v : vertices(unplaced)) {
@@ -257,7 +259,8 @@ BOOST_AUTO_TEST_CASE(face_index_map)
   const Mesh other = test::to_mesh(shuffled);
   const auto index =
     boost::make_function_property_map<Mesh::Face_index, std::size_t>([&](Mesh::Face_index f) { return order[f]; });
-  const Labels expected = labels_with(mesh, 60), labels = labels_with(other, 60, CGAL::parameters::face_index_map(index));
+  const Labels expected = labels_with(mesh, 60),
+               labels = labels_with(other, 60, CGAL::parameters::face_index_map(index));
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < order.size(); ++i)
     wrong += labels[i] != expected[order[i]];
@@ -278,10 +281,12 @@ BOOST_AUTO_TEST_CASE(face_index_map)
   BOOST_CHECK(test::normalized(test::triangles_of(test::to_soup(output))) ==
               test::normalized(test::triangles_of(test::to_soup(by_clusters))));
   // A map that is no numbering is refused.
-  const auto constant = boost::make_function_property_map<Mesh::Face_index, std::size_t>([](Mesh::Face_index) { return 3; });
+  const auto constant =
+    boost::make_function_property_map<Mesh::Face_index, std::size_t>([](Mesh::Face_index) { return 3; });
   const auto large = boost::make_function_property_map<Mesh::Face_index, std::size_t>(
     [](Mesh::Face_index f) { return std::size_t(f) + 1; });
-  BOOST_CHECK_THROW(SMC::coarsen_mesh(other, 60, output, CGAL::parameters::face_index_map(constant)), SMC::Invalid_input);
+  BOOST_CHECK_THROW(SMC::coarsen_mesh(other, 60, output, CGAL::parameters::face_index_map(constant)),
+                    SMC::Invalid_input);
   BOOST_CHECK_THROW(SMC::coarsen_mesh(other, 60, output, CGAL::parameters::face_index_map(large)), SMC::Invalid_input);
 }
 
@@ -421,20 +426,45 @@ BOOST_AUTO_TEST_CASE(named_parameters_in_any_order)
       first = output;
     BOOST_CHECK(same_points_and_triangles(first, output));
   };
-  check(p::cluster_weight(weight).maximum_density(5.).number_of_iterations(2).face_cluster_map(clusters)
-          .vertex_point_map(points).vertex_placement(SMC::Centroid_placement()));
-  check(p::vertex_point_map(points).face_cluster_map(clusters).number_of_iterations(2).maximum_density(5.)
-          .cluster_weight(weight).vertex_boundary_count_map(counts));
-  check(p::number_of_iterations(2).geom_traits(Double_kernel()).face_cluster_map(clusters).cluster_weight(weight)
-          .maximum_density(5.).neighborhood_level(3));
-  check(p::geom_traits(Double_kernel()).vertex_point_map(points).cluster_weight(weight).face_cluster_map(clusters)
-          .maximum_density(5.).number_of_iterations(2).start_from_face_clusters(false));
+  check(p::cluster_weight(weight)
+          .maximum_density(5.)
+          .number_of_iterations(2)
+          .face_cluster_map(clusters)
+          .vertex_point_map(points)
+          .vertex_placement(SMC::Centroid_placement()));
+  check(p::vertex_point_map(points)
+          .face_cluster_map(clusters)
+          .number_of_iterations(2)
+          .maximum_density(5.)
+          .cluster_weight(weight)
+          .vertex_boundary_count_map(counts));
+  check(p::number_of_iterations(2)
+          .geom_traits(Double_kernel())
+          .face_cluster_map(clusters)
+          .cluster_weight(weight)
+          .maximum_density(5.)
+          .neighborhood_level(3));
+  check(p::geom_traits(Double_kernel())
+          .vertex_point_map(points)
+          .cluster_weight(weight)
+          .face_cluster_map(clusters)
+          .maximum_density(5.)
+          .number_of_iterations(2)
+          .start_from_face_clusters(false));
   // A pack of CGAL's, adopted in the middle of the work.
-  check(p::adopt(CGAL::parameters::vertex_point_map(points).number_of_iterations(2)).maximum_density(5.)
-          .face_cluster_map(clusters).geom_traits(Double_kernel()).cluster_weight(weight));
+  check(p::adopt(CGAL::parameters::vertex_point_map(points).number_of_iterations(2))
+          .maximum_density(5.)
+          .face_cluster_map(clusters)
+          .geom_traits(Double_kernel())
+          .cluster_weight(weight));
   // One pack may hold what only other functions of CGAL understand.
-  check(p::verbose(false).random_seed(5).cluster_weight(weight).number_of_iterations(2).face_cluster_map(clusters)
-          .vertex_index_map(get(CGAL::vertex_index, mesh)).maximum_density(5.));
+  check(p::verbose(false)
+          .random_seed(5)
+          .cluster_weight(weight)
+          .number_of_iterations(2)
+          .face_cluster_map(clusters)
+          .vertex_index_map(get(CGAL::vertex_index, mesh))
+          .maximum_density(5.));
   // The whole pack goes on to CGAL's own functions.
   const auto pack = p::cluster_weight(weight).vertex_point_map(points).maximum_density(5.);
   BOOST_CHECK_CLOSE(PMP::area(mesh, pack), PMP::area(mesh), 1e-12);
@@ -446,9 +476,8 @@ BOOST_AUTO_TEST_CASE(parameters_of_the_parts)
   const auto clusters = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
   Mesh centroids, closest, by_labels;
   SMC::coarsen_mesh(mesh, 50, centroids);
-  SMC::coarsen_mesh(
-    mesh, 50, closest,
-    SMC::parameters::vertex_placement(SMC::Closest_vertex_placement()).face_cluster_map(clusters));
+  SMC::coarsen_mesh(mesh, 50, closest,
+                    SMC::parameters::vertex_placement(SMC::Closest_vertex_placement()).face_cluster_map(clusters));
   BOOST_CHECK(test::to_soup(centroids).polygons == test::to_soup(closest).polygons);
   std::vector<test::Point> points(mesh.points().begin(), mesh.points().end());
   std::sort(points.begin(), points.end());
@@ -460,8 +489,7 @@ BOOST_AUTO_TEST_CASE(parameters_of_the_parts)
     BOOST_CHECK_LT(CGAL::squared_distance(*near, closest.point(v)), 1e-28);
     BOOST_CHECK(closest.point(v) != centroids.point(v));
   }
-  SMC::extract_dual_mesh(mesh, clusters, by_labels,
-                         SMC::parameters::vertex_placement(SMC::Closest_vertex_placement()));
+  SMC::extract_dual_mesh(mesh, clusters, by_labels, SMC::parameters::vertex_placement(SMC::Closest_vertex_placement()));
   BOOST_CHECK(test::normalized(test::triangles_of(test::to_soup(by_labels))) ==
               test::normalized(test::triangles_of(test::to_soup(closest))));
 }
@@ -509,7 +537,7 @@ BOOST_AUTO_TEST_CASE(cancelling)
       BOOST_CHECK_EQUAL(recorder.asked, patience); // asked no more after the answer
       BOOST_CHECK_MESSAGE(same_points_and_triangles(output, before),
                           "the output has changed when cancelled at question " << patience << ", after "
-                                                                              << recorder.events.back());
+                                                                               << recorder.events.back());
       BOOST_CHECK(clusters.empty());
     }
     BOOST_REQUIRE_LT(patience, 10000u);
@@ -573,10 +601,10 @@ BOOST_AUTO_TEST_CASE(labels_of_anyone)
   BOOST_CHECK_THROW(SMC::extract_dual_mesh(cube, two, output), SMC::Invalid_input);
   BOOST_CHECK(same_points_and_triangles(output, marked_mesh()));
 
-  // A clustering whose usual fan repeats an edge has a dual all the same if another fan does not: every face of an octahedron.
+  // Where four faces of an octahedron meet, the fans that make its dual must not repeat an edge.
   const Mesh small = test::to_mesh(generated::octahedron());
-  const auto each = boost::make_function_property_map<Mesh::Face_index, std::size_t>(
-    [](Mesh::Face_index f) { return std::size_t(f); });
+  const auto each =
+    boost::make_function_property_map<Mesh::Face_index, std::size_t>([](Mesh::Face_index f) { return std::size_t(f); });
   Mesh dual;
   SMC::extract_dual_mesh(small, each, dual);
   BOOST_CHECK_EQUAL(dual.number_of_vertices(), 8u);

@@ -58,7 +58,10 @@ double diameter(const Soup& s)
 
 // `power`: of the unit of length in the energy.
 template <class Weight>
-constexpr int power() { return std::is_same<Weight, SMC::Weighted_area_weight>::value ? 6 : 4; }
+constexpr int power()
+{
+  return std::is_same<Weight, SMC::Weighted_area_weight>::value ? 6 : 4;
+}
 
 template <class Weight>
 void check_scaling(const Soup& soup, std::size_t n, const Clusters<Weight>& expected)
@@ -90,8 +93,8 @@ void check_relative(const Clusters<Weight>& c, const Clusters<Weight>& expected,
   std::size_t other = 0;
   for (std::size_t f = 0; f < c.labels.size(); ++f)
     other += c.labels[f] != expected.labels[f];
-  BOOST_TEST_MESSAGE(what << ", " << typeid(Weight).name() << ": energy changes by " << change << ", " << other << " labels of "
-                          << c.labels.size() << " differ");
+  BOOST_TEST_MESSAGE(what << ", " << typeid(Weight).name() << ": energy changes by " << change << ", " << other
+                          << " labels of " << c.labels.size() << " differ");
   BOOST_CHECK_MESSAGE(std::abs(change) <= 1e-6, what << " changes the energy by " << change);
 }
 
@@ -141,9 +144,15 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(extreme_sizes, Weight, Weights)
 }
 
 BOOST_AUTO_TEST_SUITE(fandisk, *utf::precondition(test::If_found{models::fandisk}))
-BOOST_AUTO_TEST_CASE_TEMPLATE(weights, Weight, Weights) { check_invariance<Weight>(test::read_soup(models::fandisk), 527); }
+BOOST_AUTO_TEST_CASE_TEMPLATE(weights, Weight, Weights)
+{
+  check_invariance<Weight>(test::read_soup(models::fandisk), 527);
+}
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(horse, *utf::precondition(test::If_found{models::horse}))
-BOOST_AUTO_TEST_CASE_TEMPLATE(weights, Weight, Weights) { check_invariance<Weight>(test::read_soup(models::horse), 1579); }
+BOOST_AUTO_TEST_CASE_TEMPLATE(weights, Weight, Weights)
+{
+  check_invariance<Weight>(test::read_soup(models::horse), 1579);
+}
 BOOST_AUTO_TEST_SUITE_END()

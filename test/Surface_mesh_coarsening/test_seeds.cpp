@@ -45,7 +45,8 @@ std::vector<std::size_t> neighborhood(const Reference_mesh& m, std::size_t face,
 }
 
 // Walk the faces in order; take a face if every face of its neighborhood is free, and then mark them all.
-std::vector<std::size_t> expected_seeds(const Reference_mesh& m, std::size_t level, const std::vector<std::size_t>& order)
+std::vector<std::size_t> expected_seeds(const Reference_mesh& m, std::size_t level,
+                                        const std::vector<std::size_t>& order)
 {
   std::vector<bool> taken(m.number_of_faces(), false);
   std::vector<std::size_t> seeds;
@@ -146,7 +147,7 @@ BOOST_AUTO_TEST_CASE(counts_known_by_hand)
   BOOST_CHECK(seeds(test::to_mesh(octahedron()), 1) == (std::vector<std::size_t>{0, 6}));
   BOOST_CHECK_EQUAL(seeds(test::to_mesh(octahedron()), 2).size(), 1u);
   // Along a strip each neighborhood of level k has 2 k + 1 faces.
-  const Mesh strip = test::to_mesh(triangulated(grid(50, 1)));
+  const Mesh strip = test::to_mesh(grid(100, 1));
   BOOST_CHECK_EQUAL(seeds(strip, 1).size(), 34u); // faces 0, 3, 6, ..., 99
   BOOST_CHECK_EQUAL(seeds(strip, 3).size(), 15u); // faces 0, 7, ..., 98
   const std::vector<std::size_t> fives = seeds(strip, 2);

@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE(choices)
   const Workshop shop;
   shop.write("in.off", generated::with_noise(generated::triangle_sphere(3), 0.01));
   for (const std::string& weight : weights)
-    for (const std::string placement : {"centroid", "closest-vertex"}) {
+    for (const std::string placement : {"centroid", "closest-vertex", "quadric", "fitted"}) {
       shop.run_well("in.off out.off -n 50 --threads 4 -w " + weight + " --placement " + placement + " --report r.json");
       const Json report = shop.report("r.json");
       BOOST_TEST(report["parameters"]["weight"] == weight);
@@ -383,6 +383,16 @@ BOOST_AUTO_TEST_CASE(picture)
   BOOST_TEST(number(16) > number(20)); // two views side by side
   shop.run_well("in.off out.off -n 60 --picture other.png --view -1,0.2,0.3 --up 0,0,1");
   BOOST_TEST((content_of(shop / "other.png") != png));
+}
+
+BOOST_AUTO_TEST_CASE(huge_and_tiny_coordinates)
+{
+  const Workshop shop;
+  for (const double factor : {1e-300, 1e-160, 1e160, 1e307}) {
+    shop.write("in.off", generated::scaled(generated::triangle_sphere(2), factor));
+    shop.run_well("in.off out.off -n 30 --picture picture.png --report r.json");
+    BOOST_TEST(shop.report("r.json")["certificate"]["kept"] == true);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(same_input_same_output)

@@ -164,11 +164,12 @@ BOOST_AUTO_TEST_CASE(components)
   using namespace generated;
   check_surface("two tetrahedra", many_tetrahedra(2), 8);
   check_surface("2000 tetrahedra", many_tetrahedra(2000), 8000);
-  check_surface("a small component", joined(with_noise(triangle_sphere(4), 0.02),
-                                            translated(scaled(triangle_sphere(3), 1e-6), 3, 0, 0)), 8);
+  check_surface("a small component",
+                joined(with_noise(triangle_sphere(4), 0.02), translated(scaled(triangle_sphere(3), 1e-6), 3, 0, 0)), 8);
   check_surface("components without area",
                 joined(with_noise(triangle_sphere(3), 0.02), joined(scaled(triangle_sphere(2), 0), tetrahedron())), 12);
-  check_surface("of all kinds", joined(joined(triangulated(torus(12, 8)), grid(8, 8)), joined(tube(12, 4), tetrahedron())));
+  check_surface("of all kinds",
+                joined(joined(triangulated(torus(12, 8)), grid(8, 8)), joined(tube(12, 4), tetrahedron())));
 }
 
 BOOST_AUTO_TEST_CASE(handles)

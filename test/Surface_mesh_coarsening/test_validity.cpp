@@ -201,7 +201,7 @@ void check_moves(const Soup& soup, std::size_t tries, std::size_t steps, std::mt
     const bool valid = fast_validity(s, labels);
     if (valid != fault.empty() && statistics.wrong++ < 5)
       BOOST_ERROR("labels are valid for the library: " << valid << ", brute force: '" << fault << "'; faces "
-                                                      << text(soup) << " labels " << text(labels));
+                                                       << text(soup) << " labels " << text(labels));
     if (fault.empty())
       walk(s, labels, steps, engine, statistics);
   }
@@ -267,7 +267,7 @@ BOOST_AUTO_TEST_CASE(arbitrary_labels)
 {
   std::mt19937 engine(12);
   const std::vector<Soup> starts{generated::tetrahedron(), generated::octahedron(), generated::seven_vertex_torus(),
-                                 generated::fan(6), generated::grid(2, 2), generated::cube_grid(1)};
+                                 generated::fan(6),        generated::grid(2, 2),   generated::cube_grid(1)};
   std::size_t valid = 0, invalid = 0, wrong = 0;
   std::map<std::string, std::size_t> kinds;
   for (std::size_t i = 0; i < 600; ++i) {

@@ -27,8 +27,8 @@ struct Surface_counts
     return characteristic() == c.characteristic() && loops == c.loops;
   }
 
-  // No simplicial surface of this topology has fewer vertices. For closed surfaces it is Heawood's bound with the exception
-  // of genus 2 (Jungerman and Ringel, 1980); a cone over each border loop makes a surface closed.
+  // No simplicial surface of this topology has fewer vertices. For closed surfaces it is Heawood's bound with the
+  // exception of genus 2 (Jungerman and Ringel, 1980); a cone over each border loop makes a surface closed.
   std::size_t fewest_vertices() const
   {
     const double g = double(genus());

@@ -10,7 +10,8 @@
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Closest_vertex_placement.h>
-#include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/parameters.h>
 
 #include <functional>
@@ -21,37 +22,49 @@ namespace SMC = CGAL::Surface_mesh_coarsening;
 
 namespace {
 
-template <class Weight, class Placement>
-Coarsening_result coarsen_as(const Mesh& input, const Options& options, Tool_visitor& visitor)
+typedef std::function<SMC::Clustered_surface::Point(const SMC::Clustered_surface&, std::size_t)> Local_placement;
+
+struct Named_placement
 {
-  Coarsening_result result;
-  const auto label = get(CGAL::dynamic_face_property_t<std::size_t>(), input);
-  const unsigned default_level = 7;
-  const std::size_t default_rounds = SMC::Mwcvd_clustering<Mesh, Weight>::default_number_of_iterations;
-  // The one place where a number of threads would be handed on; the library computes on one.
-  const auto np = SMC::parameters::cluster_weight(Weight())
-                    .vertex_placement(Placement())
-                    .maximum_density(options.maximum_density)
-                    .neighborhood_level(options.neighborhood_level.value_or(default_level))
-                    .number_of_iterations(options.rounds.value_or(default_rounds))
-                    .face_cluster_map(label)
-                    .visitor(std::ref(visitor));
-  if (options.vertices)
-    result.report = SMC::coarsen_mesh(input, *options.vertices, result.mesh, np);
-  else
-    result.report = SMC::coarsen_mesh(input, result.mesh, np);
-  result.labels.reserve(input.number_of_faces());
-  for (Face f : input.faces())
-    result.labels.push_back(get(label, f));
-  return result;
+  std::string name;
+  Local_placement placement; // none for the one that fits all vertices together
+};
+
+const std::vector<Named_placement>& placements()
+{
+  static const std::vector<Named_placement> all = {{"centroid", SMC::Centroid_placement()},
+                                                   {"closest-vertex", SMC::Closest_vertex_placement()},
+                                                   {"quadric", SMC::Quadric_placement()},
+                                                   {"fitted", nullptr}};
+  return all;
 }
 
 template <class Weight>
 Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_visitor& visitor)
 {
-  return options.placement == "closest-vertex"
-           ? coarsen_as<Weight, SMC::Closest_vertex_placement>(input, options, visitor)
-           : coarsen_as<Weight, SMC::Centroid_placement>(input, options, visitor);
+  Coarsening_result result;
+  // The one place where a number of threads would be handed on; the library computes on one.
+  SMC::Mwcvd_clustering<Mesh, Weight> clustering(
+    input, SMC::parameters::maximum_density(options.maximum_density).visitor(std::ref(visitor)));
+  const unsigned default_level = 7;
+  if (options.vertices)
+    clustering.seed(*options.vertices);
+  else
+    clustering.seed_from_level(options.neighborhood_level.value_or(default_level));
+  clustering.grow();
+  clustering.minimize(options.rounds.value_or(clustering.default_number_of_iterations));
+  for (const Named_placement& named : placements())
+    if (named.name == options.placement) {
+      if (named.placement)
+        clustering.extract_dual_mesh(result.mesh, named.placement);
+      else
+        clustering.extract_dual_mesh(result.mesh, SMC::Fitted_placement());
+    }
+  result.report = clustering.report();
+  result.labels.reserve(input.number_of_faces());
+  for (Face f : input.faces())
+    result.labels.push_back(clustering.cluster(f));
+  return result;
 }
 
 struct Named_weight
@@ -85,7 +98,12 @@ const std::vector<std::string>& weight_names()
 
 const std::vector<std::string>& placement_names()
 {
-  static const std::vector<std::string> names = {"centroid", "closest-vertex"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> result;
+    for (const Named_placement& named : placements())
+      result.push_back(named.name);
+    return result;
+  }();
   return names;
 }
 

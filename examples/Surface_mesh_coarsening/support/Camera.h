@@ -47,7 +47,12 @@ public:
     }
     const double extent = (std::max)(high_x - low_x, high_y - low_y);
     const double margin = 0.04 * size;
-    scale = extent > 0 && std::isfinite(extent) ? (size - 2 * margin) / extent : 1;
+    if (!std::isfinite(extent)) { // differences of coordinates overflow: nothing can be shown
+      scale = 0;
+      width = height = size;
+      return;
+    }
+    scale = extent > 0 ? (size - 2 * margin) / extent : 1;
     width = (std::max)(0.4 * size, std::ceil(scale * (high_x - low_x) + 2 * margin));
     height = (std::max)(0.4 * size, std::ceil(scale * (high_y - low_y) + 2 * margin));
     shift_x = width / 2 - scale * (low_x + high_x) / 2;

@@ -3,7 +3,7 @@
 #ifndef COARSENING_SUPPORT_IMAGE_H
 #define COARSENING_SUPPORT_IMAGE_H
 
-#include "cluster_colors.h"
+#include "Rgb.h"
 
 #include <algorithm>
 #include <cstddef>

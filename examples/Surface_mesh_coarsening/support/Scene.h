@@ -4,8 +4,9 @@
 #define COARSENING_SUPPORT_SCENE_H
 
 #include "Camera.h"
-#include "cluster_colors.h"
 #include "Mesh.h"
+#include "Rgb.h"
+#include "cluster_colors.h"
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/helpers.h>

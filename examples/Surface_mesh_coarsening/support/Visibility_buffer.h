@@ -65,7 +65,7 @@ private:
 
   static std::size_t clamped(double v, std::size_t limit)
   {
-    return v <= 0 ? 0 : v >= static_cast<double>(limit) ? limit : static_cast<std::size_t>(v);
+    return !(v > 0) ? 0 : v >= static_cast<double>(limit) ? limit : static_cast<std::size_t>(v);
   }
 
   // The samples whose centres can lie within the bounds.

@@ -6,6 +6,7 @@
 #define COARSENING_SUPPORT_CLUSTER_COLORS_H
 
 #include "Mesh.h"
+#include "Rgb.h"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +17,6 @@
 #include <vector>
 
 namespace coarsening_support {
-
-using Rgb = std::array<std::uint8_t, 3>;
 
 // Turns hue (0 to 6), saturation and brightness (0 to 1) into a colour.
 inline Rgb from_hue(double hue, double saturation, double brightness)

@@ -27,10 +27,7 @@ struct Topology
   std::size_t vertices = 0, edges = 0, faces = 0, loops = 0;
   long characteristic() const { return long(vertices) - long(edges) + long(faces); }
   long genus() const { return (2 - characteristic() - long(loops)) / 2; }
-  bool same_surface_as(const Topology& t) const
-  {
-    return characteristic() == t.characteristic() && loops == t.loops;
-  }
+  bool same_surface_as(const Topology& t) const { return characteristic() == t.characteristic() && loops == t.loops; }
 };
 
 class Disjoint_sets
@@ -281,7 +278,9 @@ class Triangle_surface
 {
 public:
   Triangle_surface(const std::vector<Triangle>& triangles, std::size_t n)
-    : first_(n + 1, 0), next_on_border_(n, none), component_(n, none)
+    : first_(n + 1, 0),
+      next_on_border_(n, none),
+      component_(n, none)
   {
     for (const Triangle& t : triangles)
       if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
@@ -395,8 +394,8 @@ private:
   std::string fault_;
 };
 
-// What keeps triangles from being a surface of the topology of the mesh, component by component, if `component_of_vertex` is the
-// component of the mesh that each vertex belongs to.
+// What keeps triangles from being a surface of the topology of the mesh, component by component, if
+// `component_of_vertex` is the component of the mesh that each vertex belongs to.
 inline std::string fault_of_surface(const Reference_mesh& m, const std::vector<Triangle>& triangles,
                                     const std::vector<std::size_t>& component_of_vertex)
 {

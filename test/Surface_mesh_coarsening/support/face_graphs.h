@@ -29,8 +29,8 @@ typedef CGAL::Surface_mesh<Point> Mesh;
 template <class Graph>
 void to_face_graph(const generated::Soup& soup, Graph& graph)
 {
-  typedef typename boost::property_traits<
-    typename boost::property_map<Graph, CGAL::vertex_point_t>::type>::value_type Graph_point;
+  typedef typename boost::property_traits<typename boost::property_map<Graph, CGAL::vertex_point_t>::type>::value_type
+    Graph_point;
   std::vector<Graph_point> points;
   for (const generated::Point& p : soup.points)
     points.push_back(Graph_point(p[0], p[1], p[2]));

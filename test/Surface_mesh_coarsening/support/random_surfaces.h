@@ -95,10 +95,17 @@ inline Soup random_surface(const Soup& start, std::size_t changes, bool polygons
     switch (engine() % (polygons ? 6 : 5)) {
     case 0:
     case 1:
-    case 2: internal::try_flip(m, h); break;
-    case 3: internal::try_split_face(m, h); break;
-    case 4: internal::try_split_edge(m, h); break;
-    default: internal::try_join_faces(m, h);
+    case 2:
+      internal::try_flip(m, h);
+      break;
+    case 3:
+      internal::try_split_face(m, h);
+      break;
+    case 4:
+      internal::try_split_edge(m, h);
+      break;
+    default:
+      internal::try_join_faces(m, h);
     }
   }
   m.collect_garbage();

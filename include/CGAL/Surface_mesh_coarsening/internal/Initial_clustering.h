@@ -147,14 +147,35 @@ private:
   // The smallest number that works is known once every component has been brought down to its own.
   [[noreturn]] void throw_too_small()
   {
-    finding_least_ = true;
-    wanted_ = least_;
-    seed_components();
-    grow();
-    const std::size_t least = sum(least_);
+    if (!finding_least_ && may_look_further_down_) {
+      finding_least_ = true;
+      wanted_ = least_;
+      seed_components();
+      grow();
+    }
+    std::size_t least = sum(least_);
+    while (may_look_further_down_ && works(least - 1))
+      --least;
     throw Unreachable_number_of_vertices(
       std::to_string(number_) + (number_ == 1 ? " vertex was" : " vertices were") + " asked for, but the input, with " +
         std::to_string(least_.size()) + " connected components, needs " + std::to_string(least), least);
+  }
+
+  // Whether a call for `number` clusters would succeed, which may be by another way than the one taken here.
+  bool works(std::size_t number) const
+  {
+    if (number <= number_)
+      return false;
+    Coarsening_report report;
+    Initial_clustering other(*uncut_input_, report);
+    other.may_look_further_down_ = false;
+    try {
+      other.seed(number);
+      other.grow();
+    } catch (const Unreachable_number_of_vertices&) {
+      return false;
+    }
+    return true;
   }
 
   std::vector<Index> all_faces() const
@@ -306,6 +327,7 @@ private:
   std::size_t number_ = 0;
   bool may_exceed_number_ = false; // where topology needs more
   bool finding_least_ = false;
+  bool may_look_further_down_ = true;
   std::vector<std::size_t> least_, most_, wanted_; // clusters per component
   std::vector<double> share_;                      // mass per component
   std::vector<Component_plan> plan_;

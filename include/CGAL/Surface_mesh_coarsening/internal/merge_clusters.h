@@ -296,6 +296,8 @@ private:
     area_[kept] += area_[gone];
     size_[gone] = 0;
     --count_[mesh_.component[kept_face]];
+    std::sort(affected_.begin(), affected_.end());
+    affected_.erase(std::unique(affected_.begin(), affected_.end()), affected_.end());
     for (const Index v : affected_)
       if (labels_.boundary_count(v) >= 3 && excess_at(v) > 0)
         enqueue(v);
