@@ -5,6 +5,8 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
 
+#include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -24,11 +26,20 @@ public:
   static bool is_beyond_border(Index label) { return label >= beyond_border && label != NONE; }
 
   explicit Cluster_labels(const Flat_mesh& mesh)
-    : mesh_(mesh), label_(mesh.number_of_faces(), NONE), boundary_count_(mesh.number_of_vertices(), 0) {}
+    : mesh_(mesh), label_(mesh.number_of_faces(), NONE), boundary_count_(mesh.number_of_vertices(), 0)
+  {
+    for (std::size_t v = 0; v < mesh.number_of_vertices() && !has_hubs_; ++v)
+      has_hubs_ = is_hub(Index(v));
+  }
 
   const Flat_mesh& mesh() const { return mesh_; }
   Index operator[](Index f) const { return label_[f]; }
-  void set(Index f, Index label) { label_[f] = label; }
+  void set(Index f, Index label)
+  {
+    if (has_hubs_)
+      count_at_hubs(f, label);
+    label_[f] = label;
+  }
   const std::vector<Index>& labels() const { return label_; }
   Index boundary_count(Index v) const { return boundary_count_[v]; }
   const std::vector<Index>& boundary_counts() const { return boundary_count_; }
@@ -42,6 +53,8 @@ public:
 
   bool touches(Index v, Index label) const
   {
+    if (is_hub(v))
+      return faces_at_hub_.count(hub_key(v, label)) != 0;
     for (Index i = mesh_.first_in_star[v]; i != mesh_.first_in_star[v + 1]; ++i)
       if (label_[mesh_.star[i]] == label)
         return true;
@@ -102,7 +115,7 @@ public:
       boundary_count_[mesh_.corner_vertex[c]] += after - before;
       boundary_count_[mesh_.corner_vertex[mesh_.next_corner(f, c)]] += after - before;
     }
-    label_[f] = to;
+    set(f, to);
   }
 
   // The boundary-edge counts from scratch.
@@ -122,9 +135,33 @@ public:
   void recount() { boundary_count_ = recounted(); }
 
 private:
+  // Going around a vertex of so many faces for each of them would take quadratic time. There the faces of each label are
+  // counted instead.
+  static constexpr Index hub_valence = 64;
+  bool is_hub(Index v) const { return mesh_.first_in_star[v + 1] - mesh_.first_in_star[v] > hub_valence; }
+  static std::uint64_t hub_key(Index v, Index label) { return (std::uint64_t(v) << 32) | label; }
+
+  void count_at_hubs(Index f, Index label)
+  {
+    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+      const Index v = mesh_.corner_vertex[c];
+      if (!is_hub(v))
+        continue;
+      if (label_[f] != NONE) {
+        const auto i = faces_at_hub_.find(hub_key(v, label_[f]));
+        if (--i->second == 0)
+          faces_at_hub_.erase(i);
+      }
+      if (label != NONE)
+        ++faces_at_hub_[hub_key(v, label)];
+    }
+  }
+
   const Flat_mesh& mesh_;
   std::vector<Index> label_;
   std::vector<Index> boundary_count_;
+  bool has_hubs_ = false;
+  std::unordered_map<std::uint64_t, Index> faces_at_hub_; // by hub and label
 };
 
 } // namespace internal

@@ -43,6 +43,14 @@ struct Clustering_input
     take_from(cut_from);
   }
 
+  // Takes densities and parents over from an input of which the faces are pieces.
+  void inherit(const Clustering_input& whole, const std::vector<Index>& whole_face)
+  {
+    density = whole.density;
+    parent = whole.parent;
+    take_from(whole_face);
+  }
+
   // Leaves out the components whose area is smaller. Returns their number.
   std::size_t drop_components_below(double least_area)
   {

@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace CGAL {
@@ -13,69 +14,156 @@ namespace internal {
 
 // How a connected component is brought to its number of clusters.
 //
-// The first way is the paper's: seeds of the largest level that gives enough, growth, and merging, three clusters at a
-// time. It may end too high, where topology leaves little freedom. Then clusters are merged two by two, in an order that
-// does not depend on the number wanted: whatever number is reached from seeds of some level, all between it and where
-// merging began are reached from there, too. This is tried from two levels of a ladder that is the same for every number
-// wanted, then with the faces cut into pieces, from rung to rung down to single pieces. If nothing comes down to the number
-// wanted, the best of the tries gives the nearest number that works: asked for, it comes by the same rung.
+// The usual way is the paper's: seeds of the largest level that gives enough, growth, and merging, three clusters at a
+// time. It may end too high where the faces or the topology leave little freedom. Then, and always where fewer clusters are
+// wanted than are `always_enough()`, there is a ladder of levels, the same for every number of clusters below that.
+//
+// From the seeds of a rung clusters are merged two by two, in an order that does not depend on the number wanted, either:
+// the rung gives every number from the one where its merging ends up to the one where it begins. The first rung is the
+// highest from which merging begins with always_enough(); then come those above it, as long as one begins where those before
+// have ended, or higher, then those below, and then the same with the faces cut into pieces, of which any clusters can be
+// made. So the numbers that can be had are all those from the smallest that a rung comes to.
 class Component_plan
 {
 public:
-  // The level of the seeds; NONE: the largest that gives as many as are wanted, or the rung below if two_by_two().
+  // Merging until no two clusters may be merged leads to an irreducible triangulation. Those of closed surfaces of genus g
+  // have at most 26 g - 4 vertices (Joret and Wood: Irreducible triangulations are small, 2010); with b border loops their
+  // number is linear in g and b, too (Boulch, Colin de Verdiere, Nakamoto: Irreducible triangulations of surfaces with
+  // boundary, 2013).
+  static std::size_t always_enough(const Component& c) { return 8 + 26 * c.genus() + 8 * c.loops; }
+
+  // Begins anew for `wanted` clusters.
+  void begin(const Component& component, std::size_t wanted)
+  {
+    enough_ = always_enough(component);
+    wanted_ = wanted;
+    if (has_nearest() && wanted >= nearest_ && wanted < enough_) {
+      go_to_nearest();
+      return;
+    }
+    on_ladder_ = wanted < enough_;
+    from_pieces_ = component.faces < least_seeds();
+    go_to_first();
+  }
+
+  // The same, beginning with the seeds of level `level` in the paper's way.
+  void begin(const Component& component, std::size_t wanted, Index level)
+  {
+    enough_ = always_enough(component);
+    wanted_ = wanted;
+    on_ladder_ = false;
+    from_pieces_ = component.faces < wanted;
+    go_to_first();
+    level_ = level;
+  }
+
+  // The level of the seeds; NONE: the largest that gives least_seeds(), or the rung below it.
   Index level() const { return level_; }
+  std::size_t least_seeds() const { return on_ladder_ ? (std::max)(wanted_, enough_) : wanted_; }
+  bool is_on_ladder() const { return on_ladder_; }
+  bool from_pieces() const { return from_pieces_; }
+  std::size_t wanted() const { return wanted_; }
+
+  // Whether merging may begin with `clusters`.
+  bool may_begin_with(std::size_t clusters) const { return !is_climbing_ || clusters >= nearest_; }
 
   // The highest rung of the ladder that is not above `level`.
   static Index rung(Index level)
   {
     Index below = 0;
-    for (Index step = 1; step <= level && step != 0; step *= 2) {
-      below = step;
-      if (step + step / 2 <= level)
-        below = step + step / 2;
-    }
+    while (rung_above(below) <= level)
+      below = rung_above(below);
     return below;
   }
-
-  bool two_by_two() const { return two_by_two_; }
-  bool from_pieces() const { return from_pieces_; }
 
   // The number of clusters that the best try has come down to.
   std::size_t nearest() const { return nearest_; }
   bool has_nearest() const { return nearest_ != (std::numeric_limits<std::size_t>::max)(); }
 
-  // Takes note of a try that failed: with `seeds` seeds of level `level`, it ended with `reached` clusters instead of
-  // `wanted`, or without any, reached = 0, because the faces are too few. Returns whether there is something else to
-  // try; if not, the plan is the one that reaches nearest() from now on.
-  bool revise(Index level, std::size_t seeds, std::size_t reached, std::size_t wanted)
+  // Takes note of a try that failed: with `seeds` seeds of level `level` it ended with `reached` clusters, or without any,
+  // reached = 0, because merging may not begin there. Returns whether there is something else to try; if not, nearest() is
+  // the smallest number there is.
+  bool revise(Index level, std::size_t seeds, std::size_t reached)
   {
-    if (two_by_two_ && reached > wanted && reached < nearest_) {
+    if (on_ladder_ && reached > wanted_ && reached < nearest_) {
       nearest_ = reached;
       nearest_level_ = level;
       nearest_from_pieces_ = from_pieces_;
     }
-    // Going on to ever more clusters would take long on large components, and lead to no better end.
-    const bool many = seeds > 16 * wanted + 1000 && has_nearest();
-    if (from_pieces_ && (level == 0 || many)) {
-      level_ = nearest_level_;
-      from_pieces_ = nearest_from_pieces_;
-      return false;
-    }
-    const bool whole_faces_will_not_do = !from_pieces_ && (reached == 0 || ++tries_ > 2 || level == 0);
-    if (whole_faces_will_not_do) {
-      from_pieces_ = true;
-      level_ = NONE;
+    if (!on_ladder_)
+      return leave_usual_way(level, reached);
+    if (first_rung_ == NONE) {
+      first_rung_ = level;
+      lowest_has_failed_ = level == 0 || seeds > most_seeds();
+      is_climbing_ = reached > wanted_ && wanted_ < enough_ && seeds > 1;
+    } else if (is_climbing_) {
+      is_climbing_ = reached != 0 && seeds > 1;
     } else {
-      level_ = two_by_two_ ? rung(level - 1) : rung(level);
+      lowest_has_failed_ = level == 0 || reached == 0 || seeds > most_seeds();
     }
-    two_by_two_ = true;
+    if (is_climbing_)
+      level_ = rung_above(level);
+    else if (!lowest_has_failed_)
+      level_ = rung((std::min)(level, first_rung_) - 1);
+    else
+      return take_pieces();
     return true;
   }
 
 private:
-  Index level_ = NONE, nearest_level_ = NONE;
-  int tries_ = 0;
-  bool two_by_two_ = false, from_pieces_ = false, nearest_from_pieces_ = false;
+  static Index rung_above(Index level)
+  {
+    if (level < 2)
+      return level + 1;
+    const bool is_power_of_two = (level & (level - 1)) == 0;
+    return is_power_of_two ? level + level / 2 : level / 3 * 4;
+  }
+
+  // From ever more seeds merging takes long on large components, and leads to no better end.
+  std::size_t most_seeds() const { return 16 * enough_; }
+
+  void go_to_first()
+  {
+    level_ = first_rung_ = NONE;
+    is_climbing_ = lowest_has_failed_ = false;
+  }
+
+  void go_to_nearest()
+  {
+    go_to_first();
+    on_ladder_ = true;
+    level_ = nearest_level_;
+    from_pieces_ = nearest_from_pieces_;
+  }
+
+  bool leave_usual_way(Index level, std::size_t reached)
+  {
+    if (reached == 0 && !from_pieces_)
+      return take_pieces();
+    on_ladder_ = true;
+    go_to_first();
+    if (wanted_ >= enough_)
+      level_ = rung(level);
+    return true;
+  }
+
+  bool take_pieces()
+  {
+    if (from_pieces_) {
+      if (has_nearest())
+        go_to_nearest();
+      return false;
+    }
+    from_pieces_ = true;
+    on_ladder_ = wanted_ < enough_;
+    go_to_first();
+    return true;
+  }
+
+  std::size_t enough_ = 0, wanted_ = 0;
+  Index level_ = NONE, first_rung_ = NONE, nearest_level_ = NONE;
+  bool on_ladder_ = false, is_climbing_ = false, lowest_has_failed_ = false;
+  bool from_pieces_ = false, nearest_from_pieces_ = false;
   std::size_t nearest_ = (std::numeric_limits<std::size_t>::max)();
 };
 

@@ -58,35 +58,19 @@ public:
     return {};
   }
 
-  // Calls `at_vertex(v, runs)` for each vertex on the boundary of the cluster on the left of `start`: `runs` are the
-  // labels around it, counterclockwise, from the one across the edge that arrives to the one across the edge that
-  // leaves. Ends early if `at_vertex` returns false.
-  template <class AtVertex>
-  void along_boundary(const Directed_edge start, const AtVertex& at_vertex)
-  {
-    Directed_edge e = start;
-    do {
-      const Index v = mesh_.corner_vertex[mesh_.next_corner(e.face, e.corner)];
-      e = turn(e, v);
-      if (!at_vertex(v, runs_))
-        return;
-    } while (!(e == start));
-  }
-
   // Calls `visit(label)` for each neighbor of the cluster in the dual triangulation, in order around it.
   template <class Visit>
   void along_link(const Directed_edge start, const Visit& visit)
   {
-    const Index cluster = labels_[start.face];
-    along_boundary(start, [&](Index v, const std::vector<Index>& runs) {
-      return runs.size() < 2 || link_at(cluster, v, runs, visit);
-    });
-  }
-
-  void collect_link(const Directed_edge start, std::vector<Index>& link)
-  {
-    link.clear();
-    along_link(start, [&](Index label) { link.push_back(label); return true; });
+    Directed_edge e = start;
+    do {
+      const Index v = mesh_.corner_vertex[mesh_.next_corner(e.face, e.corner)];
+      const Index front = labels_.label_across(e.corner);
+      const Directed_edge leaving = turn(e, v);
+      if (!link_at(v, e.face, front, labels_.label_across(leaving.corner), visit))
+        return;
+      e = leaving;
+    } while (!(e == start));
   }
 
   // The neighbor that keeps the cluster on the left of `start` from having a simple link: one that comes twice, or
@@ -112,39 +96,36 @@ public:
   }
 
 private:
+  // Visits the neighbors that the cluster of face `f` has at `v` in the fan there, but for `front`, where the boundary of
+  // the cluster arrives at `v`. It leaves `v` along `back`.
   template <class Visit>
-  bool link_at(Index cluster, Index v, const std::vector<Index>& runs, const Visit& visit) const
+  bool link_at(Index v, Index f, Index front, Index back, const Visit& visit)
   {
+    if (front == back)
+      return true;
     const Index apex = labels_[mesh_.star[mesh_.first_in_star[v]]];
-    if (apex == cluster) {
-      for (std::size_t i = 1; i < runs.size(); ++i)
-        if (!visit(runs[i]))
+    if (apex == labels_[f]) {
+      runs_around(labels_, v, runs_);
+      for (std::size_t i = 2; i < runs_.size(); ++i)
+        if (!visit(runs_[i]))
           return false;
       return true;
     }
-    if (apex != runs.front() && apex != runs.back() && !visit(apex))
+    if (apex != front && apex != back && !visit(apex))
       return false;
-    return visit(runs.back());
+    return visit(back);
   }
 
-  // From the boundary edge that arrives at `v` to the one that leaves it, filling runs_ on the way.
-  Directed_edge turn(const Directed_edge e, Index v)
+  // From the boundary edge that arrives at `v` to the one that leaves it, clockwise over the faces of the cluster, which
+  // follow each other there.
+  Directed_edge turn(const Directed_edge e, Index v) const
   {
-    const Index begin = mesh_.first_in_star[v], end = mesh_.first_in_star[v + 1], label = labels_[e.face];
-    Index i = mesh_.position_in_star(v, e.face);
-    runs_.clear();
-    for (;;) {
-      if (++i == end) {
-        i = begin;
-        if (mesh_.is_on_border(v))
-          runs_.push_back(Cluster_labels::beyond_border + mesh_.loop[v]);
-      }
-      const Index here = labels_[mesh_.star[i]];
-      if (here == label)
-        return {mesh_.star[i], mesh_.corner_of(mesh_.star[i], v)};
-      if (runs_.empty() || runs_.back() != here)
-        runs_.push_back(here);
+    Directed_edge leaving{e.face, mesh_.next_corner(e.face, e.corner)};
+    while (labels_.label_across(leaving.corner) == labels_[e.face]) {
+      const Index f = mesh_.face_across[leaving.corner];
+      leaving = {f, mesh_.corner_of(f, v)};
     }
+    return leaving;
   }
 
   const Cluster_labels& labels_;

@@ -5,17 +5,15 @@
 
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Component_plan.h>
-#include <CGAL/Surface_mesh_coarsening/internal/merge_clusters.h>
-#include <CGAL/Surface_mesh_coarsening/internal/seed_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Component_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/internal/join_at_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/share_out_vertices.h>
-#include <CGAL/Surface_mesh_coarsening/internal/split_clusters.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -25,8 +23,8 @@ namespace internal {
 // Seeds and growth: a clustering with the number of clusters asked for, all of them closed discs, whose dual is a
 // simplicial surface of the topology of the mesh.
 //
-// Clusters that meet twice after growth are split, and clusters are merged down to the number wanted; Component_plan says
-// how, component by component. Components of fewer faces than clusters are cut into pieces.
+// The number is shared out among the connected components, and Component_clustering brings each to its own. Components of
+// fewer faces than clusters, and those where whole faces do not do, are cut into pieces.
 class Initial_clustering
 {
 public:
@@ -42,6 +40,11 @@ public:
       share_[input.mesh.component[f]] += input.mass(Index(f));
     cut_.assign(components.size(), false);
     plan_.resize(components.size());
+    state_.assign(components.size(), State::NEW);
+    seeds_.resize(components.size());
+    splits_.assign(components.size(), 0);
+    merges_.assign(components.size(), 0);
+    is_pinched_.assign(components.size(), false);
   }
 
   // Cuts all faces into pieces, as often as it takes to have `faces` of them.
@@ -64,144 +67,75 @@ public:
       throw Unreachable_number_of_vertices(std::to_string(number_) + " vertices were asked for, but the input has only " +
                                              std::to_string(sum(most_)), sum(most_));
     share_out_number();
-    seed_components();
+    prepare();
+    find_seeds();
   }
 
   // Takes all seeds of one level.
   void seed_from_level(Index level)
   {
-    seeds_.clear();
-    Seed_walk walk(input_->mesh);
-    walk.run(all_faces(), level, seeds_);
-    wanted_.assign(input_->mesh.components.size(), 0);
-    for (const Index f : seeds_)
-      ++wanted_[input_->mesh.component[f]];
-    for (std::size_t i = 0; i < wanted_.size(); ++i)
-      wanted_[i] = (std::min)((std::max)(wanted_[i], least_[i]), most_[i]);
-    number_ = sum(wanted_);
     may_exceed_number_ = true;
-    report_.level = level;
-    report_.seeds = seeds_.size();
-    level_used_.assign(wanted_.size(), level);
-    seeds_used_ = wanted_;
-    if (cut_where_needed())
-      seed_components();
+    wanted_.assign(least_.size(), 0);
+    for (std::size_t i = 0; i < wanted_.size(); ++i)
+      plan_[i].begin(input_->mesh.components[i], 0, level);
+    prepare();
+    find_seeds();
+    for (std::size_t i = 0; i < wanted_.size(); ++i) {
+      wanted_[i] = (std::min)((std::max)(seeds_[i].faces.size(), least_[i]), most_[i]);
+      plan_[i].begin(input_->mesh.components[i], wanted_[i], level);
+    }
+    number_ = sum(wanted_);
   }
 
-  const std::vector<Index>& seeds() const { return seeds_; }
-
   // The faces that the seeds and the clusters are made of: those given, or pieces of them.
-  const Clustering_input& input() const { return *input_; }
+  const Clustering_input& input() const { return joined_input_ ? *joined_input_ : *input_; }
+
+  // The seeds, and after growth a face of each cluster.
+  std::vector<Index> seeds() const
+  {
+    std::vector<Index> all(face_of_cluster_);
+    if (!all.empty())
+      return all;
+    for (const Component_seeds& seeds : seeds_)
+      all.insert(all.end(), seeds.faces.begin(), seeds.faces.end());
+    return all;
+  }
 
   // Grows the clusters from the seeds and brings them to the number asked for.
   Cluster_labels grow()
   {
-    for (;;) {
-      Cluster_labels labels(input_->mesh);
-      const std::vector<Failure> failed = try_to_grow(labels);
-      if (failed.empty())
-        return labels;
-      for (const Failure& failure : failed)
-        revise_plan(failure);
-      if (finding_least_)
-        wanted_ = least_;
-      else
-        share_out_number();
-      seed_components();
+    if (!labels_)
+      grow_again();
+    if (!pieces_are_up_to_date()) {
+      prepare();
+      find_seeds();
     }
+    while (!grow_components()) {
+      share_out_number();
+      prepare();
+      find_seeds();
+    }
+    number_clusters();
+    if (std::find(is_pinched_.begin(), is_pinched_.end(), true) != is_pinched_.end())
+      join_at_vertices();
+    labels_->recount();
+    find_face_of_clusters();
+    Cluster_labels labels = std::move(*labels_);
+    labels_.reset();
+    return labels;
   }
 
 private:
-  struct Failure
-  {
-    Index component;
-    std::size_t reached; // clusters; 0 if the faces are too few
-  };
-
-  // A component that is out of plans has its minimum raised.
-  void revise_plan(const Failure& failure)
-  {
-    const Index i = failure.component;
-    if (plan_[i].revise(level_used_[i], seeds_used_[i], failure.reached, wanted_[i]))
-      return;
-    if (!plan_[i].has_nearest())
-      throw Invalid_input("component " + std::to_string(i) + " of the input cannot be clustered");
-    least_[i] = plan_[i].nearest();
-    most_[i] = (std::max)(most_[i], least_[i]);
-  }
-
   static std::size_t sum(const std::vector<std::size_t>& v)
   {
     return std::accumulate(v.begin(), v.end(), std::size_t(0));
   }
 
-  void share_out_number()
+  void grow_again()
   {
-    if (may_exceed_number_)
-      number_ = (std::max)(number_, sum(least_));
-    if (number_ < sum(least_))
-      throw_too_small();
-    wanted_ = share_out(number_, share_, least_, most_);
-  }
-
-  // The smallest number that works is known once every component has been brought down to its own.
-  [[noreturn]] void throw_too_small()
-  {
-    if (!finding_least_ && may_look_further_down_) {
-      finding_least_ = true;
-      wanted_ = least_;
-      seed_components();
-      grow();
-    }
-    std::size_t least = sum(least_);
-    while (may_look_further_down_ && works(least - 1))
-      --least;
-    throw Unreachable_number_of_vertices(
-      std::to_string(number_) + (number_ == 1 ? " vertex was" : " vertices were") + " asked for, but the input, with " +
-        std::to_string(least_.size()) + " connected components, needs " + std::to_string(least), least);
-  }
-
-  // Whether a call for `number` clusters would succeed, which may be by another way than the one taken here.
-  bool works(std::size_t number) const
-  {
-    if (number <= number_)
-      return false;
-    Coarsening_report report;
-    Initial_clustering other(*uncut_input_, report);
-    other.may_look_further_down_ = false;
-    try {
-      other.seed(number);
-      other.grow();
-    } catch (const Unreachable_number_of_vertices&) {
-      return false;
-    }
-    return true;
-  }
-
-  std::vector<Index> all_faces() const
-  {
-    std::vector<Index> faces(input_->mesh.number_of_faces());
-    std::iota(faces.begin(), faces.end(), Index(0));
-    return faces;
-  }
-
-  // Returns whether the faces have changed.
-  bool cut_where_needed()
-  {
-    std::vector<bool> chosen(wanted_.size(), false);
-    for (std::size_t i = 0; i < wanted_.size(); ++i)
-      chosen[i] = plan_[i].from_pieces() || uncut_input_->mesh.components[i].faces < wanted_[i];
-    if (chosen == cut_)
-      return false;
-    cut_.swap(chosen);
-    report_.subdivided_components = std::count(cut_.begin(), cut_.end(), true);
-    input_ = uncut_input_;
-    if (report_.subdivided_components > 0) {
-      cut_input_ = *uncut_input_;
-      cut_input_->subdivide(cut_);
-      input_ = &*cut_input_;
-    }
-    return true;
+    joined_input_.reset();
+    labels_.emplace(input_->mesh);
+    std::fill(state_.begin(), state_.end(), State::SEEDED);
   }
 
   void bound_by_vertices()
@@ -211,130 +145,206 @@ private:
       most_.push_back((std::max)(uncut_input_->mesh.components[i].vertices, least_[i]));
   }
 
-  void seed_components()
+  void share_out_number()
   {
-    cut_where_needed();
-    // The faces component by component, in their order.
-    const Flat_mesh& m = input_->mesh;
-    std::vector<std::size_t> end(m.components.size() + 1, 0);
-    for (std::size_t i = 0; i + 1 < end.size(); ++i)
-      end[i + 1] = end[i] + m.components[i].faces;
-    std::vector<Index> faces(m.number_of_faces());
-    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
-      faces[end[m.component[f]]++] = Index(f);
+    if (may_exceed_number_)
+      number_ = (std::max)(number_, sum(least_));
+    if (number_ < sum(least_))
+      throw_too_small();
+    begin_plans(share_out(number_, share_, least_, most_));
+  }
 
-    Seed_walk walk(m);
-    seeds_.clear();
-    report_.level = 0;
-    level_used_.assign(wanted_.size(), 0);
-    seeds_used_.assign(wanted_.size(), 0);
-    const Index* first = faces.data();
-    for (std::size_t i = 0; i < wanted_.size(); ++i) {
-      const Face_range range{first, faces.data() + end[i]};
-      const std::size_t before = seeds_.size();
-      if (plan_[i].level() != NONE)
-        walk.run(range, level_used_[i] = plan_[i].level(), seeds_);
-      else {
-        level_used_[i] = seed_component(walk, range, wanted_[i]);
-        if (plan_[i].two_by_two()) {
-          level_used_[i] = Component_plan::rung(level_used_[i]);
-          seeds_.resize(before);
-          walk.forget(range);
-          walk.run(range, level_used_[i], seeds_);
-        }
+  void begin_plans(const std::vector<std::size_t>& wanted)
+  {
+    wanted_.resize(wanted.size(), 0);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (wanted_[i] != wanted[i]) {
+        wanted_[i] = wanted[i];
+        plan_[i].begin(uncut_input_->mesh.components[i], wanted[i]);
+        state_[i] = State::NEW;
       }
-      seeds_used_[i] = seeds_.size() - before;
-      report_.level = (std::max)(report_.level, std::size_t(level_used_[i]));
-      first = range.last;
-    }
-    report_.seeds = seeds_.size();
   }
 
-  struct Face_range
+  // The smallest number that works is known once every component has been brought down to its own.
+  [[noreturn]] void throw_too_small()
   {
-    const Index *first, *last;
-    const Index* begin() const { return first; }
-    const Index* end() const { return last; }
-  };
+    do {
+      begin_plans(least_);
+      prepare();
+      find_seeds();
+    } while (!grow_components());
+    const std::size_t least = sum(least_);
+    throw Unreachable_number_of_vertices(
+      std::to_string(number_) + (number_ == 1 ? " vertex was" : " vertices were") + " asked for, but the input, with " +
+        std::to_string(least_.size()) + " connected components, needs " + std::to_string(least), least);
+  }
 
-  // Takes the seeds of the largest level, near the one expected, that gives enough of them. Returns the level.
-  Index seed_component(Seed_walk& walk, const Face_range& faces, std::size_t wanted)
+  bool pieces_are_up_to_date() const
   {
-    // On a regular mesh the neighborhood of level k has 1 + 3 k (k + 1) / 2 faces, and some three quarters of all
-    // faces lie in one.
-    const double faces_each = 0.75 * double(faces.last - faces.first) / double(wanted);
-    Index level = faces_each <= 1 ? 0 : Index(std::sqrt((faces_each - 1) / 1.5 + 0.25) + 0.5);
-    std::vector<Index> found;
-    const auto seeds_at = [&](Index k) {
-      walk.forget(faces);
-      found.clear();
-      walk.run(faces, k, found);
-      return found.size();
+    for (std::size_t i = 0; i < plan_.size(); ++i)
+      if (plan_[i].from_pieces() != cut_[i])
+        return false;
+    return !faces_.empty();
+  }
+
+  // Cuts the components into pieces that have to be, and lists the faces component by component, in their order.
+  void prepare()
+  {
+    if (pieces_are_up_to_date())
+      return;
+    for (std::size_t i = 0; i < plan_.size(); ++i)
+      cut_[i] = plan_[i].from_pieces();
+    report_.subdivided_components = std::count(cut_.begin(), cut_.end(), true);
+    input_ = uncut_input_;
+    if (report_.subdivided_components > 0) {
+      labels_.reset();
+      clustering_.reset();
+      cut_input_ = *uncut_input_;
+      cut_input_->subdivide(cut_);
+      input_ = &*cut_input_;
+    }
+    const Flat_mesh& m = input_->mesh;
+    first_face_.assign(m.components.size() + 1, 0);
+    for (std::size_t i = 0; i < m.components.size(); ++i)
+      first_face_[i + 1] = first_face_[i] + m.components[i].faces;
+    faces_.resize(m.number_of_faces());
+    std::vector<std::size_t> at(first_face_.begin(), first_face_.end() - 1);
+    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+      faces_[at[m.component[f]]++] = Index(f);
+    labels_.emplace(m);
+    clustering_.emplace(*input_);
+    std::fill(state_.begin(), state_.end(), State::NEW);
+  }
+
+  Face_range faces_of(std::size_t i) const
+  {
+    return {faces_.data() + first_face_[i], faces_.data() + first_face_[i + 1]};
+  }
+
+  void find_seeds()
+  {
+    report_.level = report_.seeds = 0;
+    for (std::size_t i = 0; i < plan_.size(); ++i) {
+      if (state_[i] == State::NEW) {
+        seeds_[i] = clustering_->seeds(faces_of(i), plan_[i]);
+        state_[i] = State::SEEDED;
+      }
+      report_.level = (std::max)(report_.level, std::size_t(seeds_[i].level));
+      report_.seeds += seeds_[i].faces.size();
+    }
+  }
+
+  // Brings all components to their numbers of clusters. Returns false if the minimum of one has turned out to be larger.
+  bool grow_components()
+  {
+    for (;;) {
+      bool raised = false;
+      for (std::size_t i = 0; i < plan_.size(); ++i)
+        if (state_[i] != State::DONE && !grow_component(i))
+          raised = true;
+      if (raised)
+        return false;
+      if (pieces_are_up_to_date())
+        return true;
+      prepare();
+      find_seeds();
+    }
+  }
+
+  // Tries what the plan of a component holds until it works, or until the faces have to be cut first.
+  bool grow_component(std::size_t i)
+  {
+    while (plan_[i].from_pieces() == cut_[i]) {
+      const std::size_t reached = clustering_->grow(*labels_, faces_of(i), seeds_[i], plan_[i]);
+      if (reached == wanted_[i]) {
+        state_[i] = State::DONE;
+        splits_[i] = clustering_->number_of_splits();
+        merges_[i] = clustering_->number_of_merges();
+        is_pinched_[i] = clustering_->is_pinched();
+        return true;
+      }
+      if (!plan_[i].revise(seeds_[i].level, seeds_[i].faces.size(), reached)) {
+        raise_minimum(i);
+        return false;
+      }
+      if (plan_[i].from_pieces() == cut_[i])
+        seeds_[i] = clustering_->seeds(faces_of(i), plan_[i]);
+    }
+    state_[i] = State::NEW;
+    return true;
+  }
+
+  void raise_minimum(std::size_t i)
+  {
+    if (!plan_[i].has_nearest())
+      throw Invalid_input("component " + std::to_string(i) + " of the input cannot be clustered");
+    least_[i] = plan_[i].nearest();
+    most_[i] = (std::max)(most_[i], least_[i]);
+  }
+
+  // Numbers the clusters, so far component by component, through.
+  void number_clusters()
+  {
+    Index offset = 0;
+    for (std::size_t i = 0; i < plan_.size(); ++i) {
+      if (offset > 0)
+        for (const Index f : faces_of(i))
+          labels_->set(f, (*labels_)[f] + offset);
+      offset += Index(wanted_[i]);
+    }
+    report_.clusters = offset;
+    report_.splits = sum(splits_);
+    report_.merges = sum(merges_);
+  }
+
+  void join_at_vertices()
+  {
+    std::vector<Index> new_labels;
+    joined_input_ = Joining_at_vertices(*input_, *labels_).run(new_labels);
+    labels_.emplace(joined_input_->mesh);
+    for (std::size_t f = 0; f < new_labels.size(); ++f)
+      labels_->set(Index(f), new_labels[f]);
+  }
+
+  // A face of each cluster, its seed where it has one.
+  void find_face_of_clusters()
+  {
+    face_of_cluster_.assign(report_.clusters, NONE);
+    const auto offer = [&](Index f) {
+      Index& face = face_of_cluster_[(*labels_)[f]];
+      if (face == NONE)
+        face = f;
     };
-    std::vector<Index> best;
-    while (seeds_at(level) >= wanted && found.size() > 1) {
-      best.swap(found);
-      ++level;
-    }
-    if (best.empty()) {
-      while (found.size() < wanted && level > 0)
-        seeds_at(--level);
-      best.swap(found);
-    } else {
-      --level;
-    }
-    seeds_.insert(seeds_.end(), best.begin(), best.end());
-    return level;
+    if (!joined_input_)
+      for (const Component_seeds& seeds : seeds_)
+        std::for_each(seeds.faces.begin(), seeds.faces.end(), offer);
+    for (std::size_t f = 0; f < labels_->labels().size(); ++f)
+      offer(Index(f));
   }
 
-  // Returns the components where it did not come to the number wanted.
-  std::vector<Failure> try_to_grow(Cluster_labels& labels)
-  {
-    Cluster_growth growth(labels);
-    Index clusters = 0;
-    for (const Index f : seeds_)
-      growth.plant(f, clusters++);
-    growth.run();
-    clusters = growth.cover(all_faces(), clusters);
-
-    std::vector<Failure> failed;
-    Cluster_splitting splitting(labels, clusters);
-    report_.splits = splitting.run();
-    for (const Index i : splitting.fruitless_components())
-      failed.push_back({i, 0});
-    if (!failed.empty())
-      return failed;
-    labels.recount();
-
-    std::vector<bool> two_by_two;
-    for (const Component_plan& plan : plan_)
-      two_by_two.push_back(plan.two_by_two());
-    Cluster_merging merging(labels, splitting.number_of_clusters(), input_->area, wanted_, two_by_two);
-    report_.merges = merging.run();
-    for (std::size_t i = 0; i < wanted_.size(); ++i)
-      if (merging.number_of_clusters(i) != wanted_[i])
-        failed.push_back({Index(i), merging.number_of_clusters(i)});
-    if (failed.empty())
-      seeds_ = merging.compact();
-    report_.clusters = seeds_.size();
-    return failed;
-  }
+  enum class State { NEW, SEEDED, DONE };
 
   const Clustering_input* uncut_input_; // the one given, or a subdivision of it
   const Clustering_input* input_;       // the same, or with components cut into pieces
   std::optional<Clustering_input> subdivided_input_, cut_input_;
+  std::optional<Clustering_input> joined_input_; // after growth, where clusters are joined at vertices
   Coarsening_report& report_;
   std::size_t number_ = 0;
   bool may_exceed_number_ = false; // where topology needs more
-  bool finding_least_ = false;
-  bool may_look_further_down_ = true;
-  std::vector<std::size_t> least_, most_, wanted_; // clusters per component
-  std::vector<double> share_;                      // mass per component
+  std::vector<Index> faces_;       // component by component
+  std::vector<std::size_t> first_face_;
+  std::optional<Component_clustering> clustering_;
+  std::optional<Cluster_labels> labels_;
+  std::vector<Index> face_of_cluster_;
+  // Of each component:
+  std::vector<double> share_;                      // its mass
+  std::vector<std::size_t> least_, most_, wanted_; // clusters
   std::vector<Component_plan> plan_;
-  std::vector<bool> cut_;                          // components that are cut into pieces
-  std::vector<Index> level_used_;                  // per component, of its seeds
-  std::vector<std::size_t> seeds_used_;
-  std::vector<Index> seeds_;
+  std::vector<bool> cut_;
+  std::vector<State> state_;
+  std::vector<Component_seeds> seeds_;
+  std::vector<std::size_t> splits_, merges_;
+  std::vector<bool> is_pinched_;
 };
 
 } // namespace internal

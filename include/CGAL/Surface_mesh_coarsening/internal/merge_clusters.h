@@ -3,10 +3,13 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MERGE_CLUSTERS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MERGE_CLUSTERS_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/Dual_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Dual_surface.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -23,300 +26,179 @@ inline double rounded_for_comparison(double x)
   return std::ldexp(std::nearbyint(std::ldexp(mantissa, 16)), exponent - 16);
 }
 
-// Section 6 of the paper, fewer seeds: the three clusters around a vertex that have the smallest summed area become
-// one, again and again, until each component has as many clusters as it should. Two are merged where one too many is
-// left, or where only two meet.
+// Section 6 of the paper, fewer seeds: the three clusters around a vertex that have the smallest summed area become one,
+// again and again, until a component has as many clusters as it should. Two are merged where one too many is left, or where
+// only two may be.
 //
-// The dual of the clusters is a simplicial surface and stays one: merging two clusters contracts an edge of it, and is
-// done if and only if they meet in a single arc, have exactly two neighbors in common (the link condition; Dey,
-// Edelsbrunner, Guha, Nekhayev: Topology preserving edge contraction, 1999), and do not touch two border loops.
+// Works on the valid clusters of one component, numbered from 0.
 class Cluster_merging
 {
 public:
-  // `areas` of the faces, the number of clusters wanted in each component, and whether no more than two clusters may be
-  // merged at a time there. If so, the order of the merges does not depend on the number wanted.
-  Cluster_merging(Cluster_labels& labels, Index number_of_clusters, const std::vector<double>& areas,
-                  const std::vector<std::size_t>& wanted, const std::vector<bool>& two_by_two)
-    : labels_(labels), mesh_(labels.mesh()), walk_(labels), wanted_(wanted), two_by_two_(two_by_two),
-      count_(wanted.size(), 0),
-      next_in_cluster_(mesh_.number_of_faces()), area_(number_of_clusters, 0), size_(number_of_clusters, 0),
-      seed_(number_of_clusters, NONE), stamp_of_cluster_(number_of_clusters, 0)
+  // `by_threes`: whether three clusters may be merged at a time. If not, the order of the merges does not depend on the
+  // number wanted. `may_join_at_vertices`: whether, when nothing else is left, clusters may be merged that meet in a vertex
+  // only, in an edge of the fan there; that leaves it to Joining_at_vertices to make discs of them.
+  template <class FaceRange>
+  Cluster_merging(const Cluster_labels& labels, const FaceRange& faces, Index clusters, const std::vector<double>& areas,
+                  bool by_threes, bool may_join_at_vertices)
+    : dual_(labels, faces, clusters), by_threes_(by_threes), may_join_at_vertices_(may_join_at_vertices), count_(clusters), merged_into_(clusters), area_(clusters, 0)
   {
-    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
-      const Index x = labels_[Index(f)];
-      if (size_[x] == 0) {
-        ++count_[mesh_.component[f]];
-        next_in_cluster_[f] = Index(f);
-        seed_[x] = Index(f);
-      } else {
-        next_in_cluster_[f] = next_in_cluster_[seed_[x]];
-        next_in_cluster_[seed_[x]] = Index(f);
-      }
-      ++size_[x];
-      area_[x] += areas[f];
-    }
+    std::iota(merged_into_.begin(), merged_into_.end(), Index(0));
+    for (const Index f : faces)
+      area_[labels[f]] += areas[f];
   }
 
-  // Returns the number of merges of two clusters.
-  std::size_t run()
+  // Merges until no more than `wanted` clusters are left, if the topology allows it. Returns the number of merges of two.
+  std::size_t run(std::size_t wanted)
   {
-    // A merge is tried again after one of its clusters has changed. What may make it possible farther off is looked for
-    // when nothing is left to try.
-    std::size_t merges = 0;
-    for (std::size_t more = 1; more > 0; merges += more) {
-      for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v)
-        if (labels_.boundary_count(Index(v)) >= 3 && excess_at(Index(v)) > 0)
-          enqueue(Index(v));
-      more = work_off();
+    wanted_ = wanted;
+    const std::size_t before = count_;
+    merge_while_possible();
+    if (may_join_at_vertices_ && excess() > 0) {
+      const std::size_t in_arcs = count_;
+      joins_at_vertices_ = true;
+      merge_while_possible();
+      joins_at_vertices_ = count_ != in_arcs;
     }
-    return merges;
+    return before - count_;
   }
 
-  std::size_t number_of_clusters(std::size_t component) const { return count_[component]; }
+  // Whether clusters have been merged that met in a vertex only.
+  bool has_joined_at_vertices() const { return joins_at_vertices_; }
 
-  // Renumbers the clusters without gaps, in their old order, and returns a seed face of each.
-  std::vector<Index> compact()
+  std::size_t number_of_clusters() const { return count_; }
+
+  // Renumbers the clusters of the faces without gaps, in their old order.
+  template <class FaceRange>
+  void relabel(Cluster_labels& labels, const FaceRange& faces)
   {
-    std::vector<Index> seeds, number(size_.size(), NONE);
-    for (std::size_t x = 0; x < size_.size(); ++x)
-      if (size_[x] != 0) {
-        number[x] = Index(seeds.size());
-        seeds.push_back(seed_[x]);
-      }
-    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f)
-      labels_.set(Index(f), number[labels_[Index(f)]]);
-    return seeds;
+    std::vector<Index> number(merged_into_.size(), NONE);
+    Index next = 0;
+    for (Index x = 0; x < number.size(); ++x)
+      if (merged_into_[x] == x)
+        number[x] = next++;
+    for (const Index f : faces)
+      labels.set(f, number[cluster(labels[f])]);
   }
 
 private:
-  std::size_t work_off()
+  typedef Dual_surface::Edge Edge;
+  typedef std::pair<double, Index> Candidate; // summed area and triangle
+
+  // A merge is tried again after one of its clusters has changed. What may make it possible farther off is looked for when
+  // nothing is left to try.
+  void merge_while_possible()
   {
-    std::size_t merges = 0;
-    while (!queue_.empty()) {
+    for (std::size_t last = count_ + 1; last != count_ && excess() > 0;) {
+      last = count_;
+      for (Index t = 0; t < dual_.number_of_triangles(); ++t)
+        if (dual_.is_triangle(t))
+          enqueue(t);
+      work_off();
+    }
+  }
+
+  std::size_t excess() const { return count_ - (std::min)(count_, wanted_); }
+
+  Index cluster(Index x)
+  {
+    while (merged_into_[x] != x)
+      x = merged_into_[x] = merged_into_[merged_into_[x]];
+    return x;
+  }
+
+  void enqueue(Index t)
+  {
+    const double key = key_of(t);
+    if (key >= 0)
+      queue_.emplace(key, t);
+  }
+
+  // The summed area of the three clusters, or of the two that are smallest, whichever number would be merged; -1 if there
+  // are no two.
+  double key_of(Index t) const
+  {
+    if (by_threes_ && excess() > 1) {
+      double sum = 0;
+      for (Edge e = 3 * t; e != 3 * t + 3; ++e)
+        if (!dual_.is_loop(dual_.source(e)))
+          sum += area_[dual_.source(e)];
+      return rounded_for_comparison(sum);
+    }
+    double least = -1;
+    for (Edge e = 3 * t; e != 3 * t + 3; ++e)
+      if (is_candidate(e) && (least < 0 || area_of(e) < least))
+        least = area_of(e);
+    return least;
+  }
+
+  bool is_candidate(Edge e) const
+  {
+    return (dual_.is_arc(e) || joins_at_vertices_) && !dual_.is_loop(dual_.source(e)) && !dual_.is_loop(dual_.target(e));
+  }
+  double area_of(Edge e) const { return rounded_for_comparison(area_[dual_.source(e)] + area_[dual_.target(e)]); }
+
+  void work_off()
+  {
+    while (!queue_.empty() && excess() > 0) {
       const Candidate candidate = queue_.top();
       queue_.pop();
-      const Index v = candidate.second;
-      if (labels_.boundary_count(v) < 3 || excess_at(v) == 0)
+      if (!dual_.is_triangle(candidate.second))
         continue;
-      if (candidate.first < choose(v))
-        enqueue(v); // the clusters have grown since
+      if (candidate.first < key_of(candidate.second))
+        enqueue(candidate.second); // the clusters have grown since
       else
-        merges += merge_at(v);
+        merge_at(candidate.second);
     }
-    return merges;
+    queue_ = Queue();
   }
 
-  typedef std::pair<double, Index> Candidate; // summed area and vertex
-
-  struct Pair
+  void merge_at(Index t)
   {
-    double area;
-    std::size_t first, second; // in a group of clusters
-  };
-
-  Index component_of(Index v) const { return mesh_.component[mesh_.star[mesh_.first_in_star[v]]]; }
-
-  std::size_t excess_at(Index v) const
-  {
-    const Index component = component_of(v);
-    return count_[component] - (std::min)(count_[component], wanted_[component]);
+    const std::array<Index, 3> corners{{dual_.source(3 * t), dual_.source(3 * t + 1), dual_.source(3 * t + 2)}};
+    const bool three = by_threes_ && excess() > 1;
+    const Edge e = smallest_of({3 * t, 3 * t + 1, 3 * t + 2});
+    if (e == NONE)
+      return;
+    const Index third = corners[(e + 2) % 3];
+    Index merged = merge(e);
+    if (three && !dual_.is_loop(third)) {
+      Edge to_third = NONE;
+      dual_.for_each_edge_from(merged, [&](Edge f) { to_third = dual_.target(f) == third ? f : to_third; });
+      if (to_third != NONE && is_candidate(to_third) && dual_.may_contract(to_third))
+        merged = merge(to_third);
+    }
+    dual_.for_each_edge_from(merged, [&](Edge f) { enqueue(f / 3); });
   }
 
-  void enqueue(Index v) { queue_.emplace(choose(v), v); }
-
-  // Puts the two or three clusters that are merged at `v` into chosen_: of those that follow each other around it,
-  // the ones of the smallest summed area. Returns that area.
-  double choose(Index v)
+  // Of those of the edges that may be contracted, the one of the smallest summed area; NONE if there is none.
+  Edge smallest_of(const std::array<Edge, 3>& edges)
   {
-    runs_around(labels_, v, runs_);
-    // On the border the runs are a row, elsewhere a cycle.
-    const bool cyclic = !mesh_.is_on_border(v);
-    const std::size_t n = cyclic ? runs_.size() : runs_.size() - 1;
-    const bool three = excess_at(v) > 1 && !two_by_two_[component_of(v)];
-    const std::size_t together = (std::min)(n, std::size_t(three ? 3 : 2));
-    const std::size_t starts = cyclic ? n : n - together + 1;
-    double smallest = 0;
-    chosen_.clear();
-    for (std::size_t i = 0; i < starts; ++i) {
-      double sum = 0;
-      for (std::size_t j = 0; j < together; ++j)
-        sum += area_[runs_[(i + j) % n]];
-      sum = rounded_for_comparison(sum);
-      if (chosen_.empty() || sum < smallest) {
-        smallest = sum;
-        chosen_.clear();
-        for (std::size_t j = 0; j < together; ++j)
-          chosen_.push_back(runs_[(i + j) % n]);
-      }
-    }
+    Edge smallest = NONE;
+    for (const Edge e : edges)
+      if (is_candidate(e) && (smallest == NONE || area_of(e) < area_of(smallest)) && dual_.may_contract(e))
+        smallest = e;
     return smallest;
   }
 
-  // Merges the chosen clusters, or, where they may not be, any two that meet at `v`.
-  std::size_t merge_at(Index v)
+  // Merges the clusters at the ends of `e` and returns the one that is left.
+  Index merge(Edge e)
   {
-    std::vector<Index> group = chosen_;
-    Index merged = NONE;
-    std::size_t merges = 0;
-    while (group.size() > 1 && excess_at(v) > 0) {
-      const Index x = merge_two_of(group, v);
-      if (x == NONE)
-        break;
-      merged = x;
-      ++merges;
-    }
-    if (merges == 0 && runs_.size() > group.size()) {
-      group = clusters_at(v);
-      merged = merge_two_of(group, v);
-      merges = merged != NONE;
-    }
-    if (merges > 0)
-      seed_[merged] = face_at(v, merged);
-    return merges;
-  }
-
-  // The first face of cluster `x` around `v`.
-  Index face_at(Index v, Index x) const
-  {
-    Index i = mesh_.first_in_star[v];
-    while (labels_[mesh_.star[i]] != x)
-      ++i;
-    return mesh_.star[i];
-  }
-
-  std::vector<Index> clusters_at(Index v)
-  {
-    runs_around(labels_, v, runs_);
-    std::vector<Index> clusters(runs_);
-    if (Cluster_labels::is_beyond_border(clusters.back()))
-      clusters.pop_back();
-    return clusters;
-  }
-
-  // Merges the two neighbors at `v` among the clusters of the group that have the smallest summed area of those that may
-  // be merged. Their place in the group is the one of the first. Returns the merged cluster, NONE if there is none.
-  Index merge_two_of(std::vector<Index>& group, Index v)
-  {
-    pairs_.clear();
-    for (std::size_t i = 0; i < group.size(); ++i)
-      for (std::size_t j = i + 1; j < group.size(); ++j)
-        if (j == i + 1 || (i == 0 && j == group.size() - 1))
-          pairs_.push_back({rounded_for_comparison(area_[group[i]] + area_[group[j]]), i, j});
-    std::stable_sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) { return a.area < b.area; });
-    for (const Pair& pair : pairs_) {
-      const Directed_edge e = edge_between(v, group[pair.first], group[pair.second]);
-      if (e.face != NONE && may_merge(e)) {
-        const Index merged = merge(e);
-        group[pair.first] = merged;
-        group.erase(group.begin() + pair.second);
-        return merged;
-      }
-    }
-    return NONE;
-  }
-
-  // The edge at `v` between clusters `a` and `b`, seen from the one that is followed by the other.
-  Directed_edge edge_between(Index v, Index a, Index b) const
-  {
-    for (Index i = mesh_.first_in_star[v]; i != mesh_.first_in_star[v + 1]; ++i) {
-      const Index f = mesh_.star[i];
-      if (labels_[f] != a && labels_[f] != b)
-        continue;
-      const Index c = mesh_.previous_corner(f, mesh_.corner_of(f, v));
-      if (labels_.label_across(c) == (labels_[f] == a ? b : a))
-        return {f, c};
-    }
-    return {};
-  }
-
-  bool may_merge(const Directed_edge e)
-  {
-    const Index b = labels_.label_across(e.corner);
-    const Index g = mesh_.face_across[e.corner];
-    const Index end = mesh_.corner_vertex[mesh_.next_corner(e.face, e.corner)];
-    const Directed_edge opposite{g, mesh_.corner_of(g, end)};
-    // One arc: going around `a`, contact with `b` begins once.
-    std::size_t contacts = 0;
-    bool along_b = true;
-    walk_.along_boundary(e, [&](Index, const std::vector<Index>& runs) {
-      const bool arrives = runs.front() == b;
-      const bool touches = std::find(runs.begin(), runs.end(), b) != runs.end();
-      contacts += touches && !arrives;
-      along_b = along_b && arrives && runs.size() == 1;
-      return contacts <= 1;
-    });
-    if (contacts > 1 || along_b)
-      return false;
-    walk_.collect_link(e, link_a_);
-    walk_.collect_link(opposite, link_b_);
-    return link_condition();
-  }
-
-  bool link_condition()
-  {
-    if (link_a_.size() + link_b_.size() < 7) // the cycle around both would be shorter than 3
-      return false;
-    ++stamp_;
-    Index loop = NONE;
-    for (const Index x : link_a_)
-      if (Cluster_labels::is_beyond_border(x))
-        loop = x;
-      else
-        stamp_of_cluster_[x] = stamp_;
-    std::size_t common = 0;
-    for (const Index x : link_b_) {
-      if (Cluster_labels::is_beyond_border(x)) {
-        if (loop != NONE && loop != x)
-          return false;
-        common += x == loop;
-      } else {
-        common += stamp_of_cluster_[x] == stamp_;
-      }
-    }
-    return common == 2;
-  }
-
-  // Merges the clusters on both sides of `e` into the one of more faces, and returns it.
-  Index merge(const Directed_edge e)
-  {
-    Index kept_face = e.face, gone_face = mesh_.face_across[e.corner];
-    if (size_[labels_[kept_face]] < size_[labels_[gone_face]])
-      std::swap(kept_face, gone_face);
-    const Index kept = labels_[kept_face], gone = labels_[gone_face];
-    Index f = gone_face;
-    affected_.clear();
-    do {
-      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
-        affected_.push_back(mesh_.corner_vertex[c]);
-      labels_.move(f, kept);
-      f = next_in_cluster_[f];
-    } while (f != gone_face);
-    std::swap(next_in_cluster_[kept_face], next_in_cluster_[gone_face]);
-    size_[kept] += size_[gone];
+    const Index kept = dual_.source(e), gone = dual_.target(e);
+    dual_.contract(e);
+    merged_into_[gone] = kept;
     area_[kept] += area_[gone];
-    size_[gone] = 0;
-    --count_[mesh_.component[kept_face]];
-    std::sort(affected_.begin(), affected_.end());
-    affected_.erase(std::unique(affected_.begin(), affected_.end()), affected_.end());
-    for (const Index v : affected_)
-      if (labels_.boundary_count(v) >= 3 && excess_at(v) > 0)
-        enqueue(v);
+    --count_;
     return kept;
   }
 
-  Cluster_labels& labels_;
-  const Flat_mesh& mesh_;
-  Dual_walk walk_;
-  const std::vector<std::size_t>& wanted_;
-  const std::vector<bool>& two_by_two_;
-  std::vector<std::size_t> count_; // clusters per component
-  std::vector<Index> next_in_cluster_; // a cycle through the faces of each cluster
+  typedef std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > Queue;
+
+  Dual_surface dual_;
+  bool by_threes_, may_join_at_vertices_, joins_at_vertices_ = false;
+  std::size_t count_, wanted_ = 0;
+  std::vector<Index> merged_into_;
   std::vector<double> area_;
-  std::vector<Index> size_, seed_, stamp_of_cluster_;
-  Index stamp_ = 0;
-  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > queue_;
-  std::vector<Index> runs_, chosen_, link_a_, link_b_, affected_;
-  std::vector<Pair> pairs_;
+  Queue queue_;
 };
 
 } // namespace internal

@@ -12,42 +12,33 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Splits clusters, all of them closed discs, until their dual is a simplicial surface: until the neighbors of every
-// cluster form a simple cycle. Each split makes two or more smaller discs of one, so this ends, at the latest with
-// clusters of one face; what is wrong then lies in the mesh itself, and the component is reported.
+// Splits the clusters of a component, all of them closed discs and numbered from 0, until their dual is a simplicial
+// surface: until the neighbors of every cluster form a simple cycle. Each split makes two or more smaller discs of one, so
+// this ends, at the latest with clusters of one face; what is wrong then lies in the mesh itself.
+template <class FaceRange>
 class Cluster_splitting
 {
 public:
-  Cluster_splitting(Cluster_labels& labels, Index number_of_clusters)
-    : labels_(labels), mesh_(labels.mesh()), walk_(labels), growth_(labels), clusters_(number_of_clusters) {}
+  Cluster_splitting(Cluster_labels& labels, const FaceRange& faces, Index number_of_clusters)
+    : labels_(labels), mesh_(labels.mesh()), walk_(labels), growth_(labels), faces_(faces), clusters_(number_of_clusters) {}
 
-  // Returns the number of splits.
-  std::size_t run()
+  // Returns whether the clusters are valid now. They are not if clusters of one face are at fault.
+  bool run()
   {
-    std::size_t splits = 0;
-    fruitless_.assign(mesh_.components.size(), false);
     for (;;) {
       survey();
-      const std::vector<Index> to_split = faulty_clusters();
-      if (to_split.empty())
-        return splits;
-      for (const Index x : to_split)
+      if (!find_faulty_clusters())
+        return false;
+      if (to_split_.empty())
+        return true;
+      for (const Index x : to_split_)
         split(x);
-      splits += to_split.size();
+      splits_ += to_split_.size();
     }
   }
 
+  std::size_t number_of_splits() const { return splits_; }
   Index number_of_clusters() const { return clusters_; }
-
-  // Components in which clusters of one face are at fault.
-  std::vector<Index> fruitless_components() const
-  {
-    std::vector<Index> list;
-    for (std::size_t i = 0; i < fruitless_.size(); ++i)
-      if (fruitless_[i])
-        list.push_back(Index(i));
-    return list;
-  }
 
 private:
   // Size, a face, and a boundary edge of each cluster.
@@ -57,36 +48,34 @@ private:
     face_.assign(clusters_, NONE);
     edge_.assign(clusters_, Directed_edge());
     stamp_of_cluster_.resize(clusters_, 0);
-    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
-      const Index x = labels_[Index(f)];
+    for (const Index f : faces_) {
+      const Index x = labels_[f];
       ++size_[x];
       if (face_[x] == NONE)
-        face_[x] = Index(f);
+        face_[x] = f;
       if (edge_[x].face == NONE)
-        edge_[x] = walk_.boundary_edge(Index(f));
+        edge_[x] = walk_.boundary_edge(f);
     }
   }
 
-  std::vector<Index> faulty_clusters()
+  // Returns whether they can be split.
+  bool find_faulty_clusters()
   {
-    std::vector<Index> list;
+    to_split_.clear();
     std::vector<bool> listed(clusters_, false);
     for (Index x = 0; x < clusters_; ++x) {
-      const Index component = mesh_.component[face_[x]];
-      if (fruitless_[component])
-        continue;
       const Index fault = edge_[x].face == NONE ? x : walk_.fault_of_link(edge_[x], stamp_of_cluster_, stamp_);
       if (fault == NONE)
         continue;
       const Index larger = cluster_to_split(x, fault);
       if (larger == NONE)
-        fruitless_[component] = true;
-      else if (!listed[larger]) {
+        return false;
+      if (!listed[larger]) {
         listed[larger] = true;
-        list.push_back(larger);
+        to_split_.push_back(larger);
       }
     }
-    return list;
+    return true;
   }
 
   // The larger of the two at fault; a neighbor, where both have a single face; NONE, where those have, too.
@@ -140,11 +129,12 @@ private:
   const Flat_mesh& mesh_;
   Dual_walk walk_;
   Cluster_growth growth_;
+  FaceRange faces_;
   Index clusters_;
+  std::size_t splits_ = 0;
   std::vector<Index> size_, face_;
   std::vector<Directed_edge> edge_;
-  std::vector<bool> fruitless_; // per component
-  std::vector<Index> stamp_of_cluster_;
+  std::vector<Index> to_split_, stamp_of_cluster_;
   Index stamp_ = 0;
 };
 

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_COMPONENT_CLUSTERING_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_COMPONENT_CLUSTERING_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Component_plan.h>
+#include <CGAL/Surface_mesh_coarsening/internal/merge_clusters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seed_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/split_clusters.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+struct Face_range
+{
+  const Index *first, *last;
+  const Index* begin() const { return first; }
+  const Index* end() const { return last; }
+};
+
+struct Component_seeds
+{
+  std::vector<Index> faces;
+  Index level = 0;
+};
+
+// Makes clusters of the faces of one connected component as its plan says: seeds, growth, splitting, merging.
+class Component_clustering
+{
+public:
+  explicit Component_clustering(const Clustering_input& input) : input_(input), walk_(input.mesh) {}
+
+  Component_seeds seeds(const Face_range& faces, const Component_plan& plan)
+  {
+    if (plan.level() != NONE)
+      return seeds_of_level(faces, plan.level());
+    Component_seeds seeds = largest_level_of(faces, plan.least_seeds());
+    return plan.is_on_ladder() ? seeds_of_level(faces, Component_plan::rung(seeds.level)) : seeds;
+  }
+
+  // Labels the faces from 0 and returns the number of clusters; 0 if the faces are too few, or the seeds.
+  std::size_t grow(Cluster_labels& labels, const Face_range& faces, const Component_seeds& seeds, const Component_plan& plan)
+  {
+    for (const Index f : faces)
+      labels.set(f, NONE);
+    Cluster_growth growth(labels);
+    Index clusters = 0;
+    for (const Index f : seeds.faces)
+      growth.plant(f, clusters++);
+    growth.run();
+    clusters = growth.cover(faces, clusters);
+
+    Cluster_splitting<Face_range> splitting(labels, faces, clusters);
+    if (!splitting.run() || !plan.may_begin_with(splitting.number_of_clusters()))
+      return 0;
+    splits_ = splitting.number_of_splits();
+    merges_ = 0;
+    is_pinched_ = false;
+    if (splitting.number_of_clusters() <= plan.wanted())
+      return splitting.number_of_clusters();
+    Cluster_merging merging(labels, faces, splitting.number_of_clusters(), input_.area, !plan.is_on_ladder(),
+                            plan.from_pieces() && plan.is_on_ladder());
+    merges_ = merging.run(plan.wanted());
+    is_pinched_ = merging.has_joined_at_vertices();
+    merging.relabel(labels, faces);
+    return merging.number_of_clusters();
+  }
+
+  // What the last growth has done.
+  std::size_t number_of_splits() const { return splits_; }
+  std::size_t number_of_merges() const { return merges_; }
+  // Whether it has left it to Joining_at_vertices to make discs of the clusters.
+  bool is_pinched() const { return is_pinched_; }
+
+private:
+  Component_seeds seeds_of_level(const Face_range& faces, Index level)
+  {
+    Component_seeds seeds;
+    seeds.level = level;
+    walk_.forget(faces);
+    walk_.run(faces, level, seeds.faces);
+    return seeds;
+  }
+
+  // The seeds of the largest level, near the one expected, that gives `wanted` of them.
+  Component_seeds largest_level_of(const Face_range& faces, std::size_t wanted)
+  {
+    // On a regular mesh the neighborhood of level k has 1 + 3 k (k + 1) / 2 faces, and some three quarters of all
+    // faces lie in one.
+    const double faces_each = 0.75 * double(faces.last - faces.first) / double(wanted);
+    Component_seeds seeds = seeds_of_level(faces, faces_each <= 1 ? 0 : Index(std::sqrt((faces_each - 1) / 1.5 + 0.25) + 0.5));
+    if (seeds.faces.size() < wanted) {
+      while (seeds.faces.size() < wanted && seeds.level > 0)
+        seeds = seeds_of_level(faces, seeds.level - 1);
+      return seeds;
+    }
+    while (seeds.faces.size() > 1) {
+      Component_seeds fewer = seeds_of_level(faces, seeds.level + 1);
+      if (fewer.faces.size() < wanted)
+        break;
+      seeds = std::move(fewer);
+    }
+    return seeds;
+  }
+
+  const Clustering_input& input_;
+  Seed_walk walk_;
+  std::size_t splits_ = 0, merges_ = 0;
+  bool is_pinched_ = false;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_COMPONENT_CLUSTERING_H

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DUAL_SURFACE_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DUAL_SURFACE_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/Dual_walk.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The dual of the clusters of a component, the closed triangulated surface whose vertices are the clusters and what lies
+// beyond each border loop, which can be contracted along the edges between two clusters. Merging two clusters is such a
+// contraction; nothing here needs to know the faces they are made of.
+//
+// The dual is a simplicial surface, and stays one, of the same topology, if an edge is contracted only where its ends have
+// exactly two neighbors in common (the link condition; Dey, Edelsbrunner, Guha, Nekhayev: Topology preserving edge
+// contraction, 1999). Two border loops remain apart if no cluster gets to touch both.
+class Dual_surface
+{
+public:
+  typedef Index Edge; // halfedge 3 t + i goes from corner i of triangle t to the next one
+
+  // The clusters of the faces `faces` of a component are numbered from 0 and have to be valid.
+  template <class FaceRange>
+  Dual_surface(const Cluster_labels& labels, const FaceRange& faces, Index clusters) : clusters_(clusters)
+  {
+    add_triangles(labels, faces);
+    pair_edges();
+    stamp_of_.assign(edge_of_.size(), 0);
+    loop_of_.assign(clusters, NONE);
+    for (Edge e = 0; e < source_.size(); ++e)
+      if (is_loop(source_[e]) && !is_loop(target(e)))
+        loop_of_[target(e)] = source_[e];
+  }
+
+  std::size_t number_of_triangles() const { return source_.size() / 3; }
+  bool is_triangle(Index t) const { return source_[3 * t] != NONE; }
+  bool is_loop(Index x) const { return x >= clusters_; }
+
+  static Edge next(Edge e) { return e % 3 == 2 ? e - 2 : e + 1; }
+  static Edge previous(Edge e) { return e % 3 == 0 ? e + 2 : e - 1; }
+  Index source(Edge e) const { return source_[e]; }
+  Index target(Edge e) const { return source_[next(e)]; }
+  // Whether the clusters at the ends meet in an arc, and not only in the fan around a vertex of the mesh.
+  bool is_arc(Edge e) const { return is_arc_[e]; }
+
+  // Calls `visit(e)` for each edge that leaves `x`.
+  template <class Visit>
+  void for_each_edge_from(Index x, const Visit& visit) const
+  {
+    Edge e = edge_of_[x];
+    do {
+      visit(e);
+      e = opposite_[previous(e)];
+    } while (e != edge_of_[x]);
+  }
+
+  // Whether the two clusters at the ends of an edge may become one.
+  bool may_contract(Edge e)
+  {
+    const Index a = source_[e], b = target(e);
+    if (is_loop(a) || is_loop(b))
+      return false;
+    if (loop_of_[a] != NONE && loop_of_[b] != NONE && loop_of_[a] != loop_of_[b])
+      return false;
+    ++stamp_;
+    std::size_t of_a = 0, of_b = 0, common = 0;
+    for_each_edge_from(a, [&](Edge f) {
+      stamp_of_[target(f)] = stamp_;
+      ++of_a;
+    });
+    for_each_edge_from(b, [&](Edge f) {
+      common += stamp_of_[target(f)] == stamp_;
+      ++of_b;
+    });
+    // The cycle around both needs three neighbors.
+    return common == 2 && of_a + of_b >= 7 && !tip_is_enclosed(e) && !tip_is_enclosed(opposite_[e]);
+  }
+
+  // Makes one of the two ends of `e`, and gives it the number of the first.
+  void contract(Edge e)
+  {
+    const Index kept = source_[e], gone = target(e);
+    const Edge o = opposite_[e];
+    for_each_edge_from(gone, [&](Edge f) { moved_.push_back(f); });
+    for (const Edge f : moved_)
+      source_[f] = kept;
+    moved_.clear();
+    if (loop_of_[kept] == NONE)
+      loop_of_[kept] = loop_of_[gone];
+    edge_of_[kept] = remove_triangle(e);
+    remove_triangle(o);
+    edge_of_[gone] = NONE;
+  }
+
+private:
+  // Whether the third cluster of the triangle of `e` meets the two at the ends of `e` in arcs, and no others. These must not
+  // become one: it would touch itself at the vertex where the fan is that the other neighbors of the third come from.
+  bool tip_is_enclosed(Edge e) const
+  {
+    const Index tip = source_[previous(e)];
+    if (is_loop(tip) || !is_arc_[next(e)] || !is_arc_[previous(e)])
+      return false;
+    std::size_t arcs = 0;
+    for_each_edge_from(tip, [&](Edge f) { arcs += is_arc_[f]; });
+    return arcs == 2;
+  }
+
+  // Glues together the two edges of the triangle of `e` other than `e`. Returns one of those glued that leaves the source
+  // of `e`.
+  Edge remove_triangle(Edge e)
+  {
+    const Edge first = opposite_[next(e)], second = opposite_[previous(e)]; // from the tip, and to the tip
+    const Index tip = source_[previous(e)], end = source_[e];
+    opposite_[first] = second;
+    opposite_[second] = first;
+    is_arc_[first] = is_arc_[second] = is_arc_[first] || is_arc_[second];
+    edge_of_[tip] = first;
+    for (Edge f : {e, next(e), previous(e)})
+      source_[f] = NONE;
+    CGAL_assertion(source_[first] == tip && source_[second] == end);
+    (void)end;
+    return second;
+  }
+
+  template <class FaceRange>
+  void add_triangles(const Cluster_labels& labels, const FaceRange& faces)
+  {
+    const Flat_mesh& m = labels.mesh();
+    std::vector<Index> runs, loops;
+    for (const Index f : faces)
+      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
+        const Index v = m.corner_vertex[c];
+        if (m.star[m.first_in_star[v]] != f)
+          continue;
+        runs_around(labels, v, runs);
+        if (Cluster_labels::is_beyond_border(runs.back())) {
+          if (runs.size() > 2)
+            loops.push_back(runs.back());
+        }
+        add_fan(runs);
+      }
+    // The loops of the component are numbered on from the clusters.
+    std::sort(loops.begin(), loops.end());
+    loops.erase(std::unique(loops.begin(), loops.end()), loops.end());
+    for (Index& x : source_)
+      if (Cluster_labels::is_beyond_border(x))
+        x = clusters_ + Index(std::lower_bound(loops.begin(), loops.end(), x) - loops.begin());
+    edge_of_.assign(clusters_ + loops.size(), NONE);
+  }
+
+  void add_fan(const std::vector<Index>& runs)
+  {
+    const std::size_t n = runs.size();
+    for (std::size_t i = 2; i < n; ++i) {
+      source_.insert(source_.end(), {runs[0], runs[i - 1], runs[i]});
+      is_arc_.insert(is_arc_.end(), {i == 2, true, i + 1 == n});
+    }
+  }
+
+  void pair_edges()
+  {
+    opposite_.assign(source_.size(), NONE);
+    std::vector<Index> first(edge_of_.size() + 1, 0);
+    for (Edge e = 0; e < source_.size(); ++e)
+      ++first[source_[e] + 1];
+    for (std::size_t x = 0; x < edge_of_.size(); ++x)
+      first[x + 1] += first[x];
+    std::vector<Edge> from(source_.size()), at(first.begin(), first.end() - 1);
+    for (Edge e = 0; e < source_.size(); ++e)
+      from[at[source_[e]]++] = e;
+    const auto by_target = [this](Edge a, Edge b) { return target(a) < target(b); };
+    for (std::size_t x = 0; x < edge_of_.size(); ++x) {
+      edge_of_[x] = from[first[x]];
+      std::sort(from.begin() + first[x], from.begin() + first[x + 1], by_target);
+    }
+    for (Edge e = 0; e < source_.size(); ++e) {
+      const auto begin = from.begin() + first[target(e)], end = from.begin() + first[target(e) + 1];
+      const auto found = std::lower_bound(begin, end, source_[e], [this](Edge a, Index x) { return target(a) < x; });
+      CGAL_assertion(found != end && target(*found) == source_[e]);
+      opposite_[e] = *found;
+    }
+  }
+
+  Index clusters_;
+  std::vector<Index> source_;   // of each edge; NONE where the triangle is gone
+  std::vector<Edge> opposite_;
+  std::vector<char> is_arc_;    // of each edge
+  std::vector<Edge> edge_of_;   // one that leaves each vertex
+  std::vector<Index> loop_of_;  // that each cluster touches
+  std::vector<Index> stamp_of_;
+  std::vector<Edge> moved_;
+  Index stamp_ = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DUAL_SURFACE_H
