@@ -20,9 +20,9 @@ namespace internal {
 //
 // From the seeds of a rung clusters are merged two by two, in an order that does not depend on the number wanted, either:
 // the rung gives every number from the one where its merging ends up to the one where it begins. The first rung is the
-// highest from which merging begins with always_enough(); then come those above it, as long as one begins where those before
-// have ended, or higher, then those below, and then the same with the faces cut into pieces, of which any clusters can be
-// made. So the numbers that can be had are all those from the smallest that a rung comes to.
+// highest from which merging begins with always_enough(), or the lowest; then come those above it, as long as one begins
+// where those before have ended, or higher, then those below, and then the same with the faces cut into pieces, of which any
+// clusters can be made. So the numbers that can be had are all those from the smallest that a rung comes to.
 class Component_plan
 {
 public:
@@ -42,7 +42,7 @@ public:
       return;
     }
     on_ladder_ = wanted < enough_;
-    from_pieces_ = component.faces < least_seeds();
+    from_pieces_ = component.faces < wanted;
     go_to_first();
   }
 
