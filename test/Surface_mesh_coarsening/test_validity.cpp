@@ -26,18 +26,6 @@ using test::Mesh;
 
 namespace {
 
-typedef SMC::internal::Energy_minimization<SMC::Uniform_weight> Minimization;
-
-// The move of the minimization, energies left aside, is no part of its interface. Access is not checked where a
-// template is instantiated explicitly.
-bool relabel(Minimization& minimization, Index face, Index to);
-template <bool (Minimization::*function)(Index, Index)>
-struct Access
-{
-  friend bool relabel(Minimization& minimization, Index face, Index to) { return (minimization.*function)(face, to); }
-};
-template struct Access<&Minimization::relabel>;
-
 std::string text(const Soup& s)
 {
   std::string t;
@@ -130,7 +118,7 @@ void walk(Surface& s, Labels labels, std::size_t steps, std::mt19937& engine, St
   for (std::size_t f = 0; f < labels.size(); ++f)
     fast.set(Index(f), Index(labels[f]));
   fast.recount();
-  Minimization minimization(s.input, fast, clusters, SMC::Uniform_weight());
+  SMC::internal::Valid_moves moves(fast, clusters);
   std::vector<std::pair<std::size_t, std::size_t> > allowed;
   for (std::size_t step = 0; step < steps; ++step) {
     ++statistics.clusterings;
@@ -143,7 +131,7 @@ void walk(Surface& s, Labels labels, std::size_t steps, std::mt19937& engine, St
           continue;
         const std::size_t to = labels[g];
         tried.push_back(to);
-        const bool moved = relabel(minimization, Index(f), Index(to));
+        const bool moved = moves.move(Index(f), Index(to));
         labels[f] = to;
         const std::string fault = reference::number_of_clusters(labels) != clusters
                                     ? "the last cluster is empty"

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/fill_face_graph.h>
 #include <CGAL/Surface_mesh_coarsening/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/place_vertices.h>
 
 #include <algorithm>
@@ -37,11 +38,14 @@ namespace Surface_mesh_coarsening {
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam ClusterWeight a model of `ClusterWeight`
-template <class FaceGraph, class ClusterWeight = Maximum_density_weight>
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the clusters are the
+/// same, whichever it is
+template <class FaceGraph, class ClusterWeight = Maximum_density_weight, class ConcurrencyTag = Sequential_tag>
 class Mwcvd_clustering
 {
   typedef boost::graph_traits<FaceGraph> Graph_traits;
   typedef internal::Index Index;
+  static constexpr internal::Execution execution_ = internal::execution<ConcurrencyTag>();
 
 public:
   /// The face descriptor of the mesh.
@@ -182,8 +186,6 @@ public:
     visitor_.stage_begins(Coarsening_stage::MINIMIZATION);
     for (std::size_t i = 0; i < number_of_iterations && minimize_round(); ++i)
       ;
-    minimization_->sum_up();
-    report_.final_energy = minimization_->energy();
     visitor_.stage_ends(Coarsening_stage::MINIMIZATION);
   }
 
@@ -294,7 +296,7 @@ private:
   void begin_minimization(std::size_t clusters)
   {
     minimization_ = std::make_unique<internal::Energy_minimization<ClusterWeight> >(working_input(), *labels_, clusters,
-                                                                                     weight_);
+                                                                                     weight_, execution_);
     report_.initial_energy = report_.final_energy = minimization_->energy();
   }
 

@@ -31,13 +31,14 @@ void read_clusters(Clustering&, const CGAL::internal_np::Param_not_found&)
 
 // Seeds as `seed` does and grows, unless the caller gives the clusters; they have to be `number` then, or any number
 // if that is 0.
-template <class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
+template <class ConcurrencyTag, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
 Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
                                std::size_t number, const Seed& seed)
 {
   typedef Parameter_type<internal_np::cluster_weight_t, NPIn, Maximum_density_weight> Weight;
   typedef Parameter_type<internal_np::vertex_placement_t, NPIn, Centroid_placement> Placement;
-  Mwcvd_clustering<FaceGraph, Weight> clustering(input, np_in);
+  typedef Mwcvd_clustering<FaceGraph, Weight, ConcurrencyTag> Clustering;
+  Clustering clustering(input, np_in);
   if (choose_parameter(get_parameter(np_in, internal_np::start_from_face_clusters_p), false)) {
     read_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
     if (number != 0 && clustering.number_of_clusters() != number)
@@ -48,7 +49,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
     clustering.grow();
   }
   clustering.minimize(choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
-                                       Mwcvd_clustering<FaceGraph, Weight>::default_number_of_iterations));
+                                       Clustering::default_number_of_iterations));
   clustering.extract_dual_mesh(
     output, choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p)), np_out);
   write_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
@@ -66,6 +67,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 /// and, component by component, the genus, the number of border loops and the orientation of the input. The input is not
 /// modified. The same input and parameters give the same output.
 ///
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, the second of which
+/// needs oneTBB; the result is the same, whichever it is and however many threads there are
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam OutputFaceGraph a model of `MutableFaceGraph`
 /// \tparam NamedParametersIn a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -193,15 +196,15 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 /// The output is as before the call if one of these is thrown.
 ///
 /// The time is linear in the number of faces for seeds, growth and each round of the minimization.
-template <class FaceGraph, class OutputFaceGraph,
+template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph,
           class NamedParametersIn = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters>
 Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_vertices, OutputFaceGraph& output,
                                const NamedParametersIn& np_in = parameters::default_values(),
                                const NamedParametersOut& np_out = parameters::default_values())
 {
-  return internal::coarsen_mesh(input, output, np_in, np_out, number_of_vertices,
-                                [&](auto& clustering) { clustering.seed(number_of_vertices); });
+  return internal::coarsen_mesh<ConcurrencyTag>(input, output, np_in, np_out, number_of_vertices,
+                                                [&](auto& clustering) { clustering.seed(number_of_vertices); });
 }
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
@@ -210,7 +213,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
 /// This overload takes the level from parameter `neighborhood_level`: the number of vertices is the number of seeds
 /// whose neighborhoods of that many steps are disjoint (see `neighborhood_seeds()`), unless the topology of the input
 /// needs more. Everything else is as in the overload that takes a number of vertices.
-template <class FaceGraph, class OutputFaceGraph,
+template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph,
           class NamedParametersIn = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
@@ -223,8 +226,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, OutputFaceGraph& output,
 {
   const std::size_t level =
     internal::choose_parameter(internal::get_parameter(np_in, internal_np::neighborhood_level_p), 7);
-  return internal::coarsen_mesh(input, output, np_in, np_out, 0,
-                                [&](auto& clustering) { clustering.seed_from_level(level); });
+  return internal::coarsen_mesh<ConcurrencyTag>(input, output, np_in, np_out, 0,
+                                                [&](auto& clustering) { clustering.seed_from_level(level); });
 }
 
 } // namespace Surface_mesh_coarsening

@@ -4,7 +4,8 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_ENERGY_MINIMIZATION_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Dual_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Valid_moves.h>
+#include <CGAL/Surface_mesh_coarsening/internal/parallel.h>
 
 #include <CGAL/assertions.h>
 
@@ -17,39 +18,39 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The sums over the faces of a cluster that its energy (8) is made of.
+// What the energy (8) of a cluster is made of. It is the weight times the inertia about the centroid (7).
 template <class Weight>
 struct Cluster_sums
 {
-  double mass = 0;              // S0 = sum r A
-  Vector moment{{0, 0, 0}};     // S1 = sum r A g
-  double second_moment = 0;     // S2 = sum r A |g|^2
-  Index faces = 0;
-  typename Weight::Cluster_data data;
+  double mass = 0;               // sum r A
+  Vector centroid{{0, 0, 0}};    // sum r A g / mass
+  double inertia = 0;            // sum r A |g - centroid|^2
   double energy = 0;
-  double magnitude = 0;         // of what the energy is the difference of
+  Index faces = 0;
+  Index round_of_change = 0;
+  typename Weight::Cluster_data data;
 };
 
 // Sections 5.1 and 8.2 of the paper: in rounds over the edges between clusters, the face on one side or on the other
 // joins the cluster across, whichever lowers the energy more, as long as the clusters remain discs whose dual is a
 // simplicial surface. All weights are those of the current sums, so the energy is a function of the clustering and
 // falls with each move.
+//
+// Batch by batch of edges, a round first looks for such moves, at the sums as they are, which can be done for many edges at
+// a time, and then makes those in the order of the edges that still lower the energy.
 template <class Weight>
 class Energy_minimization
 {
 public:
   Energy_minimization(const Clustering_input& input, Cluster_labels& labels, std::size_t number_of_clusters,
-                      const Weight& weight)
-    : mesh_(input.mesh), labels_(labels), weight_(weight), walk_(labels), clusters_(number_of_clusters),
-      round_of_change_(number_of_clusters, 0), stamp_of_cluster_(number_of_clusters, 0)
+                      const Weight& weight, Execution execution = Execution::SEQUENTIAL)
+    : mesh_(input.mesh), labels_(labels), weight_(weight), execution_(execution), moves_(labels, number_of_clusters),
+      faces_(mesh_.number_of_faces()), clusters_(number_of_clusters)
   {
-    faces_.reserve(mesh_.number_of_faces());
-    data_.reserve(mesh_.number_of_faces());
-    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
-      const Vector& g = input.centroid[f];
-      faces_.push_back({input.mass(Index(f)), g, dot(g, g)});
-      data_.push_back(weight_.face_data(input.density[f], input.area[f]));
-    }
+    for_each_chunk(execution_, faces_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+        faces_[f] = {input.mass(Index(f)), input.centroid[f], weight_.face_data(input.density[f], input.area[f])};
+    });
     sum_up();
     list_boundary_edges();
   }
@@ -59,13 +60,13 @@ public:
   {
     ++round_;
     // Sums that are updated again and again drift by roundings.
-    if (round_ % 8 == 0)
+    if (round_ % 64 == 0)
       sum_up();
-    std::size_t moves = run_over(edges_, false);
+    std::size_t moves = run(false);
     // Edges were passed over whose two clusters had not changed. Whether a move is allowed depends on others, too:
     // the end is reached when no edge at all has a move left.
     if (moves == 0)
-      moves = run_over(edges_, true);
+      moves = run(true);
     CGAL_expensive_assertion(agrees_with_recount());
     return moves;
   }
@@ -77,12 +78,10 @@ public:
       return false;
     Energy_minimization fresh(*this);
     fresh.sum_up();
-    const auto agree = [](double a, double b, double scale) { return std::abs(a - b) <= 1e-9 * scale; };
+    const auto agree = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); };
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
       const Cluster_sums<Weight>&x = clusters_[i], &y = fresh.clusters_[i];
-      if (x.faces != y.faces || !agree(x.mass, y.mass, y.mass) ||
-          !agree(x.second_moment, y.second_moment, y.second_moment) ||
-          !agree(x.energy, y.energy, y.energy + weight_.weight(y.data, y.mass, y.faces) * y.second_moment))
+      if (x.faces != y.faces || !agree(x.mass, y.mass) || !agree(x.inertia, y.inertia) || !agree(x.energy, y.energy))
         return false;
     }
     return true;
@@ -97,109 +96,141 @@ public:
   }
 
   std::size_t tests() const { return tests_; }
-  const std::vector<Cluster_sums<Weight> >& clusters() const { return clusters_; }
-
-  // All sums from scratch.
-  void sum_up()
-  {
-    std::fill(clusters_.begin(), clusters_.end(), Cluster_sums<Weight>());
-    for (std::size_t f = 0; f < faces_.size(); ++f)
-      add(clusters_[labels_[Index(f)]], Index(f));
-    for (Cluster_sums<Weight>& x : clusters_)
-      update_energy(x);
-  }
 
 private:
+  static constexpr std::size_t chunk = 4096;
+  static constexpr std::size_t batch = 1024, part_of_batch = 128; // edges
+
   struct Face
   {
     double mass;
     Vector centroid;
-    double squared_distance; // of the centroid from the origin
+    typename Weight::Face_data data;
   };
 
   // An edge between two faces, by its corner in the one of smaller index.
-  typedef Directed_edge Edge;
+  struct Edge
+  {
+    Index face, across, corner;
+  };
+
+  struct Move
+  {
+    Index face, to;
+  };
 
   // What a move would make of the energies of the two clusters.
   struct Trial
   {
-    Index face, from, to;
+    Index face, to;
     double gain;      // by which the energy falls
     double scale;     // of the changes of energy that it is the difference of
-    double magnitude; // of the sums that these are the difference of
+    double magnitude; // of the energies that these are the difference of
   };
 
-  struct Energy
+  // All sums from scratch.
+  void sum_up()
   {
-    double value, magnitude;
-  };
+    for (Cluster_sums<Weight>& x : clusters_) {
+      const Index round_of_change = x.round_of_change;
+      x = Cluster_sums<Weight>();
+      x.round_of_change = round_of_change;
+    }
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      Cluster_sums<Weight>& x = clusters_[labels_[Index(f)]];
+      x.mass += faces_[f].mass;
+      x.centroid = x.centroid + faces_[f].mass * faces_[f].centroid;
+      ++x.faces;
+      weight_.add(x.data, faces_[f].data);
+    }
+    for (Cluster_sums<Weight>& x : clusters_)
+      if (x.mass > 0)
+        x.centroid = (1 / x.mass) * x.centroid;
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      Cluster_sums<Weight>& x = clusters_[labels_[Index(f)]];
+      x.inertia += faces_[f].mass * squared_distance(faces_[f], x);
+    }
+    for (Cluster_sums<Weight>& x : clusters_)
+      update_energy(x);
+  }
 
-  static Energy energy_of(double mass, const Vector& moment, double second_moment, double weight)
+  static double squared_distance(const Face& face, const Cluster_sums<Weight>& x)
   {
-    if (!(mass > 0))
-      return {0, 0};
-    return {weight * (std::max)(0., second_moment - dot(moment, moment) / mass), weight * second_moment};
+    const Vector d = face.centroid - x.centroid;
+    return dot(d, d);
   }
 
   void update_energy(Cluster_sums<Weight>& x) const
   {
-    const Energy energy = energy_of(x.mass, x.moment, x.second_moment, weight_.weight(x.data, x.mass, x.faces));
-    x.energy = energy.value;
-    x.magnitude = energy.magnitude;
+    x.energy = x.mass > 0 ? weight_.weight(x.data, x.mass, x.faces) * x.inertia : 0;
   }
 
-  void add(Cluster_sums<Weight>& x, Index f) const
+  // The inertia after a mass has joined or left, by the parallel axis theorem.
+  static double inertia_with(const Cluster_sums<Weight>& x, double mass, double sum, double squared_distance)
   {
-    const Face& face = faces_[f];
-    x.mass += face.mass;
-    x.moment = x.moment + face.mass * face.centroid;
-    x.second_moment += face.mass * face.squared_distance;
-    ++x.faces;
-    weight_.add(x.data, data_[f]);
+    return x.inertia + (sum > 0 ? mass * x.mass / sum * squared_distance : 0);
+  }
+  static double inertia_without(const Cluster_sums<Weight>& x, double mass, double rest, double squared_distance)
+  {
+    return (std::max)(0., x.inertia - (rest > 0 ? mass * x.mass / rest * squared_distance : 0));
   }
 
-  void remove(Cluster_sums<Weight>& x, Index f) const
+  double energy_with(const Cluster_sums<Weight>& x, const Face& face) const
   {
-    const Face& face = faces_[f];
-    x.mass -= face.mass;
-    x.moment = x.moment - face.mass * face.centroid;
-    x.second_moment -= face.mass * face.squared_distance;
-    --x.faces;
-    weight_.remove(x.data, data_[f]);
-  }
-
-  Energy energy_with(const Cluster_sums<Weight>& x, Index f) const
-  {
-    const Face& face = faces_[f];
     const double mass = x.mass + face.mass;
-    return energy_of(mass, x.moment + face.mass * face.centroid, x.second_moment + face.mass * face.squared_distance,
-                     weight_.weight_with(x.data, data_[f], mass, x.faces + 1));
+    if (!(mass > 0))
+      return 0;
+    return weight_.weight_with(x.data, face.data, mass, x.faces + 1) *
+           inertia_with(x, face.mass, mass, squared_distance(face, x));
   }
 
-  Energy energy_without(const Cluster_sums<Weight>& x, Index f) const
+  double energy_without(const Cluster_sums<Weight>& x, const Face& face) const
   {
-    const Face& face = faces_[f];
     const double mass = x.mass - face.mass;
-    return energy_of(mass, x.moment - face.mass * face.centroid, x.second_moment - face.mass * face.squared_distance,
-                     weight_.weight_without(x.data, data_[f], mass, x.faces - 1));
+    if (!(mass > 0))
+      return 0;
+    return weight_.weight_without(x.data, face.data, mass, x.faces - 1) *
+           inertia_without(x, face.mass, mass, squared_distance(face, x));
+  }
+
+  void add(Cluster_sums<Weight>& x, const Face& face) const
+  {
+    const double mass = x.mass + face.mass;
+    x.inertia = inertia_with(x, face.mass, mass, squared_distance(face, x));
+    if (mass > 0)
+      x.centroid = x.centroid + (face.mass / mass) * (face.centroid - x.centroid);
+    x.mass = mass;
+    ++x.faces;
+    weight_.add(x.data, face.data);
+    update_energy(x);
+  }
+
+  void remove(Cluster_sums<Weight>& x, const Face& face) const
+  {
+    const double mass = x.mass - face.mass;
+    x.inertia = inertia_without(x, face.mass, mass, squared_distance(face, x));
+    if (mass > 0)
+      x.centroid = x.centroid - (face.mass / mass) * (face.centroid - x.centroid);
+    x.mass = mass;
+    --x.faces;
+    weight_.remove(x.data, face.data);
+    update_energy(x);
   }
 
   Trial trial(Index f, Index to) const
   {
-    const Index from = labels_[f];
-    const Cluster_sums<Weight>& source = clusters_[from];
+    const Cluster_sums<Weight>& source = clusters_[labels_[f]];
     const Cluster_sums<Weight>& target = clusters_[to];
     if (source.faces == 1)
-      return {f, from, to, -1, 0, 0};
-    const Energy without = energy_without(source, f), with = energy_with(target, f);
-    const double lost = source.energy - without.value, won = with.value - target.energy;
-    return {f, from, to, lost - won, std::abs(lost) + std::abs(won),
-            source.magnitude + target.magnitude + without.magnitude + with.magnitude};
+      return {f, to, -1, 0, 0};
+    const double without = energy_without(source, faces_[f]), with = energy_with(target, faces_[f]);
+    const double lost = source.energy - without, won = with - target.energy;
+    return {f, to, lost - won, std::abs(lost) + std::abs(won), source.energy + target.energy + without + with};
   }
 
   // Gains this small, relative to what they are the difference of, are taken for none. So moves between equal
   // energies, frequent on regular meshes, do not depend on roundings, and each move lowers the energy as computed.
-  static bool is_gain(const Trial& t) { return t.gain > 1e-7 * t.scale && t.gain > 1e-14 * t.magnitude; }
+  static bool is_gain(const Trial& t) { return t.gain > 1e-7 * t.scale && t.gain > 1e-12 * t.magnitude; }
   static bool is_better(const Trial& t, const Trial& than)
   {
     return t.gain - than.gain > 1e-7 * (t.scale + than.scale);
@@ -207,139 +238,117 @@ private:
 
   void list_boundary_edges()
   {
+    is_listed_.assign(mesh_.corner_vertex.size(), false);
     for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f)
       for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
         const Index g = mesh_.face_across[c];
-        if (g != NONE && g > f && labels_[g] != labels_[Index(f)])
-          edges_.push_back({Index(f), c});
+        if (g != NONE && g > f && labels_[g] != labels_[Index(f)]) {
+          edges_.push_back({Index(f), g, c});
+          is_listed_[c] = true;
+        }
       }
-    is_listed_.assign(mesh_.corner_vertex.size(), false);
-    for (const Edge& e : edges_)
-      is_listed_[e.corner] = true;
   }
 
-  // The edge after corner `c` of face `f`, seen from its face of smaller index.
-  Edge edge_at(Index f, Index c) const
-  {
-    const Index g = mesh_.face_across[c];
-    return f < g ? Edge{f, c} : Edge{g, mesh_.corner_of(g, mesh_.corner_vertex[mesh_.next_corner(f, c)])};
-  }
-
-  std::size_t run_over(std::vector<Edge>& edges, bool all)
+  std::size_t run(bool all)
   {
     std::size_t moves = 0;
-    next_edges_.clear();
-    for (const Edge& e : edges) {
-      const Index f = e.face, g = mesh_.face_across[e.corner];
-      if (labels_[f] == labels_[g]) {
-        is_listed_[e.corner] = false;
-        continue;
-      }
-      next_edges_.push_back(e);
-      if (!all && round_of_change_[labels_[f]] + 1 < round_ && round_of_change_[labels_[g]] + 1 < round_)
-        continue;
-      ++tests_;
-      moves += improve(f, g);
+    const std::size_t edges = edges_.size();
+    for (std::size_t begin = 0; begin < edges; begin += batch) {
+      find_moves(begin, (std::min)(edges, begin + batch), all);
+      for (const std::vector<Move>& found : found_)
+        for (const Move& m : found)
+          moves += make(m);
     }
-    edges.swap(next_edges_);
+    if (moves > 0)
+      drop_inner_edges();
     return moves;
   }
 
   // Section 8.2: of the three cases at an edge, as it is or either face moved, the one of the smallest energy.
-  bool improve(Index f, Index g)
+  void find_moves(std::size_t first, std::size_t last, bool all)
   {
-    Trial first = trial(f, labels_[g]), second = trial(g, labels_[f]);
-    if (is_better(second, first))
-      std::swap(first, second);
-    for (const Trial& t : {first, second})
-      if (is_gain(t) && relabel(t.face, t.to)) {
-        accept(t);
-        return true;
+    found_.resize((last - first + part_of_batch - 1) / part_of_batch);
+    tested_.assign(found_.size(), 0);
+    for_each_chunk(execution_, last - first, part_of_batch, [&](std::size_t i, std::size_t begin, std::size_t end) {
+      found_[i].clear();
+      for (std::size_t j = begin; j < end; ++j) {
+        const Edge& e = edges_[first + j];
+        const Index x = labels_[e.face], y = labels_[e.across];
+        if (x == y || (!all && clusters_[x].round_of_change + 1 < round_ && clusters_[y].round_of_change + 1 < round_))
+          continue;
+        ++tested_[i];
+        Trial first_trial = trial(e.face, y), second_trial = trial(e.across, x);
+        if (is_better(second_trial, first_trial))
+          std::swap(first_trial, second_trial);
+        for (const Trial& t : {first_trial, second_trial})
+          if (is_gain(t) && moves_.keeps_discs(t.face, t.to)) {
+            found_[i].push_back({t.face, t.to});
+            break;
+          }
       }
-    return false;
+    });
+    for (const std::size_t n : tested_)
+      tests_ += n;
   }
 
-  // Moves face `f` if it may move.
-  bool relabel(Index f, Index to)
+  bool make(const Move& m)
   {
-    const Index from = labels_[f];
-    if (!labels_.stays_disc_without(f) || !labels_.stays_disc_with(f, to))
+    const Index from = labels_[m.face];
+    if (from == m.to || !is_gain(trial(m.face, m.to)) || !moves_.move(m.face, m.to))
       return false;
-    const bool dual_may_change = !only_slides(f, to);
-    labels_.move(f, to);
-    if (dual_may_change && !dual_stays_simplicial(f, from)) {
-      labels_.move(f, from);
-      return false;
-    }
+    accept(m.face, from, m.to);
     return true;
   }
 
-  // Whether no vertex where more than three clusters meet is involved, before or after, and the face borders on at
-  // most one cluster more. Then the move slides a point where three clusters meet at the most, and the dual remains
-  // what it was.
-  bool only_slides(Index f, Index to) const
+  void accept(Index f, Index from, Index to)
   {
-    const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1], from = labels_[f];
-    const auto change = [&](Index c) {
-      const Index across = labels_.label_across(c);
-      return int(across == from) - int(across == to);
-    };
-    int others = 0, previous = change(end - 1);
-    for (Index c = begin; c != end; ++c) {
-      const int next = change(c);
-      const Index count = labels_.boundary_count(mesh_.corner_vertex[c]);
-      others += next == 0;
-      if (others > 1 || count > 3 || Index(int(count) + previous + next) > 3)
-        return false;
-      previous = next;
-    }
-    return true;
-  }
-
-  // All edges that a move adds to the dual belong to the cluster that has grown: the dual remains simplicial if the
-  // neighbors of that cluster still form a simple cycle.
-  bool dual_stays_simplicial(Index f, Index from)
-  {
-    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
-      if (labels_.label_across(c) == from)
-        return walk_.fault_of_link({f, c}, stamp_of_cluster_, stamp_) == NONE;
-    return false;
-  }
-
-  void accept(const Trial& t)
-  {
-    Cluster_sums<Weight>& source = clusters_[t.from];
-    Cluster_sums<Weight>& target = clusters_[t.to];
+    Cluster_sums<Weight>& source = clusters_[from];
+    Cluster_sums<Weight>& target = clusters_[to];
     CGAL_assertion_code(const double before = source.energy + target.energy;)
-    remove(source, t.face);
-    add(target, t.face);
-    update_energy(source);
-    update_energy(target);
+    remove(source, faces_[f]);
+    add(target, faces_[f]);
     CGAL_assertion(source.energy + target.energy < before);
-    round_of_change_[t.from] = round_of_change_[t.to] = round_;
-    for (Index c = mesh_.first_corner[t.face]; c != mesh_.first_corner[t.face + 1]; ++c)
-      if (mesh_.face_across[c] != NONE && labels_.label_across(c) != t.to) {
-        const Edge e = edge_at(t.face, c);
-        if (!is_listed_[e.corner]) {
-          is_listed_[e.corner] = true;
-          next_edges_.push_back(e);
-        }
-      }
+    source.round_of_change = target.round_of_change = round_;
+    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+      if (mesh_.face_across[c] != NONE && labels_.label_across(c) != to)
+        list(f, c);
+  }
+
+  void drop_inner_edges()
+  {
+    edges_.erase(std::remove_if(edges_.begin(), edges_.end(),
+                                [&](const Edge& e) {
+                                  const bool is_inner = labels_[e.face] == labels_[e.across];
+                                  if (is_inner)
+                                    is_listed_[e.corner] = false;
+                                  return is_inner;
+                                }),
+                 edges_.end());
+  }
+
+  // Adds the edge after corner `c` of face `f` to the list.
+  void list(Index f, Index c)
+  {
+    const Index g = mesh_.face_across[c];
+    const Edge e = f < g ? Edge{f, g, c} : Edge{g, f, mesh_.corner_of(g, mesh_.corner_vertex[mesh_.next_corner(f, c)])};
+    if (is_listed_[e.corner])
+      return;
+    is_listed_[e.corner] = true;
+    edges_.push_back(e);
   }
 
   const Flat_mesh& mesh_;
   Cluster_labels& labels_;
   Weight weight_;
-  Dual_walk walk_;
+  Execution execution_;
+  Valid_moves moves_;
   std::vector<Face> faces_;
-  std::vector<typename Weight::Face_data> data_;
   std::vector<Cluster_sums<Weight> > clusters_;
-  std::vector<Edge> edges_, next_edges_; // between clusters, to be tested in this round and in the next
-  std::vector<bool> is_listed_;          // per corner
-  std::vector<std::size_t> round_of_change_;
-  std::vector<Index> stamp_of_cluster_;
-  Index stamp_ = 0;
-  std::size_t round_ = 0;
+  std::vector<Edge> edges_;                // between clusters
+  std::vector<bool> is_listed_;            // per corner
+  std::vector<std::vector<Move> > found_;  // per part of a batch
+  std::vector<std::size_t> tested_;        // per part of a batch
+  Index round_ = 0;
   std::size_t tests_ = 0;
 };
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PARALLEL_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PARALLEL_H
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+enum class Execution { SEQUENTIAL, PARALLEL };
+
+template <class ConcurrencyTag>
+constexpr Execution execution()
+{
+  constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!is_parallel, "Parallel_tag is enabled but TBB is unavailable.");
+#endif
+  return is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL;
+}
+
+// Calls `work(i, begin, end)` for the i-th of the chunks of `size` numbers from 0 to `n`. The chunks do not depend on the
+// number of threads, so neither does what is put together from them in their order.
+template <class Work>
+void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const Work& work)
+{
+  const std::size_t chunks = (n + size - 1) / size;
+  const auto run = [&](std::size_t i) { work(i, i * size, (std::min)(n, (i + 1) * size)); };
+#ifdef CGAL_LINKED_WITH_TBB
+  if (execution == Execution::PARALLEL && chunks > 1) {
+    tbb::parallel_for(std::size_t(0), chunks, run);
+    return;
+  }
+#endif
+  (void)execution;
+  for (std::size_t i = 0; i < chunks; ++i)
+    run(i);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PARALLEL_H

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The result is the same to the last bit for any number of threads, the sequential version included.
+
+#define BOOST_TEST_MODULE threads
+#include "support/face_graphs.h"
+#include "support/generate_meshes.h"
+
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <boost/mpl/list.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace SMC = CGAL::Surface_mesh_coarsening;
+using test::Mesh;
+
+namespace {
+
+struct Result
+{
+  std::vector<double> coordinates;
+  std::vector<std::size_t> corners, clusters;
+  std::size_t rounds, tests, moves;
+  double energy;
+
+  bool operator==(const Result& r) const
+  {
+    return coordinates == r.coordinates && corners == r.corners && clusters == r.clusters && rounds == r.rounds &&
+           tests == r.tests && moves == r.moves && energy == r.energy;
+  }
+};
+
+template <class ConcurrencyTag, class Weight>
+Result coarsened(const Mesh& mesh, std::size_t n)
+{
+  Mesh output;
+  Result r;
+  std::vector<std::size_t> clusters(num_faces(mesh));
+  const auto map = boost::make_iterator_property_map(clusters.begin(), get(CGAL::face_index, mesh));
+  const SMC::Coarsening_report report = SMC::coarsen_mesh<ConcurrencyTag>(
+    mesh, n, output,
+    SMC::parameters::cluster_weight(Weight()).vertex_placement(SMC::Quadric_placement()).face_cluster_map(map));
+  for (const auto v : vertices(output))
+    for (int i = 0; i < 3; ++i)
+      r.coordinates.push_back(output.point(v)[i]);
+  for (const auto f : faces(output))
+    for (const auto v : CGAL::vertices_around_face(halfedge(f, output), output))
+      r.corners.push_back(std::size_t(v));
+  r.clusters = clusters;
+  r.rounds = report.rounds;
+  r.tests = report.tests;
+  r.moves = report.moves;
+  r.energy = report.final_energy;
+  return r;
+}
+
+typedef boost::mpl::list<SMC::Uniform_weight, SMC::Weighted_area_weight, SMC::Maximum_density_weight,
+                         SMC::Density_variance_weight>
+  Weights;
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(same_result, Weight, Weights)
+{
+  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(5), 0.01));
+  const Result sequential = coarsened<CGAL::Sequential_tag, Weight>(mesh, 300);
+  BOOST_CHECK(sequential.rounds > 3);
+  BOOST_CHECK((coarsened<CGAL::Sequential_tag, Weight>(mesh, 300) == sequential));
+  BOOST_CHECK((coarsened<CGAL::Parallel_if_available_tag, Weight>(mesh, 300) == sequential));
+#ifdef CGAL_LINKED_WITH_TBB
+  for (const std::size_t threads : {1, 2, 8})
+    for (int repetition = 0; repetition < 5; ++repetition) {
+      tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      BOOST_CHECK((coarsened<CGAL::Parallel_tag, Weight>(mesh, 300) == sequential));
+    }
+#endif
+}
