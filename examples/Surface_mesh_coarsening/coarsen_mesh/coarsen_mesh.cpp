@@ -93,7 +93,7 @@ std::string run(const Options& options)
   findings.fault = triangle_mesh_fault(result.mesh);
   if (findings.fault)
     throw Failure(options.input, "the result is not a valid mesh and is not written: " + *findings.fault);
-  findings.certificate = certify(input.mesh, result.labels, result.mesh);
+  findings.certificate = certify(input.mesh, result.labels, result.mesh, result.report.dropped_components);
   if (options.measure) {
     times.begin("measuring");
     progress.say("measuring");

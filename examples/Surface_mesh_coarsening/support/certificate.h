@@ -176,7 +176,7 @@ struct Certificate
     }
   };
   std::vector<Pair> components;
-  bool one_to_one = true; // no component was split, joined or added
+  bool one_to_one = true; // no component was split, joined or added, nor more or fewer dropped than should be
   bool orientation_kept = true;
 
   bool kept() const
@@ -187,8 +187,9 @@ struct Certificate
 };
 
 // Compares the topology of the coarse mesh with the input's. Vertex `i` of the output stands for the label `i`; faces of
-// components that were left out have the number of vertices as their label.
-inline Certificate certify(const Mesh& input, const std::vector<std::size_t>& labels, const Mesh& output)
+// components that were left out, `dropped_components` of them, have the number of vertices as their label.
+inline Certificate certify(const Mesh& input, const std::vector<std::size_t>& labels, const Mesh& output,
+                           std::size_t dropped_components = 0)
 {
   const Mesh_components before = mesh_components(input), after = mesh_components(output);
   const std::size_t none = (std::numeric_limits<std::size_t>::max)();
@@ -206,7 +207,8 @@ inline Certificate certify(const Mesh& input, const std::vector<std::size_t>& la
     partner[b] = a;
     source[a] = b;
   }
-  result.one_to_one = result.one_to_one && std::count(source.begin(), source.end(), none) == 0;
+  result.one_to_one = result.one_to_one && std::count(source.begin(), source.end(), none) == 0 &&
+                      std::size_t(std::count(dropped.begin(), dropped.end(), true)) == dropped_components;
   for (std::size_t b = 0; b < before.counts.size(); ++b) {
     result.components.push_back({before.counts[b], std::nullopt, dropped[b]});
     if (partner[b] != none)
