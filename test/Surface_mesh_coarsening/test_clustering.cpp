@@ -165,7 +165,7 @@ void check_clustering(const Soup& input, std::size_t n, const How how = How())
   const std::vector<double> densities = reference::densities(m, r_new<Weight>());
   const Weight weight = Weight();
 
-  SMC::Mwcvd_clustering<Mesh, Weight> c(mesh, SMC::parameters::maximum_density(r_new<Weight>()));
+  SMC::Mwcvd_clustering<Mesh, Weight> c(mesh, SMC::parameters::maximum_density(r_new<Weight>()).border_densities(false));
   BOOST_CHECK_GE(c.seed(n), n);
   c.grow();
   BOOST_REQUIRE_EQUAL(c.report().subdivided_components, 0u);
@@ -216,7 +216,10 @@ void check_clustering(const Soup& input, std::size_t n, const How how = How())
     Mesh output;
     const auto report = SMC::coarsen_mesh(
       mesh, n, output,
-      SMC::parameters::face_cluster_map(clusters).cluster_weight(weight).maximum_density(r_new<Weight>()));
+      SMC::parameters::face_cluster_map(clusters)
+        .cluster_weight(weight)
+        .maximum_density(r_new<Weight>())
+        .border_densities(false));
     BOOST_CHECK(test::labels_of(mesh, clusters) == labels);
     BOOST_CHECK_EQUAL(report.moves, moves);
     check_close(report.final_energy, c.energy(), 1e-12, "energies of two ways"); // one has summed up in between

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Section 5.2 of the paper: densities from the deviation of normals.
+// Section 5.2 of the paper: densities from the deviation of normals; and those near borders.
 
 #define BOOST_TEST_MODULE densities
 #include "support/face_graphs.h"
@@ -38,7 +38,7 @@ void check_against_definition(const Soup& soup)
   const Mesh mesh = test::to_mesh(soup);
   const reference::Reference_mesh m(test::to_soup(mesh));
   for (const double r_new : {1., 3., 50., 1e6}) {
-    const std::vector<double> computed = densities(mesh, SMC::parameters::maximum_density(r_new)),
+    const std::vector<double> computed = densities(mesh, SMC::parameters::maximum_density(r_new).border_densities(false)),
                               expected = reference::densities(m, r_new);
     BOOST_REQUIRE_EQUAL(computed.size(), expected.size());
     std::size_t wrong = 0;
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(by_hand)
   // Two triangles at a right angle. The normals of both ends of the common edge differ by sqrt(2): 2 sqrt(2) of
   // 2 + 2 + 1 pairs. A third triangle, in the plane of the second, deviates from the first at one vertex.
   const Soup fold{{{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 1, 1}}, {{0, 1, 2}, {1, 0, 3}, {1, 3, 4}}};
-  const std::vector<double> d = densities(test::to_mesh(fold), SMC::parameters::maximum_density(11.));
+  const std::vector<double> d = densities(test::to_mesh(fold), SMC::parameters::maximum_density(11.).border_densities(false));
   const double first = 3 * s / 6, second = 2 * s / 7, third = s / 6; // pairs: 2 + 3 + 1, 2 + 3 + 2, 3 + 2 + 1
   BOOST_CHECK_CLOSE(d[0], 11, 1e-10);
   BOOST_CHECK_CLOSE(d[1], 1 + 10 * second / first, 1e-10);
@@ -99,6 +99,41 @@ BOOST_AUTO_TEST_CASE(agrees_with_the_definition)
   check_against_definition(partly_triangulated(cube_grid(5)));
   check_against_definition(with_noise(bipyramid(200), 0.01));
   check_against_definition(joined(with_noise(triangle_sphere(2), 0.1), grid(5, 5)));
+}
+
+// The ends of a tube have radius 1 everywhere. At distance s the density asks for the deviation 4 sqrt(A) / (1 + s), up to a
+// tenth of the loop's length and not above the largest, which the sides of the tube have all over.
+BOOST_AUTO_TEST_CASE(near_borders)
+{
+  const std::size_t m = 100, n = 60;
+  const double pi = generated::pi, side = 2 * std::sin(pi / m), area = side * 2 * pi / m, length = m * side;
+  Soup soup = generated::tube(m, n);
+  soup.points.push_back({0, 0, 100}); // a sharp edge elsewhere: the largest deviation
+  for (const auto& p : std::vector<generated::Point>{{1, 0, 100}, {0, 1, 100}, {0, 0, 101}})
+    soup.points.push_back(p);
+  const std::size_t v = soup.points.size() - 4;
+  for (const generated::Polygon& p : {generated::Polygon{v, v + 2, v + 1}, {v, v + 1, v + 3}, {v, v + 3, v + 2}, {v + 1, v + 2, v + 3}})
+    soup.polygons.push_back(p);
+  const Mesh mesh = test::to_mesh(soup);
+  const double r_new = 50;
+  const std::vector<double> paper = densities(mesh, SMC::parameters::border_densities(false)), raised = densities(mesh);
+  const double largest = (raised[0] - 1) / (r_new - 1); // is checked against the definition below
+  BOOST_REQUIRE_EQUAL(paper.size(), m * n + 4);
+  BOOST_CHECK_EQUAL(*std::max_element(paper.begin(), paper.end()), *std::max_element(raised.begin(), raised.end()));
+  const double unit = (paper[m * n / 2] - 1) / std::sin(pi / m); // density for each unit of deviation
+  BOOST_CHECK_CLOSE(largest * (r_new - 1), unit * 4 * std::sqrt(area), 1e-6);
+  for (std::size_t f = 0; f < m * n; ++f) {
+    const std::size_t row = f % n, from_end = (std::min)(row, n - 1 - row);
+    const double s = double(from_end) * 2 * pi / m;
+    const bool near = s <= 0.1 * length;
+    const double expected = near ? 1 + unit * 4 * std::sqrt(area) / (1 + s) : paper[f];
+    BOOST_CHECK_CLOSE(raised[f], (std::max)(expected, paper[f]), 1e-6);
+  }
+  // Closed meshes have no border, and a tube alone cannot be raised: its sides deviate most.
+  const Mesh closed = test::to_mesh(generated::with_noise(generated::triangle_sphere(3), 0.05));
+  BOOST_CHECK(densities(closed) == densities(closed, SMC::parameters::border_densities(false)));
+  for (const double r : densities(test::to_mesh(generated::tube(30, 20))))
+    BOOST_CHECK_CLOSE(r, 50, 1e-6);
 }
 
 BOOST_AUTO_TEST_CASE(flat_meshes)

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -159,7 +160,8 @@ BOOST_AUTO_TEST_CASE(questions)
   BOOST_TEST(help.status == 0);
   for (const char* option :
        {"--vertices", "--neighborhood-level", "--rounds", "--weight", "--maximum-density", "--placement", "--clusters",
-        "--picture", "--view", "--report", "--repair", "--threads", "--quiet", "--version", "--help"})
+        "--picture", "--view", "--report", "--repair", "--fill-holes", "--minimum-component-area",
+        "--subdivide", "--measure", "--threads", "--quiet", "--version", "--help"})
     BOOST_TEST(help.out.find(option) != std::string::npos, option);
   for (const std::string& weight : weights)
     BOOST_TEST(help.out.find(weight) != std::string::npos, weight);
@@ -197,6 +199,12 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
                                 "in.off out.off --clusters c.off",
                                 "in.off out.off --picture p.jpg",
                                 "in.off out.off --threads 0",
+                                "in.off out.off --fill-holes -1",
+                                "in.off out.off --fill-holes nan",
+                                "in.off out.off --fill-holes",
+                                "in.off out.off --minimum-component-area -2",
+                                "in.off out.off --minimum-component-area wide",
+                                "in.off out.off --subdivide 3",
                                 "in.off out.ply --clusters ./out.ply",
                                 "in.off out.off --report in.off"}) {
     const Outcome outcome = shop.run(arguments);
@@ -437,6 +445,151 @@ BOOST_AUTO_TEST_CASE(number_of_vertices_out_of_reach)
     BOOST_TEST(std::to_string(shop.mesh("out.off").number_of_vertices()) == nearest);
     fs::remove(shop / "out.off");
   }
+}
+
+// ---- choices that change the input first, and measuring ----
+
+BOOST_AUTO_TEST_CASE(holes_are_filled)
+{
+  const Workshop shop;
+  // 20 holes of one triangle each, and a large one: the upper end of the sphere.
+  generated::Soup soup = generated::with_holes(generated::triangle_sphere(4), 20);
+  const auto is_high = [&soup](const generated::Polygon& p) {
+    return std::any_of(p.begin(), p.end(), [&soup](std::size_t v) { return soup.points[v][2] > 0.95; });
+  };
+  generated::Soup open = soup;
+  open.polygons.erase(std::remove_if(open.polygons.begin(), open.polygons.end(), is_high), open.polygons.end());
+  open = generated::without_isolated_vertices(open);
+  shop.write("in.off", soup);
+  shop.write("open.off", open);
+  const std::size_t faces = soup.polygons.size();
+
+  shop.run_well("in.off out.off -n 100 --report r.json");
+  BOOST_TEST(shop.report("r.json")["input"]["holes"].is_null());
+  BOOST_TEST(shop.report("r.json")["certificate"]["components"][0]["after"]["border_loops"] == 20);
+
+  shop.run_well("in.off out.off -n 30 --fill-holes 0.6 --report r.json");
+  Json report = shop.report("r.json");
+  BOOST_TEST(report["parameters"]["fill_holes"] == 0.6);
+  BOOST_TEST(report["input"]["faces"] == faces + 20);
+  BOOST_TEST(report["input"]["polygons_in_file"] == faces);
+  BOOST_TEST(report["input"]["holes"]["filled"] == 20);
+  BOOST_TEST(report["input"]["holes"]["triangles_added"] == 20);
+  BOOST_TEST(report["input"]["holes"]["left_because_longer"] == 0);
+  BOOST_TEST(report["input"]["holes"]["not_filled"].empty());
+  for (const char* when : {"before", "after"}) {
+    BOOST_TEST(report["certificate"]["components"][0][when]["euler_characteristic"] == 2);
+    BOOST_TEST(report["certificate"]["components"][0][when]["border_loops"] == 0);
+  }
+  BOOST_TEST(report["certificate"]["kept"] == true);
+  BOOST_TEST(report["seconds"]["hole filling"].is_number());
+  const Mesh closed = shop.mesh("out.off");
+  BOOST_TEST(closed.number_of_vertices() + closed.number_of_faces() - closed.number_of_edges() == 2u);
+
+  // Only what is short enough.
+  shop.run_well("open.off out.off -n 80 --fill-holes 0.6 --report r.json");
+  report = shop.report("r.json");
+  BOOST_TEST(report["input"]["holes"]["left_because_longer"] == 1);
+  BOOST_TEST(report["certificate"]["components"][0]["before"]["border_loops"] == 1);
+  BOOST_TEST(report["certificate"]["components"][0]["after"]["euler_characteristic"] == 1);
+  shop.run_well("open.off out.off -n 80 --fill-holes 100 --report r.json");
+  BOOST_TEST(shop.report("r.json")["certificate"]["components"][0]["after"]["euler_characteristic"] == 2);
+
+  // Quadrilaterals around, and a hole that nothing can fill: the border of a single triangle.
+  shop.write("tube.off", generated::tube(12, 5));
+  shop.run_well("tube.off out.off -n 30 --fill-holes 10 --report r.json");
+  BOOST_TEST(shop.report("r.json")["input"]["holes"]["filled"] == 2);
+  BOOST_TEST(shop.report("r.json")["input"]["holes"]["triangles_added"] == 20);
+  BOOST_TEST(shop.report("r.json")["certificate"]["components"][0]["after"]["euler_characteristic"] == 2);
+  shop.write("triangle.off", generated::single_triangle());
+  shop.run_well("triangle.off out.off -n 3 --fill-holes 10 --report r.json");
+  const Json left = shop.report("r.json")["input"]["holes"]["not_filled"];
+  BOOST_REQUIRE(left.size() == 1u);
+  BOOST_TEST(left[0]["edges"] == 3);
+  BOOST_TEST(std::abs(left[0]["length"].get<double>() - 2 - std::sqrt(2.)) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(small_components_are_left_out)
+{
+  const Workshop shop;
+  // A cube of side 2, and two of area 0.24 and 0.0024.
+  const generated::Soup cube = generated::cube_grid(8);
+  shop.write("in.off", generated::joined(generated::joined(generated::translated(generated::scaled(cube, 0.1), 5, 0, 0), cube),
+                                         generated::translated(generated::scaled(cube, 0.01), 9, 0, 0)));
+  shop.run_well("in.off out.off -n 60 --report r.json");
+  BOOST_TEST(shop.report("r.json")["clustering"]["dropped_components"] == 0);
+  BOOST_TEST(shop.report("r.json")["certificate"]["components"][0]["dropped"] == false);
+  shop.run_well("in.off out.off -n 60 --minimum-component-area 0.1 --report r.json");
+  BOOST_TEST(shop.report("r.json")["clustering"]["dropped_components"] == 1);
+
+  const Outcome outcome =
+    shop.run("in.off out.off -n 60 --minimum-component-area 20 --measure --clusters c.ply --picture p.png --report r.json");
+  BOOST_TEST(outcome.status == 0, outcome.err);
+  BOOST_TEST(outcome.out.find("2 components left out, topology kept") != std::string::npos, outcome.out);
+  const Json report = shop.report("r.json"), &certificate = report["certificate"];
+  BOOST_TEST(report["parameters"]["minimum_component_area"] == 20.);
+  BOOST_TEST(report["clustering"]["dropped_components"] == 2);
+  BOOST_TEST(certificate["kept"] == true);
+  BOOST_REQUIRE(certificate["components"].size() == 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    BOOST_TEST(certificate["components"][i]["dropped"] == (i != 1));
+    BOOST_TEST(certificate["components"][i]["after"].is_null() == (i != 1));
+    BOOST_TEST(certificate["components"][i]["before"]["faces"] == 384);
+  }
+  BOOST_TEST(certificate["components"][1]["after"]["vertices"] == 60);
+  BOOST_TEST(report["quality"]["diagonal"].get<double>() < 3.5); // of what is kept
+
+  const Outcome all = shop.run("in.off out.off -n 60 --minimum-component-area 25");
+  BOOST_TEST(all.status == 1);
+  BOOST_TEST(all.is_one_line_error());
+  BOOST_TEST(all.names("no component"), all.err);
+}
+
+BOOST_AUTO_TEST_CASE(subdivision)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::cube_grid(3)); // 56 vertices
+  const Outcome refused = shop.run("in.off out.off -n 200");
+  BOOST_TEST(refused.status == 1);
+  BOOST_TEST(refused.is_one_line_error());
+  shop.run_well("in.off out.off -n 200 --subdivide --report r.json");
+  const Json report = shop.report("r.json");
+  BOOST_TEST(report["parameters"]["subdivide"] == true);
+  BOOST_TEST(report["clustering"]["clusters"] == 200);
+  BOOST_TEST(report["certificate"]["kept"] == true);
+  BOOST_TEST(shop.mesh("out.off").number_of_vertices() == 200u);
+  BOOST_TEST(shop.mesh("out.off").number_of_faces() == 396u);
+}
+
+BOOST_AUTO_TEST_CASE(measuring)
+{
+  const Workshop shop;
+  shop.write("flat.off", generated::triangulated(generated::grid(30, 30)));
+  const Outcome flat = shop.run("flat.off out.off -n 60 --measure --report r.json");
+  BOOST_TEST(flat.status == 0);
+  for (const char* name : {"distance:", "border distance:", "normal deviation:", "smallest angles:", "self-intersections: 0"})
+    BOOST_TEST(flat.out.find(name) != std::string::npos, name);
+  Json quality = shop.report("r.json")["quality"];
+  BOOST_TEST(std::abs(quality["diagonal"].get<double>() - 30 * std::sqrt(2.)) < 1e-9);
+  for (const char* what : {"distance_percent", "border_distance_percent"}) // a square stays a square
+    for (const char* which : {"rms", "mean", "maximum"})
+      BOOST_TEST(quality[what][which].get<double>() < 1e-6);
+  BOOST_TEST(quality["mean_normal_deviation_degrees"].get<double>() < 1e-4);
+  BOOST_TEST(quality["smallest_angle_degrees"]["mean"].get<double>() > 30);
+  BOOST_TEST(quality["smallest_angle_degrees"]["least"] <= quality["smallest_angle_degrees"]["mean"]);
+  BOOST_TEST(quality["self_intersections"] == 0);
+
+  shop.write("sphere.off", generated::triangle_sphere(4));
+  const Outcome sphere = shop.run("sphere.off out.off -n 60 --measure --report r.json");
+  BOOST_TEST(sphere.out.find("border") == std::string::npos);
+  quality = shop.report("r.json")["quality"];
+  BOOST_TEST(quality["border_distance_percent"].is_null());
+  BOOST_TEST(quality["distance_percent"]["rms"].get<double>() > 0.5); // the centroids lie within the sphere
+  BOOST_TEST(quality["distance_percent"]["mean"] <= quality["distance_percent"]["rms"]);
+  BOOST_TEST(quality["distance_percent"]["rms"] <= quality["distance_percent"]["maximum"]);
+  BOOST_TEST(shop.run("sphere.off out.off -n 60 --measure --quiet").out.empty());
+  shop.run_well("sphere.off out.off -n 60 --report r.json");
+  BOOST_TEST(shop.report("r.json")["quality"].is_null());
 }
 
 // ---- inputs that are no manifolds ----

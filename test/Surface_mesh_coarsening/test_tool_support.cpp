@@ -152,7 +152,13 @@ BOOST_AUTO_TEST_CASE(certificate_of_joined_and_lost_components)
   BOOST_TEST(!certify(two, {0, 1, 2, 3, 4, 5, 6, 3}, two).one_to_one); // a label in both components
   const Certificate lost = certify(two, labels, one);
   BOOST_TEST(!lost.components[1].after.has_value());
+  BOOST_TEST(!lost.components[1].dropped);
   BOOST_TEST(!lost.kept());
+  labels = {0, 1, 2, 3, 4, 4, 4, 4}; // left out on purpose, if one was
+  BOOST_TEST(certify(two, labels, one, 1).components[1].dropped);
+  BOOST_TEST(certify(two, labels, one, 1).one_to_one);
+  BOOST_TEST(!certify(two, labels, one).one_to_one);
+  BOOST_TEST(!certify(two, labels, one, 2).one_to_one);
   BOOST_TEST(!certify(one, {0, 1, 2, 3}, two).one_to_one); // a component that comes from nowhere
 }
 

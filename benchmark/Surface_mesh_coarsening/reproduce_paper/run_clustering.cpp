@@ -34,7 +34,7 @@ Clustering_run run_with(const Mesh& mesh, unsigned level, double maximum_density
   Clustering_run run;
   Timing_visitor visitor(run.times);
   SMC::Mwcvd_clustering<Mesh, Weight> clustering(
-    mesh, SMC::parameters::maximum_density(maximum_density).visitor(std::ref(visitor)));
+    mesh, SMC::parameters::maximum_density(maximum_density).border_densities(false).visitor(std::ref(visitor)));
   clustering.seed_from_level(level);
   clustering.grow();
   run.labels_after_growth = labels_of(mesh, clustering);

@@ -46,6 +46,14 @@ std::optional<double> to_number(const std::string& text)
   return value;
 }
 
+double to_size(const std::string& option, const std::string& text)
+{
+  const double value = to_number(text).value_or(-1);
+  if (!(value >= 0))
+    throw Wrong_usage("--" + option + " takes a number from 0 on, not '" + text + "'");
+  return value;
+}
+
 Vector to_direction(const std::string& option, const std::string& text)
 {
   std::vector<double> coordinates;
@@ -100,6 +108,19 @@ po::options_description described_options()
     ("repair",
      "mend the input first: merge coincident points, remove useless faces, orient, duplicate non-manifold vertices, "
      "stitch borders, remove degenerate triangles and unused points")
+    ("fill-holes", text()->value_name("LENGTH"),
+     "first fill the holes whose border is at most LENGTH long, in the mesh's unit of length; --report tells how many were "
+     "filled, and which could not be")
+    ("minimum-component-area", text()->value_name("A"),
+     "leave out connected components of an area below A, in the square of the mesh's unit of length (a cube of side 2 "
+     "has area 24); --report lists them")
+    ("subdivide",
+     "cut faces into smaller ones, in a copy, until there are 20 for each vertex of the result: clusters are rounder where "
+     "the input is hardly finer than the result, and --vertices may exceed the input's")
+    ("measure",
+     "measure the result and print, and put into --report: distance from the input both ways (RMS, mean, maximum) and of the "
+     "borders, in % of the diagonal of the input's bounding box; deviation of normals; smallest angles of the triangles; "
+     "self-intersections")
     ("threads", text()->value_name("T")->default_value("1"),
      "upper bound for the number of threads; this version computes on one")
     ("quiet", "print nothing but errors")
@@ -179,6 +200,12 @@ Options checked_options(const po::variables_map& values)
   if (const auto text = given(values, "up"))
     options.up = to_direction("up", *text);
   options.repair = values.count("repair") > 0;
+  if (const auto text = given(values, "fill-holes"))
+    options.fill_holes = to_size("fill-holes", *text);
+  if (const auto text = given(values, "minimum-component-area"))
+    options.minimum_component_area = to_size("minimum-component-area", *text);
+  options.subdivide = values.count("subdivide") > 0;
+  options.measure = values.count("measure") > 0;
   options.quiet = values.count("quiet") > 0;
   options.threads = static_cast<unsigned>(to_count("threads", *given(values, "threads"), 1, 1000000));
   check_files(options);

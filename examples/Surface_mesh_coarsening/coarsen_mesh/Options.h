@@ -31,7 +31,9 @@ struct Options
   double maximum_density = 50;
   std::string clusters, picture, report;
   Vector view = Vector(1, 0.5, 0.8), up = Vector(0, 1, 0);
-  bool repair = false, quiet = false;
+  double minimum_component_area = 0; // of the mesh's units squared; 0 keeps every component
+  double fill_holes = 0;             // perimeter up to which holes are filled; 0 fills none
+  bool repair = false, subdivide = false, measure = false, quiet = false;
   unsigned threads = 1;
 };
 

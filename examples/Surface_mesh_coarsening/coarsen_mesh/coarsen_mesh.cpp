@@ -12,8 +12,10 @@
 #include "Progress_line.h"
 #include "Tool_visitor.h"
 #include "coarsening.h"
+#include "fill_holes.h"
 #include "input.h"
 #include "picture.h"
+#include "quality.h"
 #include "report.h"
 #include "serialization.h"
 
@@ -51,17 +53,24 @@ Coarsening_result coarsen_or_explain(const Input& input, const Options& options,
 }
 
 std::string summary(const Options& options, const Input& input, const Coarsening_result& result,
-                    const Certificate& certificate, const Stage_times& times)
+                    const Findings& findings, const Stage_times& times)
 {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.2f s", times.total());
   const std::string dropped =
     input.unused_points > 0 ? ", " + std::to_string(input.unused_points) + " unused points dropped" : "";
+  const std::size_t left_out = result.report.dropped_components;
+  std::string remarks;
+  if (findings.holes)
+    remarks += std::to_string(findings.holes->filled) + " holes filled, ";
+  if (left_out > 0)
+    remarks += std::to_string(left_out) + " components left out, ";
   return options.input + " (" + std::to_string(input.mesh.number_of_vertices()) + " vertices, " +
          std::to_string(input.mesh.number_of_faces()) + " faces" + dropped + ") -> " + options.output + " (" +
          std::to_string(result.mesh.number_of_vertices()) + " vertices, " +
          std::to_string(result.mesh.number_of_faces()) + " faces), " + std::to_string(result.report.rounds) +
-         " rounds, " + std::string(certificate.kept() ? "topology kept, " : "topology changed, ") + seconds;
+         " rounds, " + remarks + (findings.certificate.kept() ? "topology kept, " : "topology changed, ") + seconds +
+         (findings.quality ? "\n" + quality_text(result.mesh, *findings.quality) : "");
 }
 
 // Computes everything, and only then lets the files appear.
@@ -69,15 +78,27 @@ std::string run(const Options& options)
 {
   Stage_times times;
   Progress_line progress(!options.quiet);
-  const Input input = read_input(options, times, progress);
+  Input input = read_input(options, times, progress);
+  Findings findings;
+  if (options.fill_holes > 0) {
+    times.begin("hole filling");
+    progress.say("filling holes");
+    findings.holes = fill_holes(input.mesh, options.fill_holes);
+    times.end();
+  }
   const Coarsening_result result = coarsen_or_explain(input, options, times, progress);
 
   times.begin("check");
   progress.say("checking the result");
-  const auto fault = triangle_mesh_fault(result.mesh);
-  if (fault)
-    throw Failure(options.input, "the result is not a valid mesh and is not written: " + *fault);
-  const Certificate certificate = certify(input.mesh, result.labels, result.mesh);
+  findings.fault = triangle_mesh_fault(result.mesh);
+  if (findings.fault)
+    throw Failure(options.input, "the result is not a valid mesh and is not written: " + *findings.fault);
+  findings.certificate = certify(input.mesh, result.labels, result.mesh, result.report.dropped_components);
+  if (options.measure) {
+    times.begin("measuring");
+    progress.say("measuring");
+    findings.quality = measure(input.mesh, result);
+  }
 
   std::vector<std::pair<std::string, std::string> > files; // name and content
   if (!options.picture.empty()) {
@@ -98,9 +119,9 @@ std::string run(const Options& options)
     outputs.stage(file.first, file.second);
   times.end();
   if (!options.report.empty())
-    outputs.stage(options.report, report_text(options, input, result, fault, certificate, times));
+    outputs.stage(options.report, report_text(options, input, result, findings, times));
   outputs.commit();
-  return summary(options, input, result, certificate, times);
+  return summary(options, input, result, findings, times);
 }
 
 int complain(const std::string& what, int status)

@@ -45,7 +45,10 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
   Coarsening_result result;
   // The one place where a number of threads would be handed on; the library computes on one.
   SMC::Mwcvd_clustering<Mesh, Weight> clustering(
-    input, SMC::parameters::maximum_density(options.maximum_density).visitor(std::ref(visitor)));
+    input, SMC::parameters::maximum_density(options.maximum_density)
+             .minimum_component_area(options.minimum_component_area)
+             .subdivide_input(options.subdivide)
+             .visitor(std::ref(visitor)));
   const unsigned default_level = 7;
   if (options.vertices)
     clustering.seed(*options.vertices);

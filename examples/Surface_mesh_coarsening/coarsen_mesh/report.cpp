@@ -4,7 +4,11 @@
 
 #include <CGAL/Surface_mesh_coarsening/version.h>
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <nlohmann/json.hpp>
+
+#include <cmath>
 
 namespace coarsen_mesh_tool {
 namespace {
@@ -50,6 +54,9 @@ Json parameters_of(const Options& options)
   result["weight"] = options.weight;
   result["maximum_density"] = options.maximum_density;
   result["placement"] = options.placement;
+  result["minimum_component_area"] = options.minimum_component_area;
+  result["fill_holes"] = options.fill_holes;
+  result["subdivide"] = options.subdivide;
   result["threads"] = {{"allowed", options.threads}, {"used", 1}};
   return result;
 }
@@ -67,7 +74,8 @@ Json clustering_of(const CGAL::Surface_mesh_coarsening::Coarsening_report& repor
           {"initial_energy", report.initial_energy},
           {"final_energy", report.final_energy},
           {"converged", report.converged},
-          {"subdivided_components", report.subdivided_components}};
+          {"subdivided_components", report.subdivided_components},
+          {"dropped_components", report.dropped_components}};
 }
 
 Json certificate_of(const Certificate& certificate)
@@ -76,11 +84,45 @@ Json certificate_of(const Certificate& certificate)
   for (const auto& pair : certificate.components)
     components.push_back({{"before", counts_of(pair.before)},
                           {"after", pair.after ? counts_of(*pair.after) : Json()},
+                          {"dropped", pair.dropped},
                           {"kept", pair.kept()}});
   return {{"kept", certificate.kept()},
           {"components_one_to_one", certificate.one_to_one},
           {"orientation_kept", certificate.orientation_kept},
           {"components", components}};
+}
+
+Json holes_of(const std::optional<Hole_filling>& holes)
+{
+  if (!holes)
+    return nullptr;
+  Json not_filled = Json::array();
+  for (const Hole& hole : holes->not_filled)
+    not_filled.push_back({{"vertex", hole.vertex}, {"edges", hole.edges}, {"length", hole.length}});
+  return {{"filled", holes->filled},
+          {"triangles_added", holes->triangles_added},
+          {"left_because_longer", holes->longer},
+          {"not_filled", not_filled}};
+}
+
+Json quality_of(const Mesh& result, const std::optional<Coarsening_quality>& quality)
+{
+  if (!quality)
+    return nullptr;
+  const Coarsening_quality& q = *quality;
+  const auto distances = [&q](double rms, double mean, double maximum) {
+    return Json{{"rms", percent(q, rms)}, {"mean", percent(q, mean)}, {"maximum", percent(q, maximum)}};
+  };
+  const bool has_border = !CGAL::is_closed(result) && std::isfinite(q.border_rms_distance);
+  return {{"diagonal", q.diagonal},
+          {"distance_percent", distances(q.rms_distance, q.mean_distance, q.maximum_distance)},
+          {"border_distance_percent", has_border ? distances(q.border_rms_distance, q.border_mean_distance,
+                                                             q.border_maximum_distance)
+                                                 : Json()},
+          {"mean_normal_deviation_degrees", q.mean_normal_deviation},
+          {"smallest_angle_degrees",
+           {{"mean", q.mean_smallest_angle}, {"least", q.smallest_angle}, {"part_below_30", q.part_below_30_degrees}}},
+          {"self_intersections", q.self_intersections}};
 }
 
 Json seconds_of(const Stage_times& times)
@@ -95,19 +137,20 @@ Json seconds_of(const Stage_times& times)
 } // namespace
 
 std::string report_text(const Options& options, const Input& input, const Coarsening_result& result,
-                        const std::optional<std::string>& fault, const Certificate& certificate,
-                        const Stage_times& times)
+                        const Findings& findings, const Stage_times& times)
 {
   Json report;
   report["program"] = "coarsen_mesh";
   report["version"] = CGAL_SURFACE_MESH_COARSENING_VERSION;
   report["input"] = input_of(options, input);
+  report["input"]["holes"] = holes_of(findings.holes);
   report["parameters"] = parameters_of(options);
   report["clustering"] = clustering_of(result.report);
   report["output"] = sizes_of(options.output, result.mesh);
-  report["output"]["valid"] = !fault;
-  report["output"]["fault"] = fault ? Json(*fault) : Json();
-  report["certificate"] = certificate_of(certificate);
+  report["output"]["valid"] = !findings.fault;
+  report["output"]["fault"] = findings.fault ? Json(*findings.fault) : Json();
+  report["certificate"] = certificate_of(findings.certificate);
+  report["quality"] = quality_of(result.mesh, findings.quality);
   report["seconds"] = seconds_of(times);
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; // file names need not be UTF-8
 }

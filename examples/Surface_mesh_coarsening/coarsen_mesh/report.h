@@ -7,17 +7,27 @@
 #include "support/certificate.h"
 #include "Options.h"
 #include "coarsening.h"
+#include "fill_holes.h"
 #include "input.h"
+#include "quality.h"
 
 #include <optional>
 #include <string>
 
 namespace coarsen_mesh_tool {
 
-// Returns the report as JSON text. `fault` is what keeps the result from being valid, if anything does.
+// What was found out about a result.
+struct Findings
+{
+  std::optional<Hole_filling> holes; // if they were to be filled
+  std::optional<std::string> fault;  // what keeps the result from being valid, if anything does
+  Certificate certificate;
+  std::optional<Coarsening_quality> quality; // if it was to be measured
+};
+
+// Returns the report as JSON text.
 std::string report_text(const Options& options, const Input& input, const Coarsening_result& result,
-                        const std::optional<std::string>& fault, const Certificate& certificate,
-                        const Stage_times& times);
+                        const Findings& findings, const Stage_times& times);
 
 } // namespace coarsen_mesh_tool
 

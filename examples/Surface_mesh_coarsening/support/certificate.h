@@ -169,30 +169,36 @@ struct Certificate
   {
     Component_counts before;
     std::optional<Component_counts> after; // empty when nothing of the component is left
+    bool dropped = false;                  // on purpose: its faces carry the label one past the last
     bool kept() const
     {
       return after && before.genus() == after->genus() && before.border_loops == after->border_loops;
     }
   };
   std::vector<Pair> components;
-  bool one_to_one = true; // no component was split, joined or added
+  bool one_to_one = true; // no component was split, joined or added, nor more or fewer dropped than should be
   bool orientation_kept = true;
 
   bool kept() const
   {
     return one_to_one && orientation_kept &&
-           std::all_of(components.begin(), components.end(), [](const Pair& p) { return p.kept(); });
+           std::all_of(components.begin(), components.end(), [](const Pair& p) { return p.kept() || p.dropped; });
   }
 };
 
-// Compares the topology of the coarse mesh with the input's. Vertex `i` of the output stands for the label `i`.
-inline Certificate certify(const Mesh& input, const std::vector<std::size_t>& labels, const Mesh& output)
+// Compares the topology of the coarse mesh with the input's. Vertex `i` of the output stands for the label `i`; faces of
+// components that were left out, `dropped_components` of them, have the number of vertices as their label.
+inline Certificate certify(const Mesh& input, const std::vector<std::size_t>& labels, const Mesh& output,
+                           std::size_t dropped_components = 0)
 {
   const Mesh_components before = mesh_components(input), after = mesh_components(output);
   const std::size_t none = (std::numeric_limits<std::size_t>::max)();
   std::vector<std::size_t> partner(before.counts.size(), none), source(after.counts.size(), none);
+  std::vector<bool> dropped(before.counts.size(), true);
   Certificate result;
   for (Face f : input.faces()) {
+    if (labels[f] != output.number_of_vertices())
+      dropped[before.of_face[f]] = false;
     if (labels[f] >= after.of_vertex.size() || after.of_vertex[labels[f]] >= after.counts.size())
       continue;
     const std::size_t b = before.of_face[f], a = after.of_vertex[labels[f]];
@@ -201,9 +207,10 @@ inline Certificate certify(const Mesh& input, const std::vector<std::size_t>& la
     partner[b] = a;
     source[a] = b;
   }
-  result.one_to_one = result.one_to_one && std::count(source.begin(), source.end(), none) == 0;
+  result.one_to_one = result.one_to_one && std::count(source.begin(), source.end(), none) == 0 &&
+                      std::size_t(std::count(dropped.begin(), dropped.end(), true)) == dropped_components;
   for (std::size_t b = 0; b < before.counts.size(); ++b) {
-    result.components.push_back({before.counts[b], std::nullopt});
+    result.components.push_back({before.counts[b], std::nullopt, dropped[b]});
     if (partner[b] != none)
       result.components.back().after = after.counts[partner[b]];
   }

@@ -4,9 +4,8 @@
 #define CGAL_SURFACE_MESH_COARSENING_BORDER_ARCS_H
 
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Border_fit.h>
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -14,20 +13,21 @@ namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// The parts of the border of the mesh that belong to clusters, one arc for each cluster on the border. The vertex of such a
-/// cluster lies on its arc: in its sharpest corner, if it turns there by more than 30 degrees, and otherwise anywhere but
-/// near its ends. So the border of the coarse mesh is inscribed in that of the mesh.
+/// cluster lies on its arc, and so the border of the coarse mesh is inscribed in that of the mesh. Where on the arcs the
+/// vertices lie is chosen so that the two borders are as close together as they can be; that is in sharp corners where an arc
+/// has one.
 class Border_arcs
 {
 public:
   /// \cond SKIP_IN_MANUAL
   explicit Border_arcs(const Clustered_surface& surface)
-    : mesh_(surface.input().mesh), labels_(surface.labels()), arc_of_(surface.number_of_clusters(), internal::NONE)
+    : mesh_(surface.input().mesh), labels_(surface.labels()), place_of_(surface.number_of_clusters(), internal::NONE)
   {
     std::vector<bool> done(mesh_.number_of_vertices(), false);
     for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v)
       if (mesh_.is_on_border(Index(v)) && !done[v]) {
         const std::vector<Index> loop = loop_from(Index(v));
-        add_arcs(loop);
+        choose_places(loop);
         for (const Index w : loop)
           done[w] = true;
       }
@@ -35,38 +35,22 @@ public:
   /// \endcond
 
   /// returns whether a cluster has a part of the border.
-  bool is_on_border(std::size_t cluster) const { return arc_of_[cluster] != internal::NONE; }
+  bool is_on_border(std::size_t cluster) const { return place_of_[cluster] != internal::NONE; }
 
-  /// places the vertices of the clusters on the border in corners or half way along their arcs. Other positions are not
-  /// touched.
+  /// places the vertices of the clusters on the border. Other positions are not touched.
   void place(std::vector<Clustered_surface::Point>& positions) const
   {
-    for (const Arc& arc : arcs_)
-      positions[arc.cluster] = arc.has_corner ? arc.corner : at(arc, 0.5 * arc.length.back());
+    for (std::size_t x = 0; x < place_of_.size(); ++x)
+      if (is_on_border(x))
+        positions[x] = places_[place_of_[x]];
   }
 
-  /// moves the vertices of the clusters on the border to the closest points on their arcs, or to their corners. Other
-  /// positions are not touched.
-  void pull_back(std::vector<Clustered_surface::Point>& positions) const
-  {
-    for (const Arc& arc : arcs_)
-      positions[arc.cluster] = arc.has_corner ? arc.corner : closest(arc, positions[arc.cluster]);
-  }
+  /// moves the vertices of the clusters on the border back to it. Other positions are not touched.
+  void pull_back(std::vector<Clustered_surface::Point>& positions) const { place(positions); }
 
 private:
   typedef internal::Index Index;
   typedef internal::Vector Vector;
-
-  /// \cond SKIP_IN_MANUAL
-  struct Arc
-  {
-    Index cluster;
-    std::vector<Index> vertices;
-    std::vector<double> length; // from the first vertex to each
-    bool has_corner = false;
-    Vector corner;
-  };
-  /// \endcond
 
   // The label of the face at the border edge that begins at `v`: the first of its star.
   Index label_after(Index v) const { return labels_[mesh_.star[mesh_.first_in_star[v]]]; }
@@ -80,83 +64,34 @@ private:
     return loop;
   }
 
-  void add_arcs(const std::vector<Index>& loop)
+  void choose_places(const std::vector<Index>& loop)
   {
     const std::size_t n = loop.size();
     std::size_t begin = 0; // of a part of the loop that belongs to one cluster
     while (begin < n && label_after(loop[begin]) == label_after(loop[(begin + n - 1) % n]))
       ++begin;
+    std::vector<internal::Border_arc> arcs;
+    std::vector<Index> clusters;
     for (std::size_t i = 0; i < n;) {
-      Arc arc;
-      arc.cluster = label_after(loop[(begin + i) % n]);
+      clusters.push_back(label_after(loop[(begin + i) % n]));
+      std::vector<Vector> points;
       do
-        arc.vertices.push_back(loop[(begin + i++) % n]);
-      while (i < n && label_after(loop[(begin + i) % n]) == arc.cluster);
-      arc.vertices.push_back(loop[(begin + i) % n]);
-      measure(arc);
-      arc_of_[arc.cluster] = Index(arcs_.size());
-      arcs_.push_back(arc);
+        points.push_back(mesh_.points[loop[(begin + i++) % n]]);
+      while (i < n && label_after(loop[(begin + i) % n]) == clusters.back());
+      points.push_back(mesh_.points[loop[(begin + i) % n]]);
+      arcs.emplace_back(points);
     }
-  }
-
-  Vector side(const Arc& arc, std::size_t i) const
-  {
-    using namespace internal;
-    return mesh_.points[arc.vertices[i + 1]] - mesh_.points[arc.vertices[i]];
-  }
-
-  void measure(Arc& arc) const
-  {
-    using namespace internal;
-    double sharpest = std::cos(30. * 3.14159265358979323846 / 180.) - 1e-6;
-    arc.length.assign(1, 0);
-    for (std::size_t i = 0; i + 1 < arc.vertices.size(); ++i) {
-      const Vector s = side(arc, i);
-      arc.length.push_back(arc.length.back() + std::sqrt(dot(s, s)));
-      if (i == 0)
-        continue;
-      const Vector before = side(arc, i - 1);
-      const double product = std::sqrt(dot(s, s) * dot(before, before));
-      if (product > 0 && dot(s, before) / product < sharpest) {
-        sharpest = dot(s, before) / product;
-        arc.corner = mesh_.points[arc.vertices[i]];
-        arc.has_corner = true;
-      }
+    const std::vector<std::size_t> chosen = internal::Border_fit(arcs).run();
+    for (std::size_t k = 0; k < arcs.size(); ++k) {
+      place_of_[clusters[k]] = Index(places_.size());
+      places_.push_back(arcs[k][chosen[k]]);
     }
-  }
-
-  Vector at(const Arc& arc, double length) const
-  {
-    using namespace internal;
-    std::size_t i = 0;
-    while (i + 2 < arc.vertices.size() && arc.length[i + 1] < length)
-      ++i;
-    const double part = arc.length[i + 1] - arc.length[i];
-    return mesh_.points[arc.vertices[i]] + (part > 0 ? (length - arc.length[i]) / part : 0.) * side(arc, i);
-  }
-
-  // Keeps off the ends, which the arc shares with its neighbors.
-  Vector closest(const Arc& arc, const Vector& p) const
-  {
-    using namespace internal;
-    double nearest = -1, length = 0;
-    for (std::size_t i = 0; i + 1 < arc.vertices.size(); ++i) {
-      const Vector s = side(arc, i), from = p - mesh_.points[arc.vertices[i]];
-      const double square = dot(s, s);
-      const double u = square > 0 ? (std::max)(0., (std::min)(1., dot(from, s) / square)) : 0;
-      const Vector d = from - u * s;
-      if (nearest < 0 || dot(d, d) < nearest) {
-        nearest = dot(d, d);
-        length = arc.length[i] + u * (arc.length[i + 1] - arc.length[i]);
-      }
-    }
-    return at(arc, (std::max)(0.1 * arc.length.back(), (std::min)(0.9 * arc.length.back(), length)));
   }
 
   const internal::Flat_mesh& mesh_;
   const internal::Cluster_labels& labels_;
-  std::vector<Index> arc_of_; // of each cluster; NONE inside
-  std::vector<Arc> arcs_;
+  std::vector<Index> place_of_; // of each cluster; NONE inside
+  std::vector<Vector> places_;
 };
 
 } // namespace Surface_mesh_coarsening

@@ -58,8 +58,8 @@ public:
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \param mesh a 2-manifold polygon mesh
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `face_density_map`,
-  /// `maximum_density`, `cluster_weight`, `minimum_component_area`, `subdivide_input`, `vertex_point_map`,
-  /// `face_index_map`, `geom_traits` and `visitor`, as `coarsen_mesh()` describes them
+  /// `maximum_density`, `border_densities`, `cluster_weight`, `minimum_component_area`, `subdivide_input`,
+  /// `vertex_point_map`, `face_index_map`, `geom_traits` and `visitor`, as `coarsen_mesh()` describes them
   /// \throws Invalid_input if the mesh has no faces, is not a 2-manifold, has a coordinate that is not finite, or if a
   /// parameter is out of range.
   template <class NamedParameters = parameters::Default_named_parameters>

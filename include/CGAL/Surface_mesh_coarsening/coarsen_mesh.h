@@ -94,6 +94,12 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{`50`}
 ///     \cgalParamExtra{not used if `face_density_map` is given}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{border_densities}
+///     \cgalParamDescription{whether densities are raised near borders that turn, so that more vertices lie there}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///     \cgalParamExtra{not used if `face_density_map` is given}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_density_map}
 ///     \cgalParamDescription{densities to be used instead of those of `compute_face_densities()`, in
 ///                           \f$ [10^{-20}, 10^{20}] \f$}

@@ -9,13 +9,19 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// computes the density of each face from the deviation of its normal from those around it (section 5.2 of the paper).
+/// computes the density of each face from the deviation of its normal from those around it (section 5.2 of the paper), and from
+/// the turn of borders.
 ///
 /// The deviation of a face is the mean of \f$ \| n - n_k \| \f$ over all pairs of a vertex of the face and a face
 /// \f$ k \f$ around that vertex. It is mapped linearly from \f$ [0, m] \f$, with \f$ m \f$ the largest deviation, to
 /// \f$ [1, r] \f$, with \f$ r \f$ the maximum density. If no face deviates by more than \f$ 10^{-6} \f$, all densities
 /// are 1. Faces without area deviate
 /// from nothing. Around a vertex of more than 256 faces each is compared with 256 of them, evenly spread.
+///
+/// Near a border that is curved, deviations are raised to at least \f$ 4 \sqrt{A} / (R + s) \f$, but not above
+/// \f$ m \f$. Here \f$ A \f$ is the area of the face, \f$ R \f$ the radius of curvature of the border, measured over three
+/// edges on either side of a vertex, and \f$ s \f$ the distance from it, along edges, up to a tenth of the length of the border loop.
+/// The user manual says why.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam FaceDensityMap a model of `WritablePropertyMap` with the faces as keys and values that `double` converts to
@@ -30,6 +36,11 @@ namespace Surface_mesh_coarsening {
 ///     \cgalParamDescription{the density of the face whose normal deviates most, in \f$ [1, 10^{20}] \f$}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`50`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{border_densities}
+///     \cgalParamDescription{whether densities are raised near borders; if not, they are those of the paper}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices of `mesh`}
@@ -47,17 +58,18 @@ namespace Surface_mesh_coarsening {
 /// \throws Invalid_input if the mesh is not a 2-manifold, if a coordinate is not finite, or if the maximum density is out
 /// of range.
 ///
-/// The time is linear in the sum of the squared valences of the vertices, with valences above 256 counted once only.
+/// The time is linear in the sum of the squared valences of the vertices, with valences above 256 counted once only, plus
+/// \f$ k \log k \f$ with the number \f$ k \f$ of vertices near borders.
 template <class FaceGraph, class FaceDensityMap, class NamedParameters = parameters::Default_named_parameters>
 void compute_face_densities(const FaceGraph& mesh, FaceDensityMap densities,
                             const NamedParameters& np = parameters::default_values())
 {
   typedef typename boost::property_traits<FaceDensityMap>::value_type Value;
   const internal::Numbering<FaceGraph> n = internal::numbering(mesh, np);
-  const double r_new = internal::maximum_density(np);
+  const internal::Density_choice choice = internal::density_choice(np);
   internal::Flat_mesh m = internal::flat_connectivity(mesh, n);
   internal::copy_points(mesh, np, n, m);
-  const std::vector<double> values = internal::densities_of(n, m, r_new, CGAL::internal_np::Param_not_found());
+  const std::vector<double> values = internal::densities_of(n, m, choice, CGAL::internal_np::Param_not_found());
   for (std::size_t i = 0; i < values.size(); ++i)
     put(densities, n.faces[i], Value(values[i]));
 }

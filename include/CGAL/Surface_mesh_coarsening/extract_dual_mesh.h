@@ -20,7 +20,7 @@ namespace internal {
 template <class FaceGraph, class DensityMap>
 std::vector<double> densities_or_one(const Numbering<FaceGraph>& n, const Flat_mesh& m, const DensityMap& map)
 {
-  return densities_of(n, m, 1, map);
+  return densities_of(n, m, {1, false}, map);
 }
 template <class FaceGraph>
 std::vector<double> densities_or_one(const Numbering<FaceGraph>& n, const Flat_mesh&,

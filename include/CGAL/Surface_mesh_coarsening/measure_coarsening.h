@@ -7,10 +7,12 @@
 #include <CGAL/Surface_mesh_coarsening/internal/named_parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -34,19 +36,45 @@ struct Coarsening_quality
   double mean_smallest_angle = 0;
   /// The smallest angle of all triangles of the second mesh.
   double smallest_angle = 0;
+  /// The part of the triangles of the second mesh that have an angle of less than 30 degrees.
+  double part_below_30_degrees = 0;
   /// The number of pairs of faces of the second mesh that intersect.
   std::size_t self_intersections = 0;
-  /// The root of the mean squared distance of the borders, the larger of the two directions; 0 without borders.
+  /// The root of the mean squared distance between the borders as curves, the larger of the two directions; 0 without
+  /// borders, and infinity if one mesh has a border and the other has none.
   double border_rms_distance = 0;
+  /// The mean distance between the borders, likewise.
+  double border_mean_distance = 0;
+  /// The largest distance of a sample between the borders, likewise.
+  double border_maximum_distance = 0;
   /// The diagonal of the bounding box of the first mesh.
   double diagonal = 0;
 };
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+inline void measure_borders(const Triangle_mesh& a, const Triangle_mesh& b, std::size_t samples, Coarsening_quality& quality)
+{
+  if (is_closed(a) != is_closed(b)) {
+    quality.border_rms_distance = quality.border_mean_distance = quality.border_maximum_distance =
+      std::numeric_limits<double>::infinity();
+    return;
+  }
+  const Distance_statistics forth = border_distances(a, b, samples), back = border_distances(b, a, samples);
+  quality.border_rms_distance = (std::max)(forth.rms(), back.rms());
+  quality.border_mean_distance = (std::max)(forth.mean(), back.mean());
+  quality.border_maximum_distance = (std::max)(forth.maximum, back.maximum);
+}
+
+} // namespace internal
+/// \endcond
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// measures how well a mesh stands for another.
 ///
 /// Distances are measured from samples on each mesh to the other: as many as asked for, spread over the faces by area, at
-/// points that depend on nothing but the mesh. Polygons are triangulated by a fan for this.
+/// points that depend on nothing but the mesh; and likewise along the borders. Polygons are triangulated by a fan for this.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam CoarseFaceGraph a model of `FaceListGraph`
@@ -81,13 +109,13 @@ Coarsening_quality measure_coarsening(const FaceGraph& mesh, const CoarseFaceGra
   quality.mean_distance = (std::max)(forth.mean(), back.mean());
   quality.maximum_distance = (std::max)(forth.maximum, back.maximum);
   quality.mean_normal_deviation = back.mean_normal_deviation();
-  quality.border_rms_distance = (std::max)(internal::border_distances(a, b, number_of_samples).rms(),
-                                           internal::border_distances(b, a, number_of_samples).rms());
+  internal::measure_borders(a, b, number_of_samples, quality);
   quality.smallest_angle = 180;
   for (const auto f : faces(b)) {
     const double angle = internal::smallest_angle(b, f);
     quality.smallest_angle = (std::min)(quality.smallest_angle, angle);
     quality.mean_smallest_angle += angle / double(num_faces(b));
+    quality.part_below_30_degrees += angle < 30 - 1e-9 ? 1 / double(num_faces(b)) : 0;
   }
   std::vector<std::pair<internal::Triangle_mesh::Face_index, internal::Triangle_mesh::Face_index> > pairs;
   Polygon_mesh_processing::self_intersections(b, std::back_inserter(pairs));

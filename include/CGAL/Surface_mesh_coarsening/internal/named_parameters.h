@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/border_deviations.h>
 #include <CGAL/Surface_mesh_coarsening/internal/build_flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/parameters.h>
 
@@ -57,18 +58,26 @@ Frame copy_points(const FaceGraph& mesh, const NamedParameters& np, const Number
   return copy_points(n, points, traits, m);
 }
 
+// Which densities to compute.
+struct Density_choice
+{
+  double maximum;
+  bool at_borders;
+};
+
 template <class NamedParameters>
-double maximum_density(const NamedParameters& np)
+Density_choice density_choice(const NamedParameters& np)
 {
   const double r = choose_parameter(get_parameter(np, internal_np::maximum_density_p), 50.);
   if (!(r >= 1 && r <= 1e20))
     throw Invalid_input("the maximum density is " + std::to_string(r) + ", not in [1, 1e20]");
-  return r;
+  return {r, choose_parameter(get_parameter(np, internal_np::border_densities_p), true)};
 }
 
 // The caller's densities, checked.
 template <class FaceGraph, class DensityMap>
-std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&, double, const DensityMap& map)
+std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&, const Density_choice&,
+                                 const DensityMap& map)
 {
   std::vector<double> densities;
   densities.reserve(n.faces.size());
@@ -82,13 +91,15 @@ std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&
   return densities;
 }
 
-// The densities of section 5.2.
+// The densities of section 5.2, raised near borders.
 template <class FaceGraph>
-std::vector<double> densities_of(const Numbering<FaceGraph>&, const Flat_mesh& m, double maximum_density,
+std::vector<double> densities_of(const Numbering<FaceGraph>&, const Flat_mesh& m, const Density_choice& choice,
                                  const CGAL::internal_np::Param_not_found&)
 {
   std::vector<double> densities = mean_normal_deviations(m);
-  map_to_densities(densities, maximum_density);
+  if (choice.at_borders)
+    Border_deviations(m).raise(densities);
+  map_to_densities(densities, choice.maximum);
   return densities;
 }
 
@@ -97,12 +108,12 @@ Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& 
                                   Frame& frame)
 {
   Clustering_input input;
-  const double r_new = maximum_density(np);
+  const Density_choice choice = density_choice(np);
   input.mesh = flat_connectivity(mesh, n);
   if (n.faces.empty())
     throw Invalid_input("the input has no faces");
   frame = copy_points(mesh, np, n, input.mesh);
-  input.density = densities_of(n, input.mesh, r_new, get_parameter(np, internal_np::face_density));
+  input.density = densities_of(n, input.mesh, choice, get_parameter(np, internal_np::face_density));
   input.complete();
   return input;
 }

@@ -9,6 +9,7 @@ CGAL_add_named_parameter(start_from_face_clusters_t, start_from_face_clusters_p,
 CGAL_add_named_parameter(vertex_boundary_count_t, vertex_boundary_count, vertex_boundary_count_map)
 CGAL_add_named_parameter(cluster_weight_t, cluster_weight_p, cluster_weight)
 CGAL_add_named_parameter(maximum_density_t, maximum_density_p, maximum_density)
+CGAL_add_named_parameter(border_densities_t, border_densities_p, border_densities)
 CGAL_add_named_parameter(neighborhood_level_t, neighborhood_level_p, neighborhood_level)
 CGAL_add_named_parameter(vertex_placement_t, vertex_placement_p, vertex_placement)
 CGAL_add_named_parameter(subdivide_input_t, subdivide_input_p, subdivide_input)

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COARSEN_MESH_QUALITY_H
+#define COARSEN_MESH_QUALITY_H
+
+#include "coarsening.h"
+
+#include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
+
+#include <string>
+
+namespace coarsen_mesh_tool {
+
+using CGAL::Surface_mesh_coarsening::Coarsening_quality;
+
+// Measures how well the result stands for the input, without components that were left out on purpose.
+Coarsening_quality measure(const Mesh& input, const Coarsening_result& result);
+
+// A length of the measurement in % of the diagonal of the input's bounding box.
+double percent(const Coarsening_quality& quality, double length);
+
+// Lines for the user.
+std::string quality_text(const Mesh& result, const Coarsening_quality& quality);
+
+} // namespace coarsen_mesh_tool
+
+#endif // COARSEN_MESH_QUALITY_H
