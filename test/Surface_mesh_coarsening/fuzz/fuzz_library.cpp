@@ -7,6 +7,7 @@
 #include "build_mesh.h"
 
 #include "support/Reference_mesh.h"
+#include "support/mesh_files.h"
 #include "support/soup_fault.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
@@ -25,6 +26,8 @@
 #include <cmath>
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <map>
 #include <memory>
@@ -223,6 +226,15 @@ void check_call(const Call& call, const Soup& soup, std::size_t number, bool is_
   }
 }
 
+// Shows what a finding is about.
+void print(const Soup& soup, const Parameters& p)
+{
+  std::printf("# number %zu, level %zu, rounds %zu, weight %zu, subdivide %d, own densities %d, least area %g\n", p.number,
+              p.level, p.rounds, p.weight, p.subdivide, p.own_densities, p.least_area);
+  std::printf("%s", mesh_files::off(soup).c_str());
+  std::fflush(stdout);
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
@@ -242,6 +254,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const int bad = bytes.next() == 7;
   for (const auto f : faces(mesh))
     densities[f] = bad && densities.size() == 2 ? -1. : std::pow(10., double(bytes.next() % 13) - 6);
+  if (std::getenv("FUZZ_PRINT"))
+    print(soup, parameters);
   check_call({mesh, parameters, densities}, soup, parameters.number, false);
   return 0;
 }
