@@ -105,7 +105,7 @@ std::string run(const Options& options)
   const auto fault = triangle_mesh_fault(result.mesh);
   if (fault)
     throw Failure(options.input, "the result is not a valid mesh and is not written: " + *fault);
-  const Certificate certificate = certify(input.mesh, result.labels, result.mesh);
+  const Certificate certificate = certify(input.mesh, result.labels, result.mesh, result.report.subdivided_components == 0);
 
   Files files;
   if (!options.picture.empty()) {

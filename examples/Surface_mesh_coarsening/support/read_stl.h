@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -31,7 +32,7 @@ inline void merge_stl_corners(const std::vector<std::array<double, 3> >& corners
   std::iota(first.begin(), first.end(), std::size_t(0));
   order.erase(std::remove_if(order.begin(), order.end(), [&](std::size_t i) { return !is_number(i); }), order.end());
   std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return corners[i] < corners[j] || (corners[i] == corners[j] && i < j);
+    return corners[i] == corners[j] ? i < j : corners[i] < corners[j];
   });
   for (std::size_t k = 1; k < order.size(); ++k)
     if (corners[order[k]] == corners[order[k - 1]])
