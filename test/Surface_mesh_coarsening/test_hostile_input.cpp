@@ -6,6 +6,8 @@
 #define BOOST_TEST_MODULE hostile_input
 #include "support/face_graphs.h"
 
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 
@@ -207,6 +209,31 @@ BOOST_AUTO_TEST_CASE(extreme_coordinates)
   check_coarsened(soup, 40, false);
   check_coarsened(generated::translated(sphere(), 1e15, 0, 0), 40);
   check_coarsened(generated::translated(sphere(), 1e300, 0, 0), 40);
+}
+
+// What a placement cannot place.
+BOOST_AUTO_TEST_CASE(positions_that_are_not_finite)
+{
+  Soup soup = generated::triangle_sphere(2);
+  const auto check = [&](const auto& placement) {
+    const Mesh mesh = test::to_mesh(soup);
+    Mesh output;
+    SMC::coarsen_mesh(mesh, 20, output, SMC::parameters::vertex_placement(placement));
+    check_surface(mesh, output, 20);
+    for (const auto v : output.vertices())
+      for (int i = 0; i < 3; ++i)
+        BOOST_CHECK(std::isfinite(output.point(v)[i]));
+  };
+  check([](const SMC::Clustered_surface&, std::size_t x) {
+    const double nowhere = x % 2 ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity();
+    return SMC::Clustered_surface::Point{{0, nowhere, 0}};
+  });
+  for (const double size : {1e300, 1.7e308}) {
+    soup = generated::scaled(generated::triangle_sphere(2), size);
+    soup.points[3] = {0, 0, 0};
+    check(SMC::Quadric_placement());
+    check(SMC::Fitted_placement());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(face_of_ten_thousand_sides)

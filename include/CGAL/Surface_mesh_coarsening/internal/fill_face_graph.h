@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -20,12 +21,16 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A position in the arrays in the coordinates of the mesh.
+// A position in the arrays in the coordinates of the mesh. Near the end of the range of double, positions beyond those of the
+// mesh may have none; they get the largest number.
 inline Vector to_mesh_coordinates(const Frame& frame, const Vector& p)
 {
+  constexpr double largest = (std::numeric_limits<double>::max)();
   Vector q;
-  for (int i = 0; i < 3; ++i)
-    q[i] = frame.origin[i] + (frame.exponent == 0 ? p[i] : std::ldexp(p[i], frame.exponent));
+  for (int i = 0; i < 3; ++i) {
+    const double x = frame.origin[i] + (frame.exponent == 0 ? p[i] : std::ldexp(p[i], frame.exponent));
+    q[i] = (std::min)((std::max)(x, -largest), largest);
+  }
   return q;
 }
 
