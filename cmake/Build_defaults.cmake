@@ -9,6 +9,7 @@ endif()
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON) # for clang-tidy
 
 # Headers of CGAL, Boost and Eigen are system headers, being those of imported targets: only ours can warn.
 add_compile_options(-Wall -Wextra)

@@ -221,7 +221,7 @@ BOOST_AUTO_TEST_CASE(unreadable_input)
   shop.write("text.off", "This is no mesh.\n");
   shop.write("short.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n");
   shop.write("greedy.off", "OFF\n2000000000 2000000000 0\n0 0 0\n");
-  shop.write("colorless.off", "COFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3");
+  shop.write("colorless.off", "COFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   shop.write("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
   shop.write("stray.ply", "ply\nformat ascii 1.0\nproperty double x\nend_header\n");
   shop.write("short.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"

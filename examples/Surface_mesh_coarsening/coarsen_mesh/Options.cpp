@@ -137,7 +137,8 @@ void print_help(const po::options_description& described)
                "by multiplicatively weighted centroidal Voronoi diagrams. INPUT is an oriented 2-manifold mesh; INPUT\n"
                "and OUTPUT are .off, .obj, .ply or .stl files. Messages number faces and vertices from 0.\n\n"
             << described
-            << "\nExit status: 0 done, 1 could not (one line on standard error says why), 2 wrong usage.\n";
+            << "\nExit status: 0 done, 1 could not (one line on standard error says why), 2 wrong usage; 128 + the number\n"
+               "of the signal when SIGINT (130), SIGTERM (143) or SIGHUP (129) ended it. Files appear on status 0 only.\n";
 }
 
 void check_files(const Options& options)

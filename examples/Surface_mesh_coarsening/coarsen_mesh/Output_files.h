@@ -4,6 +4,7 @@
 #define COARSEN_MESH_OUTPUT_FILES_H
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,14 +13,15 @@ namespace coarsen_mesh_tool {
 // Writes several files so that each appears whole, and all of them or none.
 //
 // A staged file lies under another name in the folder of its target, so that giving it its own name is one step of the
-// file system. What has not been committed is removed by the destructor.
+// file system. What has not been committed is removed by the destructor. Pipes and devices cannot be treated so: they are
+// written to when everything else is staged and nothing has its name yet.
 class Output_files
 {
   struct Entry
   {
     std::string name; // as the user gave it
     std::filesystem::path target, temporary, former;
-    std::string bytes; // for targets that cannot be replaced, such as terminals and pipes
+    std::string bytes; // for a pipe or a device
     bool placed = false;
   };
   std::vector<Entry> entries;
@@ -32,6 +34,9 @@ public:
 
   // Writes the content under a temporary name. Throws Failure if that cannot be done.
   void stage(const std::string& file, const std::string& bytes);
+
+  // Writes to pipes and devices. `stop` is called when a signal has interrupted that; it throws to give up.
+  void write_streams(const std::function<void()>& stop);
 
   // Gives all staged files their names. Throws Failure after having undone everything if one cannot get its name.
   void commit();

@@ -2,6 +2,8 @@
 
 #include "Progress_line.h"
 
+#include "Interruption.h"
+
 #include <cstdio>
 
 #include <unistd.h>
@@ -10,6 +12,7 @@ namespace coarsen_mesh_tool {
 
 Progress_line::Progress_line(bool wanted)
 {
+  const Deferred_interruption in_painter; // signals are to reach the thread that works
   if (wanted && isatty(STDERR_FILENO))
     painter = std::thread([this] { paint_until_end(); });
 }

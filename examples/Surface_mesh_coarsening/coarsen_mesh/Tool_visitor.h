@@ -4,6 +4,7 @@
 #define COARSEN_MESH_TOOL_VISITOR_H
 
 #include "support/Timing_visitor.h"
+#include "Interruption.h"
 #include "Progress_line.h"
 
 #include <cstddef>
@@ -11,7 +12,7 @@
 
 namespace coarsen_mesh_tool {
 
-// Measures the stages and tells the user about them.
+// Measures the stages, tells the user about them, and ends the work when the user wishes.
 class Tool_visitor : public coarsening_support::Timing_visitor
 {
   using Stage = CGAL::Surface_mesh_coarsening::Coarsening_stage;
@@ -28,6 +29,8 @@ public:
     progress.say(coarsening_support::stage_name(stage));
     Timing_visitor::stage_begins(stage);
   }
+
+  bool go_further() { return !Interruption::is_requested(); }
 
   void round_done(std::size_t round, std::size_t moves, double)
   {

@@ -6,7 +6,7 @@
 #include "support/Stage_times.h"
 #include "support/certificate.h"
 #include "support/file_type.h"
-#include "Deferred_interruption.h"
+#include "Interruption.h"
 #include "Options.h"
 #include "Output_files.h"
 #include "Progress_line.h"
@@ -17,6 +17,7 @@
 #include "picture.h"
 #include "quality.h"
 #include "report.h"
+#include "run_and_report.h"
 #include "serialization.h"
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
@@ -25,6 +26,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <new>
 #include <string>
@@ -44,6 +46,9 @@ Coarsening_result coarsen_or_explain(const Input& input, const Options& options,
     Coarsening_result result = coarsen(input.mesh, options, visitor);
     times.end();
     return result;
+  } catch (const SMC::Coarsening_cancelled&) {
+    Interruption::throw_if_requested();
+    throw;
   } catch (const SMC::Unreachable_number_of_vertices& e) {
     throw Failure(options.input,
                   one_line(e.what()) + " (nearest number that works: " + std::to_string(e.nearest()) + ")");
@@ -73,6 +78,28 @@ std::string summary(const Options& options, const Input& input, const Coarsening
          (findings.quality ? "\n" + quality_text(result.mesh, *findings.quality) : "");
 }
 
+typedef std::vector<std::pair<std::string, std::string> > Files; // name and content
+
+// Lets the files and the report appear, which is made last as it tells how long the others took.
+void write_files(const Options& options, const Files& files, const std::function<std::string()>& make_report)
+{
+  Output_files outputs;
+  {
+    const Deferred_interruption deferred;
+    Interruption::files_are_there();
+    for (const auto& file : files)
+      outputs.stage(file.first, file.second);
+    const std::string report = make_report();
+    if (!options.report.empty())
+      outputs.stage(options.report, report);
+  }
+  Interruption::throw_if_requested();
+  outputs.write_streams(Interruption::throw_if_requested);
+  const Deferred_interruption deferred;
+  Interruption::throw_if_requested();
+  outputs.commit();
+}
+
 // Computes everything, and only then lets the files appear.
 std::string run(const Options& options)
 {
@@ -88,39 +115,39 @@ std::string run(const Options& options)
   }
   const Coarsening_result result = coarsen_or_explain(input, options, times, progress);
 
+  Interruption::throw_if_requested();
   times.begin("check");
   progress.say("checking the result");
   findings.fault = triangle_mesh_fault(result.mesh);
   if (findings.fault)
     throw Failure(options.input, "the result is not a valid mesh and is not written: " + *findings.fault);
-  findings.certificate = certify(input.mesh, result.labels, result.mesh, result.report.dropped_components);
+  findings.certificate = certify(input.mesh, result.labels, result.mesh, result.report.dropped_components,
+                                result.report.subdivided_components == 0);
   if (options.measure) {
     times.begin("measuring");
     progress.say("measuring");
     findings.quality = measure(input.mesh, result);
+    Interruption::throw_if_requested();
   }
 
-  std::vector<std::pair<std::string, std::string> > files; // name and content
+  Files files;
   if (!options.picture.empty()) {
     times.begin("picture");
     progress.say("rendering");
     files.emplace_back(options.picture,
                        picture_bytes(input.mesh, result.labels, result.mesh, options.view, options.up));
   }
+  Interruption::throw_if_requested();
   times.begin("write");
   progress.say("writing");
   files.emplace_back(options.output, mesh_bytes(result.mesh, file_type(options.output)));
   if (!options.clusters.empty())
     files.emplace_back(options.clusters, cluster_bytes(input.mesh, result.labels));
   progress.end();
-  const Deferred_interruption deferred;
-  Output_files outputs;
-  for (const auto& file : files)
-    outputs.stage(file.first, file.second);
-  times.end();
-  if (!options.report.empty())
-    outputs.stage(options.report, report_text(options, input, result, findings, times));
-  outputs.commit();
+  write_files(options, files, [&] {
+    times.end();
+    return options.report.empty() ? "" : report_text(options, input, result, findings, times);
+  });
   return summary(options, input, result, findings, times);
 }
 
@@ -130,35 +157,43 @@ int complain(const std::string& what, int status)
   return status;
 }
 
+} // namespace
+
 int run_and_report(int argc, char* argv[])
 {
+  // CGAL's own messages span several lines; what they say arrives as an exception too.
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
+  CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
+  std::string subject = "the command line";
   try {
     const auto options = read_options(argc, argv);
-    if (!options)
-      return 0;
+    if (!options) {
+      std::cout.flush();
+      return std::cout ? 0 : complain("standard output: cannot be written", 1);
+    }
+    subject = options->input;
     const std::string done = run(*options);
     if (!options->quiet)
       std::cout << done << std::endl;
     return 0;
   } catch (const Wrong_usage& e) {
     return complain(e.what(), 2);
+  } catch (const Interrupted& e) {
+    return complain(subject + ": " + e.what(), e.exit_status());
   } catch (const std::bad_alloc&) {
-    return complain("there is not enough memory", 1);
+    return complain(subject + ": there is not enough memory", 1);
   } catch (const std::exception& e) {
     return complain(e.what(), 1);
   }
 }
 
-} // namespace
 } // namespace coarsen_mesh_tool
 
 int main(int argc, char* argv[])
 {
-  // CGAL's own messages span several lines; what they say arrives as an exception too.
-  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
-  CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
   // A reader that goes away and a file that grows too large are failures to write, and no reason to die on the spot.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  coarsen_mesh_tool::Interruption::install();
   return coarsen_mesh_tool::run_and_report(argc, argv);
 }

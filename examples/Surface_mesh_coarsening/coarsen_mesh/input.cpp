@@ -7,6 +7,7 @@
 #include "support/read_soup.h"
 #include "support/soup_fault.h"
 #include "support/to_mesh.h"
+#include "Interruption.h"
 
 #include <exception>
 
@@ -29,7 +30,7 @@ Input read_input(const Options& options, Stage_times& times, Progress_line& prog
 {
   times.begin("read");
   progress.say("reading " + options.input);
-  Soup soup = read_soup(options.input);
+  Soup soup = read_soup(options.input, Interruption::throw_if_requested);
   Input result;
   result.points_in_file = soup.points.size();
   result.polygons_in_file = soup.polygons.size();
@@ -37,6 +38,7 @@ Input read_input(const Options& options, Stage_times& times, Progress_line& prog
     times.begin("repair");
     progress.say("repairing");
     result.repairs = try_repair(options.input, soup);
+    Interruption::throw_if_requested();
     times.begin("read");
   }
   if (const auto fault = soup_fault(soup))

@@ -187,9 +187,10 @@ struct Certificate
 };
 
 // Compares the topology of the coarse mesh with the input's. Vertex `i` of the output stands for the label `i`; faces of
-// components that were left out, `dropped_components` of them, have the number of vertices as their label.
+// components that were left out, `dropped_components` of them, have the number of vertices as their label. Where faces had
+// to be cut, their labels are those of their largest parts; these do not say where three clusters meet.
 inline Certificate certify(const Mesh& input, const std::vector<std::size_t>& labels, const Mesh& output,
-                           std::size_t dropped_components = 0)
+                           std::size_t dropped_components = 0, bool faces_are_whole = true)
 {
   const Mesh_components before = mesh_components(input), after = mesh_components(output);
   const std::size_t none = (std::numeric_limits<std::size_t>::max)();
@@ -214,7 +215,7 @@ inline Certificate certify(const Mesh& input, const std::vector<std::size_t>& la
     if (partner[b] != none)
       result.components.back().after = after.counts[partner[b]];
   }
-  result.orientation_kept = is_orientation_kept(input, labels, output);
+  result.orientation_kept = !faces_are_whole || is_orientation_kept(input, labels, output);
   return result;
 }
 

@@ -255,14 +255,26 @@ public:
   void extract_dual_mesh(Output& output, const VertexPlacement& placement = VertexPlacement(),
                          const NamedParameters& np = parameters::default_values()) const
   {
+    extract_dual_mesh(output, placement, np, [] {});
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  // `before` is called when everything is done that can fail, and `output` has not changed yet.
+  template <class Output, class VertexPlacement, class NamedParameters, class Before>
+  void extract_dual_mesh(Output& output, const VertexPlacement& placement, const NamedParameters& np,
+                         const Before& before) const
+  {
     visitor_.stage_begins(Coarsening_stage::TRIANGULATION);
     const Clustered_surface surface(working_input(), labels(), report_.clusters);
     std::vector<internal::Triangle> triangles = internal::dual_triangles(labels());
     const std::vector<internal::Vector> positions = internal::place_vertices(surface, placement, triangles);
+    internal::Face_graph_filler<Output, NamedParameters> filler(positions, frame_, triangles, output, np);
     visitor_.throw_if_cancelled();
-    internal::fill_face_graph(positions, frame_, triangles, output, np);
     visitor_.stage_ends(Coarsening_stage::TRIANGULATION);
+    before();
+    filler.commit();
   }
+  /// \endcond
   /// @}
 
 private:

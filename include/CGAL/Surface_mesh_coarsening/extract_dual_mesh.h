@@ -91,7 +91,8 @@ void extract_dual_mesh(const FaceGraph& mesh, const FaceClusterMap& clusters, Ou
                        const NamedParametersOut& np_out = parameters::default_values())
 {
   const internal::Dual_soup dual = internal::dual_of_clusters(mesh, clusters, np_in);
-  internal::fill_face_graph(dual.positions, dual.frame, dual.triangles, output, np_out);
+  internal::Face_graph_filler<OutputFaceGraph, NamedParametersOut>(dual.positions, dual.frame, dual.triangles, output, np_out)
+    .commit();
 }
 
 /// \ingroup PkgSurfaceMeshCoarseningRef

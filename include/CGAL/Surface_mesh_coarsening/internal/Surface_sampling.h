@@ -51,12 +51,12 @@ Triangle_mesh triangulated_copy(const FaceGraph& mesh, const NamedParameters& np
   if (n.faces.empty())
     throw Invalid_input("a mesh without faces cannot be measured");
   const Frame frame = copy_points(mesh, np, n, m);
-  std::vector<Triangle> triangles;
+  std::vector<std::array<std::size_t, 3> > triangles;
   for (std::size_t f = 0; f < m.number_of_faces(); ++f)
     for (Index c = m.first_corner[f] + 2; c != m.first_corner[f + 1]; ++c)
-      triangles.push_back({m.corner_vertex[m.first_corner[f]], m.corner_vertex[c - 1], m.corner_vertex[c]});
+      triangles.push_back({{m.corner_vertex[m.first_corner[f]], m.corner_vertex[c - 1], m.corner_vertex[c]}});
   Triangle_mesh copy;
-  fill_face_graph(m.points, frame, triangles, copy, parameters::default_values());
+  Polygon_mesh_processing::polygon_soup_to_polygon_mesh(to_points(m.points, frame, Measuring_kernel()), triangles, copy);
   return copy;
 }
 

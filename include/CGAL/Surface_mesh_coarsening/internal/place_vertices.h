@@ -7,6 +7,8 @@
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
 
+#include <algorithm>
+#include <cmath>
 #include <type_traits>
 #include <vector>
 
@@ -35,6 +37,11 @@ std::vector<Vector> place_vertices(const Clustered_surface& surface, const Place
   } else {
     placement(surface, border, triangles, positions);
   }
+  // Where a placement finds nothing, as among coordinates of very different sizes, the centroid stands in.
+  const auto is_number = [](double x) { return std::isfinite(x); };
+  for (std::size_t x = 0; x < positions.size(); ++x)
+    if (!std::all_of(positions[x].begin(), positions[x].end(), is_number))
+      positions[x] = surface.cluster_centroid(x);
   return positions;
 }
 
