@@ -284,7 +284,7 @@ private:
     visitor_.stage_begins(Coarsening_stage::SEEDING);
     forget();
     reset_report();
-    initial_ = std::make_unique<internal::Initial_clustering>(input_, report_);
+    initial_ = std::make_unique<internal::Initial_clustering>(input_, report_, internal::Checkpoint(visitor_));
     seed(*initial_);
     visitor_.stage_ends(Coarsening_stage::SEEDING);
     return report_.seeds;
@@ -307,8 +307,8 @@ private:
 
   void begin_minimization(std::size_t clusters)
   {
-    minimization_ = std::make_unique<internal::Energy_minimization<ClusterWeight> >(working_input(), *labels_, clusters,
-                                                                                     weight_, execution_);
+    minimization_ = std::make_unique<internal::Energy_minimization<ClusterWeight> >(
+      working_input(), *labels_, clusters, weight_, internal::Checkpoint(visitor_), execution_);
     report_.initial_energy = report_.final_energy = minimization_->energy();
   }
 

@@ -34,7 +34,8 @@ struct Component_seeds
 class Component_clustering
 {
 public:
-  explicit Component_clustering(const Clustering_input& input) : input_(input), walk_(input.mesh) {}
+  Component_clustering(const Clustering_input& input, const Checkpoint& checkpoint)
+    : input_(input), checkpoint_(checkpoint), walk_(input.mesh, checkpoint) {}
 
   Component_seeds seeds(const Face_range& faces, const Component_plan& plan)
   {
@@ -49,14 +50,14 @@ public:
   {
     for (const Index f : faces)
       labels.set(f, NONE);
-    Cluster_growth growth(labels);
+    Cluster_growth growth(labels, checkpoint_);
     Index clusters = 0;
     for (const Index f : seeds.faces)
       growth.plant(f, clusters++);
     growth.run();
     clusters = growth.cover(faces, clusters);
 
-    Cluster_splitting<Face_range> splitting(labels, faces, clusters);
+    Cluster_splitting<Face_range> splitting(labels, faces, clusters, checkpoint_);
     if (!splitting.run() || !plan.may_begin_with(splitting.number_of_clusters()))
       return 0;
     splits_ = splitting.number_of_splits();
@@ -66,7 +67,7 @@ public:
       return splitting.number_of_clusters();
     Cluster_merging merging(labels, faces, splitting.number_of_clusters(), input_.area, !plan.is_on_ladder(),
                             plan.from_pieces() && plan.is_on_ladder());
-    merges_ = merging.run(plan.wanted());
+    merges_ = merging.run(plan.wanted(), checkpoint_);
     is_pinched_ = merging.has_joined_at_vertices();
     merging.relabel(labels, faces);
     return merging.number_of_clusters();
@@ -110,6 +111,7 @@ private:
   }
 
   const Clustering_input& input_;
+  Checkpoint checkpoint_;
   Seed_walk walk_;
   std::size_t splits_ = 0, merges_ = 0;
   bool is_pinched_ = false;

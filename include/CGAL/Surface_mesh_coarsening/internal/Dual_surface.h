@@ -110,7 +110,11 @@ private:
     if (is_loop(tip) || !is_arc_[next(e)] || !is_arc_[previous(e)])
       return false;
     std::size_t arcs = 0;
-    for_each_edge_from(tip, [&](Edge f) { arcs += is_arc_[f]; });
+    Edge f = previous(e);
+    do {
+      arcs += is_arc_[f];
+      f = opposite_[previous(f)];
+    } while (f != previous(e) && arcs <= 2);
     return arcs == 2;
   }
 

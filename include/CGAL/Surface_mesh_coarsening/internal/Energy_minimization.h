@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Valid_moves.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/parallel.h>
 
 #include <CGAL/assertions.h>
@@ -43,8 +44,8 @@ class Energy_minimization
 {
 public:
   Energy_minimization(const Clustering_input& input, Cluster_labels& labels, std::size_t number_of_clusters,
-                      const Weight& weight, Execution execution = Execution::SEQUENTIAL)
-    : mesh_(input.mesh), labels_(labels), weight_(weight), execution_(execution), moves_(labels, number_of_clusters),
+                      const Weight& weight, const Checkpoint& checkpoint, Execution execution)
+    : mesh_(input.mesh), labels_(labels), weight_(weight), checkpoint_(checkpoint), execution_(execution), moves_(labels, number_of_clusters),
       faces_(mesh_.number_of_faces()), clusters_(number_of_clusters)
   {
     for_each_chunk(execution_, faces_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -256,8 +257,10 @@ private:
     for (std::size_t begin = 0; begin < edges; begin += batch) {
       find_moves(begin, (std::min)(edges, begin + batch), all);
       for (const std::vector<Move>& found : found_)
-        for (const Move& m : found)
+        for (const Move& m : found) {
+          checkpoint_.pass();
           moves += make(m);
+        }
     }
     if (moves > 0)
       drop_inner_edges();
@@ -340,6 +343,7 @@ private:
   const Flat_mesh& mesh_;
   Cluster_labels& labels_;
   Weight weight_;
+  Checkpoint checkpoint_;
   Execution execution_;
   Valid_moves moves_;
   std::vector<Face> faces_;

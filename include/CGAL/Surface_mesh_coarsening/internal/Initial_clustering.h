@@ -28,8 +28,8 @@ namespace internal {
 class Initial_clustering
 {
 public:
-  Initial_clustering(const Clustering_input& input, Coarsening_report& report)
-    : uncut_input_(&input), input_(&input), report_(report)
+  Initial_clustering(const Clustering_input& input, Coarsening_report& report, const Checkpoint& checkpoint)
+    : uncut_input_(&input), input_(&input), report_(report), checkpoint_(checkpoint)
   {
     const std::vector<Component>& components = input.mesh.components;
     for (const Component& c : components)
@@ -63,6 +63,8 @@ public:
   void seed(std::size_t number)
   {
     number_ = number;
+    if (number_ > sum(most_) && some_component_may_need_more_clusters_than_vertices())
+      find_least();
     if (number_ > sum(most_))
       throw Unreachable_number_of_vertices(std::to_string(number_) + " vertices were asked for, but the input has only " +
                                              std::to_string(sum(most_)), sum(most_));
@@ -165,14 +167,27 @@ private:
       }
   }
 
+  bool some_component_may_need_more_clusters_than_vertices() const
+  {
+    const std::vector<Component>& components = uncut_input_->mesh.components;
+    return std::any_of(components.begin(), components.end(), [](const Component& c) {
+      return c.vertices < Component_plan::always_enough(c);
+    });
+  }
+
   // The smallest number that works is known once every component has been brought down to its own.
-  [[noreturn]] void throw_too_small()
+  void find_least()
   {
     do {
       begin_plans(least_);
       prepare();
       find_seeds();
     } while (!grow_components());
+  }
+
+  [[noreturn]] void throw_too_small()
+  {
+    find_least();
     const std::size_t least = sum(least_);
     throw Unreachable_number_of_vertices(
       std::to_string(number_) + (number_ == 1 ? " vertex was" : " vertices were") + " asked for, but the input, with " +
@@ -212,7 +227,7 @@ private:
     for (std::size_t f = 0; f < m.number_of_faces(); ++f)
       faces_[at[m.component[f]]++] = Index(f);
     labels_.emplace(m);
-    clustering_.emplace(*input_);
+    clustering_.emplace(*input_, checkpoint_);
     std::fill(state_.begin(), state_.end(), State::NEW);
   }
 
@@ -329,6 +344,7 @@ private:
   std::optional<Clustering_input> subdivided_input_, cut_input_;
   std::optional<Clustering_input> joined_input_; // after growth, where clusters are joined at vertices
   Coarsening_report& report_;
+  Checkpoint checkpoint_;
   std::size_t number_ = 0;
   bool may_exceed_number_ = false; // where topology needs more
   std::vector<Index> faces_;       // component by component

@@ -70,6 +70,25 @@ private:
   std::function<bool()> go_further_;
 };
 
+// Asks the visitor whether to go on, now and then: what lies between two questions takes about a millisecond.
+class Checkpoint
+{
+public:
+  Checkpoint() {}
+  explicit Checkpoint(const Visitor_handle& visitor) : visitor_(&visitor) {}
+
+  void pass()
+  {
+    if (++passed_ % often == 0 && visitor_ != nullptr)
+      visitor_->throw_if_cancelled();
+  }
+
+private:
+  static constexpr std::size_t often = 1 << 14;
+  const Visitor_handle* visitor_ = nullptr;
+  std::size_t passed_ = 0;
+};
+
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

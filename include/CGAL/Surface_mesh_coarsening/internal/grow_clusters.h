@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GROW_CLUSTERS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
 
 #include <utility>
 #include <vector>
@@ -18,7 +19,8 @@ namespace internal {
 class Cluster_growth
 {
 public:
-  explicit Cluster_growth(Cluster_labels& labels) : labels_(labels), mesh_(labels.mesh()) {}
+  explicit Cluster_growth(Cluster_labels& labels, const Checkpoint& checkpoint = Checkpoint())
+    : labels_(labels), mesh_(labels.mesh()), checkpoint_(checkpoint) {}
 
   // Makes free face `f` the seed of cluster `label`.
   void plant(Index f, Index label) { take(f, label); }
@@ -50,6 +52,7 @@ public:
 private:
   void take(Index f, Index label)
   {
+    checkpoint_.pass();
     labels_.set(f, label);
     for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
       const Index g = mesh_.face_across[c];
@@ -60,6 +63,7 @@ private:
 
   Cluster_labels& labels_;
   const Flat_mesh& mesh_;
+  Checkpoint checkpoint_;
   std::vector<std::pair<Index, Index> > layer_, next_layer_; // candidates: a face and the cluster next to it
 };
 

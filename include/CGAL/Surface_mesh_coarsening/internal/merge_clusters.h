@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MERGE_CLUSTERS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/Dual_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
 
 #include <algorithm>
 #include <array>
@@ -42,14 +43,18 @@ public:
                   bool by_threes, bool may_join_at_vertices)
     : dual_(labels, faces, clusters), by_threes_(by_threes), may_join_at_vertices_(may_join_at_vertices), count_(clusters), merged_into_(clusters), area_(clusters, 0)
   {
+    is_queued_.assign(dual_.number_of_triangles(), false);
     std::iota(merged_into_.begin(), merged_into_.end(), Index(0));
-    for (const Index f : faces)
+    for (const Index f : faces) {
       area_[labels[f]] += areas[f];
+      area_of_all_ += areas[f];
+    }
   }
 
   // Merges until no more than `wanted` clusters are left, if the topology allows it. Returns the number of merges of two.
-  std::size_t run(std::size_t wanted)
+  std::size_t run(std::size_t wanted, const Checkpoint& checkpoint = Checkpoint())
   {
+    checkpoint_ = checkpoint;
     wanted_ = wanted;
     const std::size_t before = count_;
     merge_while_possible();
@@ -108,9 +113,11 @@ private:
 
   void enqueue(Index t)
   {
-    const double key = key_of(t);
-    if (key >= 0)
-      queue_.emplace(key, t);
+    const double key = is_queued_[t] ? -1 : key_of(t);
+    if (key < 0)
+      return;
+    is_queued_[t] = true;
+    queue_.emplace(key, t);
   }
 
   // The summed area of the three clusters, or of the two that are smallest, whichever number would be merged; -1 if there
@@ -131,6 +138,12 @@ private:
     return least;
   }
 
+  // A cluster that is large already, such as that of a face as large as many others, is not made larger without need.
+  bool may_be_third(Index merged, Index third) const
+  {
+    return area_[merged] + area_[third] <= 4 * area_of_all_ / double(wanted_);
+  }
+
   bool is_candidate(Edge e) const
   {
     return (dual_.is_arc(e) || joins_at_vertices_) && !dual_.is_loop(dual_.source(e)) && !dual_.is_loop(dual_.target(e));
@@ -140,8 +153,10 @@ private:
   void work_off()
   {
     while (!queue_.empty() && excess() > 0) {
+      checkpoint_.pass();
       const Candidate candidate = queue_.top();
       queue_.pop();
+      is_queued_[candidate.second] = false;
       if (!dual_.is_triangle(candidate.second))
         continue;
       if (candidate.first < key_of(candidate.second))
@@ -150,6 +165,7 @@ private:
         merge_at(candidate.second);
     }
     queue_ = Queue();
+    is_queued_.assign(is_queued_.size(), false);
   }
 
   void merge_at(Index t)
@@ -161,7 +177,7 @@ private:
       return;
     const Index third = corners[(e + 2) % 3];
     Index merged = merge(e);
-    if (three && !dual_.is_loop(third)) {
+    if (three && !dual_.is_loop(third) && may_be_third(merged, third)) {
       Edge to_third = NONE;
       dual_.for_each_edge_from(merged, [&](Edge f) { to_third = dual_.target(f) == third ? f : to_third; });
       if (to_third != NONE && is_candidate(to_third) && dual_.may_contract(to_third))
@@ -194,11 +210,14 @@ private:
   typedef std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > Queue;
 
   Dual_surface dual_;
+  Checkpoint checkpoint_;
   bool by_threes_, may_join_at_vertices_, joins_at_vertices_ = false;
   std::size_t count_, wanted_ = 0;
   std::vector<Index> merged_into_;
   std::vector<double> area_;
+  double area_of_all_ = 0;
   Queue queue_;
+  std::vector<bool> is_queued_; // of each triangle
 };
 
 } // namespace internal

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEED_WALK_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
 
 #include <vector>
 
@@ -22,7 +23,8 @@ namespace internal {
 class Seed_walk
 {
 public:
-  explicit Seed_walk(const Flat_mesh& mesh) : mesh_(mesh), steps_(mesh.number_of_faces(), NONE) {}
+  explicit Seed_walk(const Flat_mesh& mesh, const Checkpoint& checkpoint = Checkpoint())
+    : mesh_(mesh), checkpoint_(checkpoint), steps_(mesh.number_of_faces(), NONE) {}
 
   // Appends the seeds among the faces `candidates` to `seeds`.
   template <class FaceRange>
@@ -53,6 +55,7 @@ private:
       const Index f = queue_[i], next = steps_[f] + 1;
       if (next > reach)
         break;
+      checkpoint_.pass();
       for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
         const Index g = mesh_.face_across[c];
         if (g != NONE && next < steps_[g]) {
@@ -64,6 +67,7 @@ private:
   }
 
   const Flat_mesh& mesh_;
+  Checkpoint checkpoint_;
   std::vector<Index> steps_; // to the nearest seed, as far as walked; NONE: not within reach of any
   std::vector<Index> queue_;
 };

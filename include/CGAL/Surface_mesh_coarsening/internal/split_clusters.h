@@ -19,8 +19,9 @@ template <class FaceRange>
 class Cluster_splitting
 {
 public:
-  Cluster_splitting(Cluster_labels& labels, const FaceRange& faces, Index number_of_clusters)
-    : labels_(labels), mesh_(labels.mesh()), walk_(labels), growth_(labels), faces_(faces), clusters_(number_of_clusters) {}
+  Cluster_splitting(Cluster_labels& labels, const FaceRange& faces, Index number_of_clusters,
+                    const Checkpoint& checkpoint = Checkpoint())
+    : labels_(labels), mesh_(labels.mesh()), walk_(labels), growth_(labels, checkpoint), faces_(faces), clusters_(number_of_clusters) {}
 
   // Returns whether the clusters are valid now. They are not if clusters of one face are at fault.
   bool run()
