@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,25 @@ inline Foot_point closest_on_triangle(const Vector& p, const Vector& a, const Ve
     }
   }
   return best;
+}
+
+// The cross product of two sides of a triangle.
+inline Vector normal_of(const std::vector<Vector>& positions, const Triangle& t)
+{
+  return cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
+}
+
+// The cosine of the smallest angle of a triangle; 1 where two corners coincide.
+inline double sharpest_of(const std::vector<Vector>& positions, const Triangle& t)
+{
+  double largest = -1;
+  for (int i = 0; i < 3; ++i) {
+    const Vector& p = positions[t[i]];
+    const Vector e = positions[t[(i + 1) % 3]] - p, f = positions[t[(i + 2) % 3]] - p;
+    const double product = std::sqrt(dot(e, e) * dot(f, f));
+    largest = (std::max)(largest, product > 0 ? dot(e, f) / product : 1);
+  }
+  return largest;
 }
 
 // The triangles of the dual, with those around each vertex and across each edge. Edges may be flipped.
