@@ -125,16 +125,29 @@ public:
   {
     const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3], c = opposite(t, i);
     const Index d = opposite(u, corner(u, b));
-    replace(a, u);
-    replace(b, t);
+    take_away(a, u);
+    take_away(b, t);
     triangles_[t] = {c, a, d};
     triangles_[u] = {c, d, b};
     around_[c].push_back(u);
     around_[d].push_back(t);
   }
 
+  // Gives two triangles the corners back that they had before they were flipped.
+  void undo_flip(Index t, const Triangle& old_t, Index u, const Triangle& old_u)
+  {
+    for (const Index x : {t, u})
+      for (const Index v : triangles_[x])
+        take_away(v, x);
+    triangles_[t] = old_t;
+    triangles_[u] = old_u;
+    for (const Index x : {t, u})
+      for (const Index v : triangles_[x])
+        around_[v].push_back(x);
+  }
+
 private:
-  void replace(Index vertex, Index gone)
+  void take_away(Index vertex, Index gone)
   {
     std::vector<Index>& list = around_[vertex];
     list.erase(std::find(list.begin(), list.end(), gone));

@@ -41,6 +41,18 @@ std::vector<typename GeomTraits::Point_3> to_points(const std::vector<Vector>& p
   return points;
 }
 
+// Gives the coordinates that a position in the arrays has in the output.
+template <class GeomTraits>
+auto output_coordinates(const Frame& frame)
+{
+  return [frame](const Vector& p) {
+    Vector q = to_mesh_coordinates(frame, p);
+    for (double& x : q)
+      x = CGAL::to_double(typename GeomTraits::FT(x));
+    return q;
+  };
+}
+
 // Removes all elements. `clear()` of a `Surface_mesh` removes its property maps, too; the caller may hold some.
 template <class Graph>
 auto remove_elements(Graph& graph, int) -> decltype(graph.clear_without_removing_property_maps())
