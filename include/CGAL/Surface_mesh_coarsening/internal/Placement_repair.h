@@ -32,7 +32,7 @@ struct Repair_counts
 // Moves vertices of a coarse mesh, and flips edges, where triangles intersect that do not in the input, and where they look
 // away from the surface that they stand for. Fault by fault, many small changes are tried: vertices pulled back towards the
 // centroids of their clusters or towards their neighbors, vertices pushed along the normal of the surface, edges flipped. The
-// one that leaves fewest faults, and moves least, is made.
+// one that does the least harm to the distance for each fault that it takes away is made.
 class Placement_repair
 {
 public:
@@ -62,6 +62,7 @@ public:
     std::vector<Triangle> best_triangles = coarse_.triangles();
     std::vector<Vector> best_positions = positions_;
     for (std::size_t round = 0; round < most_rounds && number_of_faults() > 0 && rounds_in_vain < 4; ++round) {
+      is_in_hurry_ = round >= 4;
       if (rounds_in_vain > 0)
         pull_back_around_faults();
       repair_faults();
@@ -89,6 +90,12 @@ private:
   {
     Index vertex;
     Vector to;
+  };
+  // By how much a change lowers the number of faults, and the squared distance from the input after it.
+  struct Effect
+  {
+    long gain = 0;
+    double harm = 0;
   };
   // Moves of vertices, or the flip of an edge.
   struct Change
@@ -153,20 +160,28 @@ private:
   {
     const std::vector<Index> vertices = corners_of(faulty);
     find_near(vertices);
+    distance_before_ = squared_distance_around(vertices);
     Change best;
-    long best_gain = 0;
-    double best_length = 0;
+    Effect least;
     for (const Change& change : changes_at(faulty, vertices)) {
-      const long gain = gain_of(change);
-      const double length = length_of(change);
-      if (gain > best_gain || (gain == best_gain && gain > 0 && length < best_length)) {
-        best_gain = gain;
-        best_length = length;
+      const Effect effect = effect_of(change, vertices);
+      if (is_better(effect, least)) {
+        least = effect;
         best = change;
       }
     }
-    if (best_gain > 0)
+    if (least.gain > 0)
       make(best);
+  }
+
+  // What does little harm comes first, and later, when that has not led to an end, what takes most faults away.
+  bool is_better(const Effect& a, const Effect& b) const
+  {
+    if (a.gain <= 0 || b.gain <= 0)
+      return a.gain > 0;
+    if (is_in_hurry_ && a.gain != b.gain)
+      return a.gain > b.gain;
+    return a.harm * double(b.gain) < b.harm * double(a.gain);
   }
 
   std::vector<Index> corners_of(const std::vector<Index>& triangles) const
@@ -227,7 +242,7 @@ private:
       return places;
     }
     const Vector from = positions_[v], centroid = surface_.cluster_centroid(v), middle = middle_around(v);
-    for (const double part : {0.1, 0.3, 0.6, 1.}) {
+    for (const double part : {0.03, 0.1, 0.3, 0.6, 1.}) {
       places.push_back(from + part * (centroid - from));
       places.push_back(from + part * (middle - from));
     }
@@ -243,7 +258,7 @@ private:
   void add_common_moves(const std::vector<Index>& faulty, const std::vector<Index>& vertices,
                         std::vector<Change>& changes) const
   {
-    for (const double part : {0.3, 0.6, 1.}) {
+    for (const double part : {0.1, 0.3, 0.6, 1.}) {
       Change change;
       for (const Index v : vertices)
         if (!border_.is_on_border(v))
@@ -288,22 +303,6 @@ private:
     return c != d && !coarse_.is_edge(c, d);
   }
 
-  double length_of(const Change& change) const
-  {
-    double sum = 0;
-    for (const Move& m : change.moves) {
-      const Vector d = m.to - positions_[m.vertex];
-      sum += std::sqrt(dot(d, d));
-    }
-    // A flip comes at the price of a movement by a part of the edge.
-    if (change.flipped != NONE) {
-      const Triangle& t = coarse_.triangles()[change.flipped];
-      const Vector d = positions_[t[(change.corner + 1) % 3]] - positions_[t[change.corner]];
-      sum += 0.1 * std::sqrt(dot(d, d));
-    }
-    return sum;
-  }
-
   // The triangles that a change alters.
   std::vector<Index> altered_by(const Change& change) const
   {
@@ -314,33 +313,60 @@ private:
       altered.push_back(change.flipped);
       altered.push_back(coarse_.across(change.flipped, change.corner));
     }
-    std::sort(altered.begin(), altered.end());
-    altered.erase(std::unique(altered.begin(), altered.end()), altered.end());
+    sort_out(altered);
     return altered;
   }
 
-  // By how much a change lowers the number of faults.
-  long gain_of(const Change& change)
+  Effect effect_of(const Change& change, const std::vector<Index>& vertices)
   {
     const std::vector<Index> altered = altered_by(change);
+    Effect effect;
     const long before = faults_of(altered);
     if (before == 0)
-      return 0;
-    std::vector<Move> back;
-    for (const Move& m : change.moves)
-      back.push_back({m.vertex, positions_[m.vertex]});
+      return effect;
+    const auto measure = [&] {
+      effect.gain = (std::max)(0l, before - faults_of(altered));
+      if (effect.gain > 0)
+        effect.harm = squared_distance_around(vertices) - distance_before_;
+    };
     if (change.flipped == NONE) {
+      std::vector<Move> back;
+      for (const Move& m : change.moves)
+        back.push_back({m.vertex, positions_[m.vertex]});
       make(change);
-      const long after = faults_of(altered);
+      measure();
       make({back, NONE, 0});
-      return before - after;
+    } else {
+      const Index t = change.flipped, u = coarse_.across(t, change.corner);
+      const Triangle old_t = coarse_.triangles()[t], old_u = coarse_.triangles()[u];
+      make(change);
+      measure();
+      coarse_.undo_flip(t, old_t, u, old_u);
     }
-    const Index t = change.flipped, u = coarse_.across(t, change.corner);
-    const Triangle old_t = coarse_.triangles()[t], old_u = coarse_.triangles()[u];
-    make(change);
-    const long after = faults_of(altered);
-    coarse_.undo_flip(t, old_t, u, old_u);
-    return before - after;
+    return effect;
+  }
+
+  // Of the clusters of some vertices and those around them.
+  double squared_distance_around(const std::vector<Index>& vertices) const
+  {
+    std::vector<Index> triangles, clusters;
+    for (const Index v : vertices)
+      for (const Index t : coarse_.around(v))
+        clusters.insert(clusters.end(), coarse_.triangles()[t].begin(), coarse_.triangles()[t].end());
+    sort_out(clusters);
+    for (const Index v : clusters)
+      triangles.insert(triangles.end(), coarse_.around(v).begin(), coarse_.around(v).end());
+    sort_out(triangles);
+    std::vector<Triangle> corners;
+    for (const Index t : triangles)
+      corners.push_back(coarse_.triangles()[t]);
+    return reference_.squared_distance(clusters, corners, positions_);
+  }
+
+  static void sort_out(std::vector<Index>& list)
+  {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
   }
 
   void make(const Change& change)
@@ -415,7 +441,8 @@ private:
   std::vector<Index> reversed_;
   std::map<std::array<Index, 6>, bool> in_input_;
   std::vector<Index> near_;
-  bool at_input_vertices_ = false;
+  double distance_before_ = 0; // of the surroundings of what is being repaired
+  bool is_in_hurry_ = false, at_input_vertices_ = false;
 };
 
 } // namespace internal

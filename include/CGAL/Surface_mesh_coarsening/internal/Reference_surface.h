@@ -60,6 +60,29 @@ public:
     return dot(n, there) < 0;
   }
 
+  // The sum over some clusters of about their area times their mean squared distance from coarse triangles.
+  double squared_distance(const std::vector<Index>& clusters, const std::vector<Triangle>& triangles,
+                          const std::vector<Vector>& positions) const
+  {
+    constexpr std::size_t most_samples = 24;
+    double sum = 0;
+    for (const Index x : clusters) {
+      const Clustered_surface::Range faces = surface_.faces(x);
+      const std::size_t step = 1 + faces.size() / most_samples;
+      for (std::size_t i = 0; i < faces.size(); i += step) {
+        const Index f = faces.begin()[i];
+        double nearest = -1;
+        for (const Triangle& t : triangles) {
+          const double d = closest_on_triangle(surface_.centroid(f), positions[t[0]], positions[t[1]], positions[t[2]])
+                             .squared_distance;
+          nearest = nearest < 0 ? d : (std::min)(nearest, d);
+        }
+        sum += double(step) * surface_.area(f) * nearest;
+      }
+    }
+    return sum;
+  }
+
   // Whether faces of the clusters of one coarse triangle intersect those of another's.
   bool intersects_itself(const Triangle& t, const Triangle& u) const
   {

@@ -74,9 +74,7 @@ public:
       equations.add_vertex(Index(v), d, shape * holds[v].weight);
       equations.add_force(Index(v), free_part(holds[v].normals, d), damping * holds[v].squared_weight);
     }
-    const std::vector<Vector> moves = equations.solve(100, 1e-3);
-    for (std::size_t v = 0; v < positions_.size(); ++v)
-      positions_[v] = positions_[v] + moves[v];
+    move_by(equations.solve(100, 1e-3));
   }
 
   // The sum over the samples of the input of their part of the area times the squared distance.
@@ -136,6 +134,7 @@ public:
 private:
   static constexpr std::size_t samples_per_triangle = 16;
   static constexpr int most_steps = 3;
+  static constexpr int most_halvings = 5;
   // The weight of sideways movements of samples. They do not change the distance as long as they are small.
   static constexpr double damping = 0.02;
   // The weight of the way to the middle of the neighbors, where the coarse mesh is as far off as it is wide.
@@ -179,6 +178,27 @@ private:
   Foot_point foot_on(const Vector& p, const Triangle& t) const
   {
     return closest_on_triangle(p, positions_[t[0]], positions_[t[1]], positions_[t[2]]);
+  }
+
+  // Triangles may not turn by more than a right angle: the vertices of those that would go half as far.
+  void move_by(std::vector<Vector> moves)
+  {
+    const std::vector<Vector> before = positions_;
+    std::vector<bool> goes_too_far(positions_.size());
+    for (int i = 0; i < most_halvings; ++i) {
+      for (std::size_t v = 0; v < positions_.size(); ++v)
+        positions_[v] = before[v] + moves[v];
+      goes_too_far.assign(positions_.size(), false);
+      for (const Triangle& t : coarse_.triangles())
+        if (dot(normal_of(before, t), normal_of(positions_, t)) < 0)
+          for (const Index v : t)
+            goes_too_far[v] = true;
+      for (std::size_t v = 0; v < positions_.size(); ++v)
+        if (goes_too_far[v])
+          moves[v] = 0.5 * moves[v];
+    }
+    for (std::size_t v = 0; v < positions_.size(); ++v)
+      positions_[v] = before[v] + moves[v];
   }
 
   // First among the triangles around the vertex of the cluster, later from where the foot was before, around the corner
