@@ -61,10 +61,10 @@ public:
     std::size_t least = number_of_faults(), rounds_in_vain = 0;
     std::vector<Triangle> best_triangles = coarse_.triangles();
     std::vector<Vector> best_positions = positions_;
-    for (std::size_t round = 0; round < most_rounds && number_of_faults() > 0 && rounds_in_vain < 4; ++round) {
-      is_in_hurry_ = round >= 4;
+    for (std::size_t round = 0; round < most_rounds && number_of_faults() > 0 && rounds_in_vain < 6; ++round) {
+      is_in_hurry_ = round >= 2;
       if (rounds_in_vain > 0)
-        pull_back_around_faults();
+        shake_around_faults(rounds_in_vain);
       repair_faults();
       find_faults();
       ++rounds_in_vain;
@@ -398,8 +398,9 @@ private:
     return faults;
   }
 
-  // Where nothing helped, brings the vertices around half way to the centroids of their clusters, and tries again.
-  void pull_back_around_faults()
+  // Where nothing helped, brings the vertices around half way to the centroids of their clusters, pushes them out, which
+  // makes thin parts thicker, or pushes them in, which widens gaps; then changes are tried again.
+  void shake_around_faults(std::size_t time)
   {
     std::set<Index> vertices;
     const auto add_ring = [&](Index t) {
@@ -413,10 +414,13 @@ private:
     }
     for (const Index t : reversed_)
       add_ring(t);
-    if (!at_input_vertices_)
-      for (const Index v : vertices)
-        if (!border_.is_on_border(v))
-          make({{{v, 0.5 * (positions_[v] + surface_.cluster_centroid(v))}}, NONE, 0});
+    for (const Index v : vertices) {
+      if (at_input_vertices_ || border_.is_on_border(v))
+        continue;
+      const Vector way = time % 3 == 2 ? surface_.cluster_centroid(v) - positions_[v] : size_around(v) * reference_.normal(v);
+      const double part = time % 3 == 2 ? 0.5 : time % 3 == 1 ? 0.03 : -0.03;
+      make({{{v, positions_[v] + part * way}}, NONE, 0});
+    }
   }
 
   void count_what_is_left(Repair_counts& counts)
