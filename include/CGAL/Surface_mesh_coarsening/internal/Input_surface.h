@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct Input_point
   Index face;
 };
 
-// The surface of a polygon mesh, polygons being triangulated by a fan.
+// The surface of a polygon mesh, polygons being triangulated by a fan around the vertex of the smallest number, wherever
+// their corners begin.
 class Input_surface
 {
 public:
@@ -94,10 +96,11 @@ private:
   template <class Visit>
   void for_each_triangle(Index f, const Visit& visit) const
   {
-    const Index begin = mesh_.first_corner[f];
-    for (Index c = begin + 2; c != mesh_.first_corner[f + 1]; ++c)
-      visit(mesh_.points[mesh_.corner_vertex[begin]], mesh_.points[mesh_.corner_vertex[c - 1]],
-            mesh_.points[mesh_.corner_vertex[c]]);
+    const auto begin = mesh_.corner_vertex.begin() + mesh_.first_corner[f];
+    const Index degree = mesh_.degree(f), first = Index(std::min_element(begin, begin + degree) - begin);
+    const auto corner = [&](Index i) -> const Vector& { return mesh_.points[begin[(first + i) % degree]]; };
+    for (Index i = 2; i < degree; ++i)
+      visit(corner(0), corner(i - 1), corner(i));
   }
 
   static double size(const Vector& a, const Vector& b, const Vector& c)
