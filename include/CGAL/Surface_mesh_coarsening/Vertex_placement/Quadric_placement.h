@@ -69,10 +69,12 @@ public:
     const Vector center = (1 / mass) * moment;
     Eigen::Matrix3d a;
     a << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-    const Eigen::Vector3d about_center = Eigen::Vector3d(b[0], b[1], b[2]) - a * Eigen::Vector3d(center[0], center[1], center[2]);
+    const Eigen::Vector3d right =
+      Eigen::Vector3d(b[0], b[1], b[2]) - a * Eigen::Vector3d(center[0], center[1], center[2]);
     a.diagonal().array() += pull_ * area;
-    const Eigen::Vector3d x = a.ldlt().solve(about_center);
-    return origin + center + share_within_reach(surface, cluster, origin + center, x.squaredNorm()) * Vector{{x[0], x[1], x[2]}};
+    const Eigen::Vector3d x = a.ldlt().solve(right);
+    const double share = share_within_reach(surface, cluster, origin + center, x.squaredNorm());
+    return origin + center + share * Vector{{x[0], x[1], x[2]}};
   }
 
 private:

@@ -139,7 +139,8 @@ private:
 
   bool is_reversed(Index t) const
   {
-    return Triangle_conflict(points_).is_flat(coarse_.triangles()[t]) || reference_.is_against(coarse_.triangles()[t], positions_);
+    const Triangle& triangle = coarse_.triangles()[t];
+    return Triangle_conflict(points_).is_flat(triangle) || reference_.is_against(triangle, positions_);
   }
 
   void repair_faults()
