@@ -19,7 +19,6 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -170,9 +169,10 @@ BOOST_AUTO_TEST_CASE(fit_is_closer_than_the_others_and_keeps_the_mean_angle)
 
 BOOST_AUTO_TEST_CASE(fit_is_deterministic_and_the_same_on_a_polyhedron)
 {
-  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(4), 0.01));
+  const generated::Soup soup = generated::with_noise(generated::triangle_sphere(4), 0.01);
+  const Mesh mesh = test::to_mesh(soup);
   Polyhedron polyhedron;
-  CGAL::copy_face_graph(mesh, polyhedron);
+  test::to_face_graph(soup, polyhedron);
   CGAL::set_halfedgeds_items_id(polyhedron);
   const auto np = SMC::parameters::vertex_placement(SMC::Fitted_placement());
   std::vector<std::size_t> labels(mesh.number_of_faces());
