@@ -39,6 +39,15 @@ struct Coarsening_report
   std::size_t subdivided_components = 0;
   /// the number of connected components that were left out because of parameter `minimum_component_area`.
   std::size_t dropped_components = 0;
+  /// the number of pairs of triangles that intersected after the placement of the vertices where the input does not. This
+  /// number and the three below are 0 if parameter `repair_output` is `false`.
+  std::size_t intersections_found = 0;
+  /// the number of such pairs that the repair left.
+  std::size_t intersections_left = 0;
+  /// the number of triangles that were degenerate after the placement, or looked away from the surface they stand for.
+  std::size_t reversals_found = 0;
+  /// the number of such triangles that the repair left.
+  std::size_t reversals_left = 0;
 };
 
 } // namespace Surface_mesh_coarsening

@@ -59,7 +59,7 @@ public:
   /// \param mesh a 2-manifold polygon mesh
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `face_density_map`,
   /// `maximum_density`, `border_densities`, `cluster_weight`, `minimum_component_area`, `subdivide_input`,
-  /// `vertex_point_map`, `face_index_map`, `geom_traits` and `visitor`, as `coarsen_mesh()` describes them
+  /// `repair_output`, `vertex_point_map`, `face_index_map`, `geom_traits` and `visitor`, as `coarsen_mesh()` describes them
   /// \throws Invalid_input if the mesh has no faces, is not a 2-manifold, has a coordinate that is not finite, or if a
   /// parameter is out of range.
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -72,6 +72,7 @@ public:
     numbering_ = internal::numbering(mesh, np);
     input_ = internal::clustering_input(mesh, np, numbering_, frame_);
     subdivide_ = internal::choose_parameter(internal::get_parameter(np, internal_np::subdivide_input_p), false);
+    repair_ = internal::choose_parameter(internal::get_parameter(np, internal_np::repair_output_p), true);
     dropped_components_ = internal::drop_small_components(np, frame_, input_);
     visitor_.stage_ends(Coarsening_stage::PREPARATION);
   }
@@ -267,7 +268,14 @@ public:
     visitor_.stage_begins(Coarsening_stage::TRIANGULATION);
     const Clustered_surface surface(working_input(), labels(), report_.clusters);
     std::vector<internal::Triangle> triangles = internal::dual_triangles(labels());
-    const std::vector<internal::Vector> positions = internal::place_vertices(surface, placement, triangles);
+    internal::Repair_counts counts;
+    const std::vector<internal::Vector> positions = internal::place_vertices(
+      surface, placement, repair_,
+      internal::output_coordinates<typename GetGeomTraits<Output, NamedParameters>::type>(frame_), triangles, counts);
+    report_.intersections_found = counts.intersections_found;
+    report_.intersections_left = counts.intersections_left;
+    report_.reversals_found = counts.reversals_found;
+    report_.reversals_left = counts.reversals_left;
     internal::Face_graph_filler<Output, NamedParameters> filler(positions, frame_, triangles, output, np);
     visitor_.throw_if_cancelled();
     visitor_.stage_ends(Coarsening_stage::TRIANGULATION);
@@ -351,9 +359,9 @@ private:
   internal::Numbering<FaceGraph> numbering_;
   internal::Frame frame_;
   internal::Clustering_input input_;
-  bool subdivide_ = false;
+  bool subdivide_ = false, repair_ = true;
   std::size_t dropped_components_ = 0;
-  Coarsening_report report_;
+  mutable Coarsening_report report_; // making the output adds to it
   std::unique_ptr<internal::Initial_clustering> initial_;
   std::unique_ptr<internal::Cluster_labels> labels_;
   std::unique_ptr<internal::Energy_minimization<ClusterWeight> > minimization_;

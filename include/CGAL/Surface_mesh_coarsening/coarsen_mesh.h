@@ -124,6 +124,12 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{`Centroid_placement()`}
 ///     \cgalParamExtra{clusters on the border have their vertex on the border, whatever the placement}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{repair_output}
+///     \cgalParamDescription{whether vertices are moved and edges flipped where triangles of the output intersect that do not in
+///                           the input, and where they look away from it; the report tells what was found and left}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{subdivide_input}
 ///     \cgalParamDescription{whether the faces, in an internal copy, are cut into one quadrilateral per corner, again and again,
 ///                           until there are 20 of them for each vertex of the output. Clusters of few faces are then

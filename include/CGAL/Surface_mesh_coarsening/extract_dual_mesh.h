@@ -55,9 +55,12 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
     throw Invalid_input(fault);
   labels.recount();
   dual.triangles = Careful_dual<decltype(name)>(labels, name).triangles();
+  Repair_counts counts;
   dual.positions = place_vertices(Clustered_surface(input, labels, names.size()),
                                   choose_parameter<Placement>(get_parameter(np, internal_np::vertex_placement_p)),
-                                  dual.triangles);
+                                  choose_parameter(get_parameter(np, internal_np::repair_output_p), true),
+                                  output_coordinates<typename GetGeomTraits<FaceGraph, NamedParameters>::type>(dual.frame),
+                                  dual.triangles, counts);
   return dual;
 }
 
@@ -77,7 +80,7 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
 /// \param clusters the labels of the faces, any numbers. The vertex of a cluster comes in the order of the labels.
 /// \param output is cleared and filled
 /// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `face_index_map`,
-/// `geom_traits`, `vertex_placement` as in `coarsen_mesh()`, and `face_density_map`, which is 1 by default
+/// `geom_traits`, `vertex_placement` and `repair_output` as in `coarsen_mesh()`, and `face_density_map`, which is 1 by default
 /// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
 /// `output`
 ///

@@ -5,10 +5,14 @@
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Edge_flips.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Surface_fit.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -17,20 +21,28 @@ namespace Surface_mesh_coarsening {
 /// \ingroup PkgSurfaceMeshCoarseningPlacements
 /// \cgalModels `GlobalVertexPlacement`
 ///
-/// fits all vertices together to the input, starting from `Quadric_placement`: in turns, looks for the points of the coarse
-/// mesh closest to those of the input, and solves the sparse linear least squares problem for the positions that bring them
-/// together. In between, edges of the coarse mesh are flipped where that lowers the distance clearly and makes no angle
-/// smaller than the least angle.
+/// fits all vertices together to the input, starting from `Quadric_placement`: in turns, looks for the closest points between
+/// samples of the input and the coarse mesh, and of the coarse mesh and the input, and solves the sparse linear least squares
+/// problem for the movements that bring them together. In between, edges of the coarse mesh are flipped where that lowers the
+/// distance most for what it takes from the angles, until the mean over the triangles of their smallest angle has come down
+/// to a bound.
 class Fitted_placement
 {
 public:
   /// \param rounds the number of fits
-  /// \param least_angle the angle, in degrees, below which a flip may not bring the angles of triangles
-  explicit Fitted_placement(std::size_t rounds = 6, double least_angle = 25) : rounds_(rounds), least_angle_(least_angle) {}
+  /// \param mean_angle the mean over the triangles of their smallest angle, in degrees, that flips work towards: those that
+  /// lower the distance are made until it is reached; if it is not reached from the start, flips that raise it are made
+  /// where they add little to the distance. Between 0 and 60.
+  /// \throws Invalid_input if `mean_angle` is out of range.
+  explicit Fitted_placement(std::size_t rounds = 6, double mean_angle = 40) : rounds_(rounds), mean_angle_(mean_angle)
+  {
+    if (!(mean_angle >= 0 && mean_angle <= 60))
+      throw Invalid_input("the mean angle of a fit is " + std::to_string(mean_angle) + ", not in [0, 60]");
+  }
 
   /// places the vertices of all clusters, and may flip edges of the coarse mesh.
   /// \param surface the clusters
-  /// \param border keeps vertices on the border
+  /// \param border tells which vertices are on the border, and stay where they are
   /// \param triangles the triangles of the coarse mesh
   /// \param positions the positions of the vertices; those on the border are placed already
   void operator()(const Clustered_surface& surface, const Border_arcs& border,
@@ -43,21 +55,23 @@ public:
       if (!border.is_on_border(x))
         positions[x] = start(surface, x);
     Coarse_surface coarse(triangles, positions.size());
-    Surface_fit fit(surface, coarse, positions);
+    Surface_fit fit(surface, border, coarse, positions);
+    Edge_flips flips(coarse, positions, fit);
     for (std::size_t i = 0; i < rounds_; ++i) {
       fit.find_feet();
-      fit.flip_edges(least_angle_ / degrees_per_radian);
-      fit.solve(inertia);
-      border.pull_back(positions);
+      flips.run((mean_angle_ + reserve) / degrees_per_radian, least_angle / degrees_per_radian);
+      fit.move_vertices();
     }
     triangles = coarse.triangles();
   }
 
 private:
-  static constexpr double inertia = 0.01;
   static constexpr double degrees_per_radian = 180 / 3.14159265358979323846;
+  // The movements after the last flips take a little from the angles.
+  static constexpr double reserve = 0.4;
+  static constexpr double least_angle = 7;
   std::size_t rounds_;
-  double least_angle_;
+  double mean_angle_;
 };
 
 } // namespace Surface_mesh_coarsening

@@ -43,33 +43,57 @@ public:
   Clustered_surface::Point operator()(const Clustered_surface& surface, std::size_t cluster) const
   {
     using namespace internal;
-    const Vector center = surface.cluster_centroid(cluster);
-    Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d b = Eigen::Vector3d::Zero();
-    double area = 0, radius = 0;
+    // One pass over the faces, with sums about a point of the first one.
+    const Vector origin = surface.centroid(*surface.faces(cluster).begin());
+    Vector moment{{0, 0, 0}}, b{{0, 0, 0}};
+    double mass = 0, area = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
     for (const Index f : surface.faces(cluster)) {
-      for (const Index v : surface.vertices(f)) {
-        const Vector d = surface.point(v) - center;
-        radius = (std::max)(radius, dot(d, d));
-      }
-      const Vector s = vector_area(surface.input().mesh, f);
-      const double size = std::sqrt(dot(s, s));
+      const Vector at = surface.centroid(f) - origin, s = vector_area(surface.input().mesh, f);
+      const double size = std::sqrt(dot(s, s)), face_mass = surface.input().mass(f);
+      moment = moment + face_mass * at;
+      mass += face_mass;
       if (!(size > 0))
         continue;
-      const Eigen::Vector3d n = Eigen::Vector3d(s[0], s[1], s[2]) / size;
-      a += size * n * n.transpose();
-      b += size * dot(s, surface.centroid(f) - center) / size * n;
+      const Vector n = (1 / size) * s;
+      b = b + dot(n, at) * s;
       area += size;
+      xx += s[0] * n[0];
+      xy += s[0] * n[1];
+      xz += s[0] * n[2];
+      yy += s[1] * n[1];
+      yz += s[1] * n[2];
+      zz += s[2] * n[2];
     }
-    if (!(area > 0))
-      return center;
-    a += pull_ * area * Eigen::Matrix3d::Identity();
-    const Eigen::Vector3d x = a.ldlt().solve(b);
-    const double length = x.norm(), reach = std::sqrt(radius);
-    return center + (length > reach ? reach / length : 1.) * Vector{{x[0], x[1], x[2]}};
+    if (!(area > 0) || !(mass > 0))
+      return surface.cluster_centroid(cluster);
+    const Vector center = (1 / mass) * moment;
+    Eigen::Matrix3d a;
+    a << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    const Eigen::Vector3d right =
+      Eigen::Vector3d(b[0], b[1], b[2]) - a * Eigen::Vector3d(center[0], center[1], center[2]);
+    a.diagonal().array() += pull_ * area;
+    const Eigen::Vector3d x = a.ldlt().solve(right);
+    const double share = share_within_reach(surface, cluster, origin + center, x.squaredNorm());
+    return origin + center + share * Vector{{x[0], x[1], x[2]}};
   }
 
 private:
+  // The part of a movement away from the centroid, 1 or less, that does not lead farther than the faces go.
+  static double share_within_reach(const Clustered_surface& surface, std::size_t cluster,
+                                   const Clustered_surface::Point& center, double square)
+  {
+    using namespace internal;
+    double reach = 0;
+    for (const Index f : surface.faces(cluster))
+      for (const Index v : surface.vertices(f)) {
+        const Vector d = surface.point(v) - center;
+        reach = (std::max)(reach, dot(d, d));
+        if (reach >= square)
+          return 1;
+      }
+    return std::sqrt(reach / square);
+  }
+
   double pull_;
 };
 

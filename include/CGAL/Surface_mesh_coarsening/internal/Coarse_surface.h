@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,25 @@ inline Foot_point closest_on_triangle(const Vector& p, const Vector& a, const Ve
     }
   }
   return best;
+}
+
+// The cross product of two sides of a triangle.
+inline Vector normal_of(const std::vector<Vector>& positions, const Triangle& t)
+{
+  return cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
+}
+
+// The cosine of the smallest angle of a triangle; 1 where two corners coincide.
+inline double sharpest_of(const std::vector<Vector>& positions, const Triangle& t)
+{
+  double largest = -1;
+  for (int i = 0; i < 3; ++i) {
+    const Vector& p = positions[t[i]];
+    const Vector e = positions[t[(i + 1) % 3]] - p, f = positions[t[(i + 2) % 3]] - p;
+    const double product = std::sqrt(dot(e, e) * dot(f, f));
+    largest = (std::max)(largest, product > 0 ? dot(e, f) / product : 1);
+  }
+  return largest;
 }
 
 // The triangles of the dual, with those around each vertex and across each edge. Edges may be flipped.
@@ -105,16 +125,29 @@ public:
   {
     const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3], c = opposite(t, i);
     const Index d = opposite(u, corner(u, b));
-    replace(a, u);
-    replace(b, t);
+    take_away(a, u);
+    take_away(b, t);
     triangles_[t] = {c, a, d};
     triangles_[u] = {c, d, b};
     around_[c].push_back(u);
     around_[d].push_back(t);
   }
 
+  // Gives two triangles the corners back that they had before they were flipped.
+  void undo_flip(Index t, const Triangle& old_t, Index u, const Triangle& old_u)
+  {
+    for (const Index x : {t, u})
+      for (const Index v : triangles_[x])
+        take_away(v, x);
+    triangles_[t] = old_t;
+    triangles_[u] = old_u;
+    for (const Index x : {t, u})
+      for (const Index v : triangles_[x])
+        around_[v].push_back(x);
+  }
+
 private:
-  void replace(Index vertex, Index gone)
+  void take_away(Index vertex, Index gone)
   {
     std::vector<Index>& list = around_[vertex];
     list.erase(std::find(list.begin(), list.end(), gone));

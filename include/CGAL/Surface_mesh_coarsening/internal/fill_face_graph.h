@@ -49,6 +49,18 @@ std::vector<typename GeomTraits::Point_3> to_points(const std::vector<Vector>& p
   return points;
 }
 
+// Gives the coordinates that a position in the arrays has in the output.
+template <class GeomTraits>
+auto output_coordinates(const Frame& frame)
+{
+  return [frame](const Vector& p) {
+    Vector q = to_mesh_coordinates(frame, p);
+    for (double& x : q)
+      x = CGAL::to_double(typename GeomTraits::FT(x));
+    return q;
+  };
+}
+
 // The halfedges of a triangulated 2-manifold. Edge `e` has the halfedges `2 e` and `2 e + 1`; edges are numbered in the
 // order in which the triangles have them, and halfedge `2 e` is that of the first of its triangles.
 struct Halfedges

@@ -5,6 +5,8 @@
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Closest_vertex_placement.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Placement_repair.h>
 #include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
 
 #include <algorithm>
@@ -20,14 +22,17 @@ template <class Placement>
 constexpr bool is_local_placement =
   std::is_invocable_r<Vector, const Placement&, const Clustered_surface&, std::size_t>::value;
 
+// Whether a placement puts vertices at vertices of the input, and repairs have to keep to that.
+template <class Placement>
+constexpr bool is_at_input_vertices = std::is_same<Placement, Closest_vertex_placement>::value;
+
 // Places the vertices of the clusters as `placement` says, those on the border on it. A global placement may flip edges
 // of the triangles.
 template <class Placement>
-std::vector<Vector> place_vertices(const Clustered_surface& surface, const Placement& placement,
+std::vector<Vector> place_vertices(const Clustered_surface& surface, const Border_arcs& border, const Placement& placement,
                                    std::vector<Triangle>& triangles)
 {
   std::vector<Vector> positions(surface.number_of_clusters());
-  const Border_arcs border(surface);
   border.place(positions);
   if constexpr (is_local_placement<Placement>) {
     for (std::size_t x = 0; x < positions.size(); ++x)
@@ -42,6 +47,25 @@ std::vector<Vector> place_vertices(const Clustered_surface& surface, const Place
   for (std::size_t x = 0; x < positions.size(); ++x)
     if (!std::all_of(positions[x].begin(), positions[x].end(), is_number))
       positions[x] = surface.cluster_centroid(x);
+  return positions;
+}
+
+// The same, and if asked to moves vertices and flips edges where triangles intersect that do not in the input, or look away
+// from the surface. `output_coordinates` gives the coordinates that a position has in the output.
+template <class Placement, class OutputCoordinates>
+std::vector<Vector> place_vertices(const Clustered_surface& surface, const Placement& placement, bool with_repair,
+                                   const OutputCoordinates& output_coordinates, std::vector<Triangle>& triangles,
+                                   Repair_counts& counts)
+{
+  const Border_arcs border(surface);
+  std::vector<Vector> positions = place_vertices(surface, border, placement, triangles);
+  counts = Repair_counts();
+  if (with_repair) {
+    Placement_repair repair(surface, border, output_coordinates, triangles, positions);
+    if (is_at_input_vertices<Placement>)
+      repair.stay_at_input_vertices();
+    counts = repair.run();
+  }
   return positions;
 }
 

@@ -1,0 +1,457 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_REPAIR_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_REPAIR_H
+
+#include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Reference_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Triangle_conflicts.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// What a repair found and left.
+struct Repair_counts
+{
+  std::size_t intersections_found = 0, intersections_left = 0;
+  std::size_t reversals_found = 0, reversals_left = 0;
+};
+
+// Moves vertices of a coarse mesh, and flips edges, where triangles intersect that do not in the input, and where they look
+// away from the surface that they stand for. Fault by fault, many small changes are tried: vertices pulled back towards the
+// centroids of their clusters or towards their neighbors, vertices pushed along the normal of the surface, edges flipped. The
+// one that does the least harm to the distance for each fault that it takes away is made.
+class Placement_repair
+{
+public:
+  // The coordinates that a position has in the output.
+  typedef std::function<Vector(const Vector&)> Output_coordinates;
+
+  Placement_repair(const Clustered_surface& surface, const Border_arcs& border, const Output_coordinates& output,
+                   std::vector<Triangle>& triangles, std::vector<Vector>& positions)
+    : surface_(surface), border_(border), output_(output), result_(triangles), positions_(positions),
+      coarse_(triangles, positions.size()), reference_(surface)
+  {
+    points_.reserve(positions.size());
+    for (const Vector& p : positions)
+      points_.push_back(point(p));
+  }
+
+  // Gives vertices no other positions than those of input vertices of their clusters.
+  void stay_at_input_vertices() { at_input_vertices_ = true; }
+
+  Repair_counts run()
+  {
+    Repair_counts counts;
+    find_faults();
+    counts.intersections_found = pairs_.size();
+    counts.reversals_found = reversed_.size();
+    std::size_t least = number_of_faults(), rounds_in_vain = 0;
+    std::vector<Triangle> best_triangles = coarse_.triangles();
+    std::vector<Vector> best_positions = positions_;
+    for (std::size_t round = 0; round < most_rounds && number_of_faults() > 0 && rounds_in_vain < 6; ++round) {
+      is_in_hurry_ = round >= 2;
+      if (rounds_in_vain > 0)
+        shake_around_faults(rounds_in_vain);
+      repair_faults();
+      find_faults();
+      ++rounds_in_vain;
+      if (number_of_faults() < least) {
+        least = number_of_faults();
+        best_triangles = coarse_.triangles();
+        best_positions = positions_;
+        rounds_in_vain = 0;
+      }
+    }
+    if (counts.intersections_found + counts.reversals_found == 0)
+      return counts;
+    result_ = best_triangles;
+    positions_ = best_positions;
+    count_what_is_left(counts);
+    return counts;
+  }
+
+private:
+  static constexpr std::size_t most_rounds = 20;
+
+  struct Move
+  {
+    Index vertex;
+    Vector to;
+  };
+  // By how much a change lowers the number of faults, and the squared distance from the input after it.
+  struct Effect
+  {
+    long gain = 0;
+    double harm = 0;
+  };
+  // Moves of vertices, or the flip of an edge.
+  struct Change
+  {
+    std::vector<Move> moves;
+    Index flipped = NONE;
+    int corner = 0;
+  };
+
+  Exact_point point(const Vector& p) const
+  {
+    const Vector q = output_(p);
+    return Exact_point(q[0], q[1], q[2]);
+  }
+
+  std::size_t number_of_faults() const { return pairs_.size() + reversed_.size(); }
+
+  void find_faults()
+  {
+    pairs_.clear();
+    reversed_.clear();
+    for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), points_))
+      if (!is_in_input(pair))
+        pairs_.push_back(pair);
+    for (std::size_t t = 0; t < coarse_.triangles().size(); ++t)
+      if (is_reversed(Index(t)))
+        reversed_.push_back(Index(t));
+  }
+
+  bool is_in_input(const Triangle_pair& pair)
+  {
+    const Triangle &t = coarse_.triangles()[pair.first], &u = coarse_.triangles()[pair.second];
+    std::array<Index, 6> key{{t[0], t[1], t[2], u[0], u[1], u[2]}};
+    std::sort(key.begin(), key.begin() + 3);
+    std::sort(key.begin() + 3, key.end());
+    const auto known = in_input_.find(key);
+    if (known != in_input_.end())
+      return known->second;
+    return in_input_[key] = reference_.intersects_itself(t, u);
+  }
+
+  bool is_reversed(Index t) const
+  {
+    const Triangle& triangle = coarse_.triangles()[t];
+    return Triangle_conflict(points_).is_flat(triangle) || reference_.is_against(triangle, positions_);
+  }
+
+  void repair_faults()
+  {
+    const std::vector<Triangle_pair> pairs = pairs_;
+    const std::vector<Index> reversed = reversed_;
+    const Triangle_conflict conflict(points_);
+    for (const Triangle_pair& p : pairs)
+      if (conflict(coarse_.triangles()[p.first], coarse_.triangles()[p.second]))
+        repair({p.first, p.second});
+    for (const Index t : reversed)
+      if (is_reversed(t))
+        repair({t});
+  }
+
+  // Makes the best of the changes at a few triangles, if there is one that leaves fewer faults.
+  void repair(const std::vector<Index>& faulty)
+  {
+    const std::vector<Index> vertices = corners_of(faulty);
+    find_near(vertices);
+    distance_before_ = squared_distance_around(vertices);
+    Change best;
+    Effect least;
+    for (const Change& change : changes_at(faulty, vertices)) {
+      const Effect effect = effect_of(change, vertices);
+      if (is_better(effect, least)) {
+        least = effect;
+        best = change;
+      }
+    }
+    if (least.gain > 0)
+      make(best);
+  }
+
+  // What does little harm comes first, and later, when that has not led to an end, what takes most faults away.
+  bool is_better(const Effect& a, const Effect& b) const
+  {
+    if (a.gain <= 0 || b.gain <= 0)
+      return a.gain > 0;
+    if (is_in_hurry_ && a.gain != b.gain)
+      return a.gain > b.gain;
+    return a.harm * double(b.gain) < b.harm * double(a.gain);
+  }
+
+  std::vector<Index> corners_of(const std::vector<Index>& triangles) const
+  {
+    std::vector<Index> vertices;
+    for (const Index t : triangles)
+      for (const Index v : coarse_.triangles()[t])
+        if (std::find(vertices.begin(), vertices.end(), v) == vertices.end())
+          vertices.push_back(v);
+    return vertices;
+  }
+
+  // The triangles that changes at these vertices can have to do with.
+  void find_near(const std::vector<Index>& vertices)
+  {
+    const Triangle_conflict conflict(points_);
+    Bbox_3 region;
+    for (const Index v : vertices)
+      for (const Index t : coarse_.around(v))
+        region += conflict.box(coarse_.triangles()[t]);
+    for (const Index v : vertices)
+      region += point(surface_.cluster_centroid(v)).bbox();
+    const double w = 0.25 * (std::max)({region.x_span(), region.y_span(), region.z_span()});
+    region = Bbox_3(region.xmin() - w, region.ymin() - w, region.zmin() - w, region.xmax() + w, region.ymax() + w,
+                    region.zmax() + w);
+    near_.clear();
+    for (std::size_t t = 0; t < coarse_.triangles().size(); ++t)
+      if (do_overlap(region, conflict.box(coarse_.triangles()[t])))
+        near_.push_back(Index(t));
+  }
+
+  std::vector<Change> changes_at(const std::vector<Index>& faulty, const std::vector<Index>& vertices) const
+  {
+    std::vector<Change> changes;
+    for (const Index v : vertices)
+      if (!border_.is_on_border(v))
+        for (const Vector& to : places_for(v))
+          changes.push_back({{{v, to}}, NONE, 0});
+    for (const Index t : faulty)
+      for (int i = 0; i < 3; ++i)
+        if (can_flip(t, i))
+          changes.push_back({{}, t, i});
+    if (!at_input_vertices_)
+      add_common_moves(faulty, vertices, changes);
+    return changes;
+  }
+
+  // Where a vertex might go.
+  std::vector<Vector> places_for(Index v) const
+  {
+    std::vector<Vector> places;
+    if (at_input_vertices_) {
+      for (const Index f : surface_.faces(v))
+        for (const Index w : surface_.vertices(f))
+          if (!surface_.is_on_cluster_boundary(w) &&
+              std::find(places.begin(), places.end(), surface_.point(w)) == places.end() && places.size() < 64)
+            places.push_back(surface_.point(w));
+      return places;
+    }
+    const Vector from = positions_[v], centroid = surface_.cluster_centroid(v), middle = middle_around(v);
+    for (const double part : {0.03, 0.1, 0.3, 0.6, 1.}) {
+      places.push_back(from + part * (centroid - from));
+      places.push_back(from + part * (middle - from));
+    }
+    for (const double part : {0.01, 0.03, 0.1, 0.25}) {
+      places.push_back(from + part * size_around(v) * reference_.normal(v));
+      places.push_back(from - part * size_around(v) * reference_.normal(v));
+    }
+    return places;
+  }
+
+  // Changes that move several vertices: all towards their centroids; those of two triangles apart or into each other, each
+  // along the normals of its own surface.
+  void add_common_moves(const std::vector<Index>& faulty, const std::vector<Index>& vertices,
+                        std::vector<Change>& changes) const
+  {
+    for (const double part : {0.1, 0.3, 0.6, 1.}) {
+      Change change;
+      for (const Index v : vertices)
+        if (!border_.is_on_border(v))
+          change.moves.push_back({v, positions_[v] + part * (surface_.cluster_centroid(v) - positions_[v])});
+      changes.push_back(change);
+    }
+    for (const double part : {0.01, -0.01, 0.03, -0.03, 0.1, -0.1, 0.25, -0.25})
+      for (std::size_t chosen = 0; chosen <= faulty.size(); ++chosen) { // one of them, or all
+        Change change;
+        for (const Index v : vertices)
+          if (!border_.is_on_border(v) &&
+              (chosen == faulty.size() || coarse_.corner(faulty[chosen], v) >= 0))
+            change.moves.push_back({v, positions_[v] + part * size_around(v) * reference_.normal(v)});
+        changes.push_back(change);
+      }
+  }
+
+  Vector middle_around(Index v) const
+  {
+    Vector sum{{0, 0, 0}};
+    for (const Index t : coarse_.around(v))
+      sum = sum + positions_[coarse_.triangles()[t][(coarse_.corner(t, v) + 1) % 3]];
+    return (1. / double(coarse_.around(v).size())) * sum;
+  }
+
+  double size_around(Index v) const
+  {
+    double area = 0;
+    for (const Index t : coarse_.around(v)) {
+      const Vector n = normal_of(positions_, coarse_.triangles()[t]);
+      area += 0.5 * std::sqrt(dot(n, n));
+    }
+    return std::sqrt(area);
+  }
+
+  bool can_flip(Index t, int i) const
+  {
+    const Index u = coarse_.across(t, i);
+    if (u == NONE)
+      return false;
+    const Index c = coarse_.opposite(t, i), d = coarse_.opposite(u, coarse_.corner(u, coarse_.triangles()[t][(i + 1) % 3]));
+    return c != d && !coarse_.is_edge(c, d);
+  }
+
+  // The triangles that a change alters.
+  std::vector<Index> altered_by(const Change& change) const
+  {
+    std::vector<Index> altered;
+    for (const Move& m : change.moves)
+      altered.insert(altered.end(), coarse_.around(m.vertex).begin(), coarse_.around(m.vertex).end());
+    if (change.flipped != NONE) {
+      altered.push_back(change.flipped);
+      altered.push_back(coarse_.across(change.flipped, change.corner));
+    }
+    sort_out(altered);
+    return altered;
+  }
+
+  Effect effect_of(const Change& change, const std::vector<Index>& vertices)
+  {
+    const std::vector<Index> altered = altered_by(change);
+    Effect effect;
+    const long before = faults_of(altered);
+    if (before == 0)
+      return effect;
+    const auto measure = [&] {
+      effect.gain = (std::max)(0l, before - faults_of(altered));
+      if (effect.gain > 0)
+        effect.harm = squared_distance_around(vertices) - distance_before_;
+    };
+    if (change.flipped == NONE) {
+      std::vector<Move> back;
+      for (const Move& m : change.moves)
+        back.push_back({m.vertex, positions_[m.vertex]});
+      make(change);
+      measure();
+      make({back, NONE, 0});
+    } else {
+      const Index t = change.flipped, u = coarse_.across(t, change.corner);
+      const Triangle old_t = coarse_.triangles()[t], old_u = coarse_.triangles()[u];
+      make(change);
+      measure();
+      coarse_.undo_flip(t, old_t, u, old_u);
+    }
+    return effect;
+  }
+
+  // Of the clusters of some vertices and those around them.
+  double squared_distance_around(const std::vector<Index>& vertices) const
+  {
+    std::vector<Index> triangles, clusters;
+    for (const Index v : vertices)
+      for (const Index t : coarse_.around(v))
+        clusters.insert(clusters.end(), coarse_.triangles()[t].begin(), coarse_.triangles()[t].end());
+    sort_out(clusters);
+    for (const Index v : clusters)
+      triangles.insert(triangles.end(), coarse_.around(v).begin(), coarse_.around(v).end());
+    sort_out(triangles);
+    std::vector<Triangle> corners;
+    for (const Index t : triangles)
+      corners.push_back(coarse_.triangles()[t]);
+    return reference_.squared_distance(clusters, corners, positions_);
+  }
+
+  static void sort_out(std::vector<Index>& list)
+  {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+
+  void make(const Change& change)
+  {
+    for (const Move& m : change.moves) {
+      positions_[m.vertex] = m.to;
+      points_[m.vertex] = point(m.to);
+    }
+    if (change.flipped != NONE)
+      coarse_.flip(change.flipped, change.corner, coarse_.across(change.flipped, change.corner));
+  }
+
+  long faults_of(const std::vector<Index>& altered)
+  {
+    const Triangle_conflict conflict(points_);
+    long faults = 0;
+    for (const Index t : altered) {
+      const Triangle triangle = coarse_.triangles()[t];
+      const Bbox_3 box = conflict.box(triangle);
+      faults += is_reversed(t);
+      for (const Index u : near_) {
+        if (u == t || (u < t && std::binary_search(altered.begin(), altered.end(), u)))
+          continue;
+        const Triangle& other = coarse_.triangles()[u];
+        if (do_overlap(box, conflict.box(other)) && conflict(triangle, other) && !is_in_input({t, u}))
+          ++faults;
+      }
+    }
+    return faults;
+  }
+
+  // Where nothing helped, brings the vertices around half way to the centroids of their clusters, pushes them out, which
+  // makes thin parts thicker, or pushes them in, which widens gaps; then changes are tried again.
+  void shake_around_faults(std::size_t time)
+  {
+    std::set<Index> vertices;
+    const auto add_ring = [&](Index t) {
+      for (const Index v : coarse_.triangles()[t])
+        for (const Index u : coarse_.around(v))
+          vertices.insert(coarse_.triangles()[u].begin(), coarse_.triangles()[u].end());
+    };
+    for (const Triangle_pair& p : pairs_) {
+      add_ring(p.first);
+      add_ring(p.second);
+    }
+    for (const Index t : reversed_)
+      add_ring(t);
+    for (const Index v : vertices) {
+      if (at_input_vertices_ || border_.is_on_border(v))
+        continue;
+      const Vector way = time % 3 == 2 ? surface_.cluster_centroid(v) - positions_[v] : size_around(v) * reference_.normal(v);
+      const double part = time % 3 == 2 ? 0.5 : time % 3 == 1 ? 0.03 : -0.03;
+      make({{{v, positions_[v] + part * way}}, NONE, 0});
+    }
+  }
+
+  void count_what_is_left(Repair_counts& counts)
+  {
+    coarse_ = Coarse_surface(result_, positions_.size());
+    for (std::size_t v = 0; v < positions_.size(); ++v)
+      points_[v] = point(positions_[v]);
+    find_faults();
+    counts.intersections_left = pairs_.size();
+    counts.reversals_left = reversed_.size();
+  }
+
+  const Clustered_surface& surface_;
+  const Border_arcs& border_;
+  const Output_coordinates output_;
+  std::vector<Triangle>& result_;
+  std::vector<Vector>& positions_;
+  Coarse_surface coarse_;
+  Reference_surface reference_;
+  std::vector<Exact_point> points_; // of the vertices, as the output will have them
+  std::vector<Triangle_pair> pairs_;
+  std::vector<Index> reversed_;
+  std::map<std::array<Index, 6>, bool> in_input_;
+  std::vector<Index> near_;
+  double distance_before_ = 0; // of the surroundings of what is being repaired
+  bool is_in_hurry_ = false, at_input_vertices_ = false;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_REPAIR_H

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFERENCE_SURFACE_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFERENCE_SURFACE_H
+
+#include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Input_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Triangle_conflicts.h>
+#include <CGAL/Surface_mesh_coarsening/internal/face_geometry.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// What the input says of coarse triangles: how the surface that they stand for faces, and whether it intersects itself there.
+class Reference_surface
+{
+public:
+  explicit Reference_surface(const Clustered_surface& surface)
+    : surface_(surface), input_(surface.input().mesh), normals_(surface.number_of_clusters(), Vector{{0, 0, 0}})
+  {
+    for (std::size_t x = 0; x < normals_.size(); ++x) {
+      double area = 0;
+      for (const Index f : surface.faces(x)) {
+        normals_[x] = normals_[x] + vector_area(surface.input().mesh, f);
+        area += surface.area(f);
+      }
+      if (area > 0)
+        normals_[x] = (1 / area) * normals_[x];
+    }
+  }
+
+  // The mean normal of the faces of a cluster, the shorter the more they are bent.
+  const Vector& normal(Index cluster) const { return normals_[cluster]; }
+
+  // Whether a coarse triangle looks away from the surface at the closest point of its clusters. That is looked for only where
+  // the mean normals are not enough.
+  bool is_against(const Triangle& t, const std::vector<Vector>& positions) const
+  {
+    const Vector n = normal_of(positions, t), mean = normals_[t[0]] + normals_[t[1]] + normals_[t[2]];
+    if (dot(n, mean) > 0.5 * std::sqrt(dot(n, n) * dot(mean, mean)))
+      return false;
+    const Vector middle = (1. / 3) * (positions[t[0]] + positions[t[1]] + positions[t[2]]);
+    double nearest = -1;
+    Vector there{{0, 0, 0}};
+    for (const Index x : t)
+      for (const Index f : surface_.faces(x)) {
+        const Input_surface::Closest closest = input_.closest_on_face(middle, f);
+        if (nearest < 0 || closest.squared_distance < nearest) {
+          nearest = closest.squared_distance;
+          there = vector_area(surface_.input().mesh, f);
+        }
+      }
+    return dot(n, there) < 0;
+  }
+
+  // The sum over some clusters of about their area times their mean squared distance from coarse triangles.
+  double squared_distance(const std::vector<Index>& clusters, const std::vector<Triangle>& triangles,
+                          const std::vector<Vector>& positions) const
+  {
+    constexpr std::size_t most_samples = 24;
+    double sum = 0;
+    for (const Index x : clusters) {
+      const Clustered_surface::Range faces = surface_.faces(x);
+      const std::size_t step = 1 + faces.size() / most_samples;
+      for (std::size_t i = 0; i < faces.size(); i += step) {
+        const Index f = faces.begin()[i];
+        double nearest = -1;
+        for (const Triangle& t : triangles) {
+          const double d = closest_on_triangle(surface_.centroid(f), positions[t[0]], positions[t[1]], positions[t[2]])
+                             .squared_distance;
+          nearest = nearest < 0 ? d : (std::min)(nearest, d);
+        }
+        sum += double(step) * surface_.area(f) * nearest;
+      }
+    }
+    return sum;
+  }
+
+  // Whether faces of the clusters of one coarse triangle intersect those of another's.
+  bool intersects_itself(const Triangle& t, const Triangle& u) const
+  {
+    std::vector<Exact_point> points;
+    const std::vector<Triangle> of_t = pieces(t), of_u = pieces(u);
+    std::vector<Triangle> all = of_t;
+    all.insert(all.end(), of_u.begin(), of_u.end());
+    const std::vector<Triangle> named = name_common_points(all, points);
+    const Triangle_conflict conflict(points);
+    std::vector<Triangle_box> boxes = triangle_boxes(named, conflict);
+    const auto middle = boxes.begin() + std::ptrdiff_t(of_t.size());
+    bool found = false;
+    box_intersection_d(boxes.begin(), middle, middle, boxes.end(), [&](const Triangle_box& a, const Triangle_box& b) {
+      const Triangle &f = named[a.info()], &g = named[b.info()];
+      found = found || (f != g && conflict(f, g));
+    });
+    return found;
+  }
+
+private:
+  // The faces of the clusters of a triangle, as fans. Their corners are numbered as in the mesh.
+  std::vector<Triangle> pieces(const Triangle& t) const
+  {
+    std::vector<Triangle> triangles;
+    for (const Index x : t)
+      for (const Index f : surface_.faces(x)) {
+        const Clustered_surface::Range v = surface_.vertices(f);
+        for (std::size_t i = 2; i < v.size(); ++i)
+          triangles.push_back({v.begin()[0], v.begin()[i - 1], v.begin()[i]});
+      }
+    return triangles;
+  }
+
+  // Numbers the corners from 0, and makes their points.
+  std::vector<Triangle> name_common_points(std::vector<Triangle> triangles, std::vector<Exact_point>& points) const
+  {
+    std::vector<Index> used;
+    for (const Triangle& t : triangles)
+      used.insert(used.end(), t.begin(), t.end());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    for (const Index v : used) {
+      const Vector& p = surface_.point(v);
+      points.emplace_back(p[0], p[1], p[2]);
+    }
+    for (Triangle& t : triangles)
+      for (Index& v : t)
+        v = Index(std::lower_bound(used.begin(), used.end(), v) - used.begin());
+    return triangles;
+  }
+
+  const Clustered_surface& surface_;
+  Input_surface input_;
+  std::vector<Vector> normals_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFERENCE_SURFACE_H

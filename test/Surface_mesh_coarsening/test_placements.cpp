@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where the placements put vertices, on meshes where that is known, and the repair of self-intersections.
+
+#define BOOST_TEST_MODULE placements
+#include "support/face_graphs.h"
+#include "support/generate_meshes.h"
+
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Closest_vertex_placement.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/extract_dual_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Polyhedron_items_with_id_3.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace SMC = CGAL::Surface_mesh_coarsening;
+using test::Mesh;
+
+namespace {
+
+typedef CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel, CGAL::Polyhedron_items_with_id_3> Polyhedron;
+
+std::array<double, 3> centroid(const Mesh& mesh, Mesh::Face_index f)
+{
+  std::array<double, 3> sum{{0, 0, 0}};
+  for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+    for (int i = 0; i < 3; ++i)
+      sum[i] += mesh.point(v)[i] / double(mesh.degree(f));
+  return sum;
+}
+
+// The dual of a cube of side 2 cut into clusters by a function of the centroids of its faces.
+template <class Placement, class Label>
+std::vector<std::array<double, 3> > placed(const Label& label, const Placement& placement)
+{
+  const Mesh mesh = test::to_mesh(generated::cube_grid(12));
+  const auto clusters = boost::make_function_property_map<Mesh::Face_index>(
+    [&](Mesh::Face_index f) { return std::size_t(label(centroid(mesh, f))); });
+  Mesh output;
+  SMC::extract_dual_mesh(mesh, clusters, output, SMC::parameters::vertex_placement(placement).repair_output(false));
+  std::vector<std::array<double, 3> > points;
+  for (const auto v : output.vertices())
+    points.push_back({{output.point(v)[0], output.point(v)[1], output.point(v)[2]}});
+  return points;
+}
+
+std::size_t octant(const std::array<double, 3>& p) { return (p[0] > 0) + 2 * (p[1] > 0) + 4 * (p[2] > 0); }
+
+template <class Output>
+std::size_t self_intersections(const Output& output)
+{
+  typedef typename boost::graph_traits<Output>::face_descriptor Face;
+  std::vector<std::pair<Face, Face> > pairs;
+  CGAL::Polygon_mesh_processing::self_intersections(output, std::back_inserter(pairs));
+  return pairs.size();
+}
+
+// A closed shell between two bumpy surfaces very near each other.
+Mesh thin_plate(std::size_t n, double thickness)
+{
+  generated::Soup s = generated::cube_grid(n);
+  for (auto& p : s.points) {
+    const double z = 0.3 * std::sin(4 * p[0]) * std::cos(3 * p[1]);
+    p[2] = z + 0.5 * thickness * p[2];
+  }
+  return test::to_mesh(s);
+}
+
+} // namespace
+
+// A cluster around each corner of a cube: three orthogonal planes meet there.
+BOOST_AUTO_TEST_CASE(quadric_is_in_corners)
+{
+  for (const auto& p : placed(octant, SMC::Quadric_placement(1e-6)))
+    for (const double x : p)
+      BOOST_TEST(std::abs(std::abs(x) - 1) < 1e-4);
+  // Pulled towards the centroid a little, if not told otherwise.
+  for (const auto& p : placed(octant, SMC::Quadric_placement()))
+    for (const double x : p)
+      BOOST_TEST(std::abs(std::abs(x) - 1) < 0.02);
+}
+
+// A band across each upright edge, between caps: along the edge nothing but the centroid says where to go.
+BOOST_AUTO_TEST_CASE(quadric_is_on_edges_and_centroid_in_planes)
+{
+  const auto label = [](const std::array<double, 3>& p) -> std::size_t {
+    if (std::abs(p[2]) > 0.99)
+      return 4 + (p[2] > 0);
+    return (p[0] > 0) + 2 * (p[1] > 0);
+  };
+  const auto points = placed(label, SMC::Quadric_placement(1e-6));
+  BOOST_REQUIRE(points.size() == 6);
+  for (std::size_t i = 0; i < 4; ++i) {
+    BOOST_TEST(std::abs(std::abs(points[i][0]) - 1) < 1e-4);
+    BOOST_TEST(std::abs(std::abs(points[i][1]) - 1) < 1e-4);
+    BOOST_TEST(std::abs(points[i][2]) < 1e-9);
+  }
+  for (std::size_t i = 4; i < 6; ++i) {
+    BOOST_TEST(std::abs(points[i][0]) < 1e-9);
+    BOOST_TEST(std::abs(points[i][1]) < 1e-9);
+    BOOST_TEST(std::abs(std::abs(points[i][2]) - 1) < 1e-9);
+  }
+}
+
+// Planes that nearly agree meet far away; the vertex stays near its cluster.
+BOOST_AUTO_TEST_CASE(quadric_has_a_bounded_reach)
+{
+  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(5), 0.02));
+  Mesh by_centroid, by_quadric;
+  const auto np = SMC::parameters::repair_output(false);
+  SMC::coarsen_mesh(mesh, 20, by_centroid, np);
+  SMC::coarsen_mesh(mesh, 20, by_quadric, np.vertex_placement(SMC::Quadric_placement(1e-12)));
+  for (const auto v : by_quadric.vertices())
+    BOOST_TEST(std::sqrt(CGAL::squared_distance(by_quadric.point(v), by_centroid.point(v))) < 1.2);
+  BOOST_CHECK_THROW(SMC::Quadric_placement(0), SMC::Invalid_input);
+  BOOST_CHECK_THROW(SMC::Fitted_placement(6, 61), SMC::Invalid_input);
+}
+
+// Eight vertices can be exactly a cube.
+BOOST_AUTO_TEST_CASE(fit_finds_a_shape_that_can_be_had)
+{
+  const Mesh mesh = test::to_mesh(generated::cube_grid(12));
+  const auto clusters = boost::make_function_property_map<Mesh::Face_index>(
+    [&](Mesh::Face_index f) { return octant(centroid(mesh, f)); });
+  Mesh output;
+  SMC::extract_dual_mesh(mesh, clusters, output, SMC::parameters::vertex_placement(SMC::Fitted_placement(30)));
+  const SMC::Coarsening_quality q = SMC::measure_coarsening(mesh, output, 10000);
+  BOOST_TEST(q.rms_distance < 1e-4 * q.diagonal);
+  BOOST_TEST(q.self_intersections == 0);
+}
+
+BOOST_AUTO_TEST_CASE(fit_is_closer_than_the_others_and_keeps_the_mean_angle)
+{
+  const Mesh mesh = test::to_mesh(generated::triangle_sphere(5));
+  double rms[3] = {0, 0, 0};
+  SMC::Mwcvd_clustering<Mesh> clustering(mesh);
+  clustering.seed(100);
+  clustering.grow();
+  clustering.minimize();
+  Mesh output;
+  clustering.extract_dual_mesh(output, SMC::Centroid_placement());
+  rms[0] = SMC::measure_coarsening(mesh, output, 10000).rms_distance;
+  clustering.extract_dual_mesh(output, SMC::Quadric_placement());
+  rms[1] = SMC::measure_coarsening(mesh, output, 10000).rms_distance;
+  clustering.extract_dual_mesh(output, SMC::Fitted_placement());
+  const SMC::Coarsening_quality q = SMC::measure_coarsening(mesh, output, 10000);
+  rms[2] = q.rms_distance;
+  BOOST_TEST(rms[2] < 0.8 * rms[0]);
+  BOOST_TEST(rms[2] < rms[1]);
+  BOOST_TEST(q.mean_smallest_angle > 39);
+}
+
+BOOST_AUTO_TEST_CASE(fit_is_deterministic_and_the_same_on_a_polyhedron)
+{
+  const generated::Soup soup = generated::with_noise(generated::triangle_sphere(4), 0.01);
+  const Mesh mesh = test::to_mesh(soup);
+  Polyhedron polyhedron;
+  test::to_face_graph(soup, polyhedron);
+  CGAL::set_halfedgeds_items_id(polyhedron);
+  const auto np = SMC::parameters::vertex_placement(SMC::Fitted_placement());
+  std::vector<std::size_t> labels(mesh.number_of_faces());
+  const auto clusters =
+    boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index f) { return labels[f]; });
+  const auto same_clusters = boost::make_function_property_map<Polyhedron::Face_const_handle>(
+    [&](Polyhedron::Face_const_handle f) { return labels[f->id()]; });
+  SMC::Mwcvd_clustering<Mesh> clustering(mesh);
+  clustering.seed(60);
+  clustering.grow();
+  clustering.minimize();
+  for (const auto f : mesh.faces())
+    labels[f] = clustering.cluster(f);
+  Mesh first, second, third;
+  SMC::extract_dual_mesh(mesh, clusters, first, np);
+  SMC::extract_dual_mesh(mesh, clusters, second, np);
+  SMC::extract_dual_mesh(polyhedron, same_clusters, third, np);
+  BOOST_REQUIRE(first.number_of_faces() == second.number_of_faces());
+  BOOST_REQUIRE(first.number_of_vertices() == third.number_of_vertices());
+  for (const auto v : first.vertices()) {
+    BOOST_TEST((first.point(v) == second.point(v)));
+    BOOST_TEST(CGAL::squared_distance(first.point(v), third.point(v)) < 1e-12);
+  }
+}
+
+// Two sheets much nearer than the chords of the coarse mesh are off.
+BOOST_AUTO_TEST_CASE(repair_takes_sheets_apart)
+{
+  const Mesh mesh = thin_plate(40, 0.02);
+  std::size_t found = 0;
+  for (const std::size_t n : {60, 100, 200}) {
+    Mesh output;
+    SMC::Coarsening_report report =
+      SMC::coarsen_mesh(mesh, n, output, SMC::parameters::vertex_placement(SMC::Quadric_placement()));
+    found += report.intersections_found;
+    BOOST_TEST(self_intersections(output) == report.intersections_left);
+    BOOST_TEST(report.intersections_left <= report.intersections_found / 4);
+    report = SMC::coarsen_mesh(mesh, n, output,
+                               SMC::parameters::vertex_placement(SMC::Quadric_placement()).repair_output(false));
+    BOOST_TEST(report.intersections_found == 0);
+  }
+  BOOST_TEST(found > 0);
+}
+
+// Vertices of the output that are to be vertices of the input are so after repairs, too.
+BOOST_AUTO_TEST_CASE(repair_keeps_to_input_vertices)
+{
+  const Mesh mesh = thin_plate(40, 0.02);
+  Mesh output;
+  SMC::coarsen_mesh(mesh, 100, output, SMC::parameters::vertex_placement(SMC::Closest_vertex_placement()));
+  std::set<test::Mesh::Point> points;
+  for (const auto v : mesh.vertices())
+    points.insert(mesh.point(v));
+  for (const auto v : output.vertices())
+    BOOST_TEST(points.count(output.point(v)) == 1);
+}
