@@ -165,7 +165,8 @@ void check_clustering(const Soup& input, std::size_t n, const How how = How())
   const std::vector<double> densities = reference::densities(m, r_new<Weight>());
   const Weight weight = Weight();
 
-  SMC::Mwcvd_clustering<Mesh, Weight> c(mesh, SMC::parameters::maximum_density(r_new<Weight>()).border_densities(false));
+  SMC::Mwcvd_clustering<Mesh, Weight> c(
+    mesh, SMC::parameters::maximum_density(r_new<Weight>()).border_densities(false).repair_output(false));
   BOOST_CHECK_GE(c.seed(n), n);
   c.grow();
   BOOST_REQUIRE_EQUAL(c.report().subdivided_components, 0u);

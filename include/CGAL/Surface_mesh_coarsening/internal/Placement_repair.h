@@ -9,11 +9,9 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Triangle_conflicts.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -61,7 +59,7 @@ public:
     std::size_t least = number_of_faults(), rounds_in_vain = 0;
     std::vector<Triangle> best_triangles = coarse_.triangles();
     std::vector<Vector> best_positions = positions_;
-    for (std::size_t round = 0; round < most_rounds && number_of_faults() > 0 && rounds_in_vain < 6; ++round) {
+    for (std::size_t round = 0; is_worth_trying(round, rounds_in_vain); ++round) {
       is_in_hurry_ = round >= 2;
       if (rounds_in_vain > 0)
         shake_around_faults(rounds_in_vain);
@@ -85,6 +83,10 @@ public:
 
 private:
   static constexpr std::size_t most_rounds = 20;
+  // Exact tests of two triangles whose boxes overlap, in all rounds together: a second or two. What is left of sheets that
+  // are too near each other all over stays.
+  static constexpr std::size_t most_tests = 2000000;
+  static constexpr std::size_t most_input_vertices = 24;
 
   struct Move
   {
@@ -111,6 +113,11 @@ private:
     return Exact_point(q[0], q[1], q[2]);
   }
 
+  bool is_worth_trying(std::size_t round, std::size_t rounds_in_vain) const
+  {
+    return round < most_rounds && number_of_faults() > 0 && rounds_in_vain < 6 && tests_ < most_tests;
+  }
+
   std::size_t number_of_faults() const { return pairs_.size() + reversed_.size(); }
 
   void find_faults()
@@ -127,14 +134,7 @@ private:
 
   bool is_in_input(const Triangle_pair& pair)
   {
-    const Triangle &t = coarse_.triangles()[pair.first], &u = coarse_.triangles()[pair.second];
-    std::array<Index, 6> key{{t[0], t[1], t[2], u[0], u[1], u[2]}};
-    std::sort(key.begin(), key.begin() + 3);
-    std::sort(key.begin() + 3, key.end());
-    const auto known = in_input_.find(key);
-    if (known != in_input_.end())
-      return known->second;
-    return in_input_[key] = reference_.intersects_itself(t, u);
+    return reference_.intersects_itself(coarse_.triangles()[pair.first], coarse_.triangles()[pair.second]);
   }
 
   bool is_reversed(Index t) const
@@ -149,10 +149,10 @@ private:
     const std::vector<Index> reversed = reversed_;
     const Triangle_conflict conflict(points_);
     for (const Triangle_pair& p : pairs)
-      if (conflict(coarse_.triangles()[p.first], coarse_.triangles()[p.second]))
+      if (tests_ < most_tests && conflict(coarse_.triangles()[p.first], coarse_.triangles()[p.second]))
         repair({p.first, p.second});
     for (const Index t : reversed)
-      if (is_reversed(t))
+      if (tests_ < most_tests && is_reversed(t))
         repair({t});
   }
 
@@ -238,7 +238,7 @@ private:
       for (const Index f : surface_.faces(v))
         for (const Index w : surface_.vertices(f))
           if (!surface_.is_on_cluster_boundary(w) &&
-              std::find(places.begin(), places.end(), surface_.point(w)) == places.end() && places.size() < 64)
+              std::find(places.begin(), places.end(), surface_.point(w)) == places.end() && places.size() < most_input_vertices)
             places.push_back(surface_.point(w));
       return places;
     }
@@ -392,7 +392,10 @@ private:
         if (u == t || (u < t && std::binary_search(altered.begin(), altered.end(), u)))
           continue;
         const Triangle& other = coarse_.triangles()[u];
-        if (do_overlap(box, conflict.box(other)) && conflict(triangle, other) && !is_in_input({t, u}))
+        if (!do_overlap(box, conflict.box(other)))
+          continue;
+        ++tests_;
+        if (conflict(triangle, other) && !is_in_input({t, u}))
           ++faults;
       }
     }
@@ -444,8 +447,8 @@ private:
   std::vector<Exact_point> points_; // of the vertices, as the output will have them
   std::vector<Triangle_pair> pairs_;
   std::vector<Index> reversed_;
-  std::map<std::array<Index, 6>, bool> in_input_;
   std::vector<Index> near_;
+  std::size_t tests_ = 0;
   double distance_before_ = 0; // of the surroundings of what is being repaired
   bool is_in_hurry_ = false, at_input_vertices_ = false;
 };

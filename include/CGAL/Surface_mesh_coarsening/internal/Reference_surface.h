@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -83,36 +85,54 @@ public:
     return sum;
   }
 
-  // Whether faces of the clusters of one coarse triangle intersect those of another's.
-  bool intersects_itself(const Triangle& t, const Triangle& u) const
+  // Whether faces of the clusters of one coarse triangle intersect those of another's. Faces with a common vertex are not
+  // looked at: there are many of them, and they hardly ever have more than that in common.
+  bool intersects_itself(const Triangle& t, const Triangle& u)
   {
-    std::vector<Exact_point> points;
-    const std::vector<Triangle> of_t = pieces(t), of_u = pieces(u);
-    std::vector<Triangle> all = of_t;
-    all.insert(all.end(), of_u.begin(), of_u.end());
-    const std::vector<Triangle> named = name_common_points(all, points);
-    const Triangle_conflict conflict(points);
-    std::vector<Triangle_box> boxes = triangle_boxes(named, conflict);
-    const auto middle = boxes.begin() + std::ptrdiff_t(of_t.size());
-    bool found = false;
-    box_intersection_d(boxes.begin(), middle, middle, boxes.end(), [&](const Triangle_box& a, const Triangle_box& b) {
-      const Triangle &f = named[a.info()], &g = named[b.info()];
-      found = found || (f != g && conflict(f, g));
-    });
-    return found;
+    for (const Index x : t)
+      for (const Index y : u)
+        if (clusters_intersect((std::min)(x, y), (std::max)(x, y)))
+          return true;
+    return false;
   }
 
 private:
-  // The faces of the clusters of a triangle, as fans. Their corners are numbered as in the mesh.
-  std::vector<Triangle> pieces(const Triangle& t) const
+  bool clusters_intersect(Index x, Index y)
+  {
+    const auto known = intersecting_.find({x, y});
+    if (known != intersecting_.end())
+      return known->second;
+    std::vector<Triangle> all = pieces(x);
+    const std::ptrdiff_t of_x = std::ptrdiff_t(all.size());
+    const std::vector<Triangle> of_y = pieces(y);
+    all.insert(all.end(), of_y.begin(), of_y.end());
+    std::vector<Exact_point> points;
+    const std::vector<Triangle> named = name_common_points(all, points);
+    const Triangle_conflict conflict(points);
+    std::vector<Triangle_box> boxes = triangle_boxes(named, conflict);
+    const auto middle = boxes.begin() + of_x;
+    bool found = false;
+    box_intersection_d(boxes.begin(), middle, middle, boxes.end(), [&](const Triangle_box& a, const Triangle_box& b) {
+      const Triangle &f = named[a.info()], &g = named[b.info()];
+      found = found || (!have_common_corner(f, g) && conflict(f, g));
+    });
+    return intersecting_[{x, y}] = found;
+  }
+
+  static bool have_common_corner(const Triangle& t, const Triangle& u)
+  {
+    return std::find_first_of(t.begin(), t.end(), u.begin(), u.end()) != t.end();
+  }
+
+  // The faces of a cluster, as fans.
+  std::vector<Triangle> pieces(Index x) const
   {
     std::vector<Triangle> triangles;
-    for (const Index x : t)
-      for (const Index f : surface_.faces(x)) {
-        const Clustered_surface::Range v = surface_.vertices(f);
-        for (std::size_t i = 2; i < v.size(); ++i)
-          triangles.push_back({v.begin()[0], v.begin()[i - 1], v.begin()[i]});
-      }
+    for (const Index f : surface_.faces(x)) {
+      const Clustered_surface::Range v = surface_.vertices(f);
+      for (std::size_t i = 2; i < v.size(); ++i)
+        triangles.push_back({v.begin()[0], v.begin()[i - 1], v.begin()[i]});
+    }
     return triangles;
   }
 
@@ -137,6 +157,7 @@ private:
   const Clustered_surface& surface_;
   Input_surface input_;
   std::vector<Vector> normals_;
+  std::map<std::pair<Index, Index>, bool> intersecting_; // pairs of clusters that were looked at
 };
 
 } // namespace internal

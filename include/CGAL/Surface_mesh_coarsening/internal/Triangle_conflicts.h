@@ -54,7 +54,7 @@ public:
       const int j = in_u[shared];
       return crosses(t, u[(j + 1) % 3], u[(j + 2) % 3]) || crosses(u, t[(shared + 1) % 3], t[(shared + 2) % 3]);
     }
-    if (is_flat(t) || is_flat(u))
+    if (is_beside(t, u) || is_beside(u, t) || is_flat(t) || is_flat(u))
       return false;
     return do_intersect(triangle(t), triangle(u));
   }
@@ -74,6 +74,14 @@ private:
       if (v != a && v != b)
         return v;
     return t[0];
+  }
+
+  // Whether a triangle is on one side of the plane of another, which is quick to tell.
+  bool is_beside(const Triangle& t, const Triangle& u) const
+  {
+    const Exact_point &p = points_[u[0]], &q = points_[u[1]], &r = points_[u[2]];
+    const Orientation side = orientation(p, q, r, points_[t[0]]);
+    return side != COPLANAR && orientation(p, q, r, points_[t[1]]) == side && orientation(p, q, r, points_[t[2]]) == side;
   }
 
   Exact_tests::Triangle_3 triangle(const Triangle& t) const { return {points_[t[0]], points_[t[1]], points_[t[2]]}; }
