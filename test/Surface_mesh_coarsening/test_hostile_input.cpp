@@ -111,19 +111,24 @@ void check_surface(const Mesh& input, const Mesh& output, std::size_t number)
     BOOST_CHECK(a.topologies()[0].same_surface_as(b.topologies()[0]));
 }
 
-// Coarsens with all weights; everything has to come out as for a mesh without faults.
-void check_coarsened(const Soup& soup, std::size_t number, bool finite = true)
+// Everything has to come out as for a mesh without faults.
+SMC::Coarsening_report check_coarsened(const Mesh& mesh, std::size_t number, bool finite = true, std::size_t rounds = 1000)
 {
-  const Mesh mesh = test::to_mesh(soup);
+  const Soup soup = test::to_soup(mesh);
   Mesh output = test::to_mesh(other_surface());
-  const SMC::Coarsening_report report = SMC::coarsen_mesh(mesh, number, output);
+  const SMC::Coarsening_report report = SMC::coarsen_mesh(mesh, number, output, SMC::parameters::number_of_iterations(rounds));
   check_surface(mesh, output, number);
   BOOST_CHECK(std::isfinite(report.final_energy) || !finite);
-  BOOST_CHECK(report.converged);
   for (const auto v : output.vertices())
     for (int i = 0; i < 3; ++i)
       BOOST_CHECK(std::isfinite(output.point(v)[i]));
   check_unchanged(mesh, soup);
+  return report;
+}
+
+void check_coarsened(const Soup& soup, std::size_t number, bool finite = true)
+{
+  BOOST_CHECK(check_coarsened(test::to_mesh(soup), number, finite).converged);
 }
 
 Soup squashed(const Soup& s, double x, double y, double z) { return generated::scaled(s, x, y, z); }
@@ -164,6 +169,33 @@ BOOST_AUTO_TEST_CASE(isolated_vertices)
   Mesh expected;
   SMC::coarsen_mesh(test::to_mesh(sphere()), 40, expected);
   BOOST_CHECK(equal(test::to_soup(output), test::to_soup(expected)));
+}
+
+// A hole between two edges with the same ends, which a face graph can have and a list of polygons cannot, is a border loop.
+BOOST_AUTO_TEST_CASE(border_of_two_edges)
+{
+  Mesh mesh = test::to_mesh(sphere());
+  const Mesh::Halfedge_index o(20), added = mesh.add_edge(mesh.source(o), mesh.target(o)), beside = mesh.opposite(added);
+  mesh.set_next(mesh.prev(o), added); // which takes the place of `o`
+  mesh.set_next(added, mesh.next(o));
+  mesh.set_face(added, mesh.face(o));
+  mesh.set_halfedge(mesh.face(o), added);
+  mesh.set_next(o, beside);
+  mesh.set_next(beside, o);
+  for (const auto h : {o, beside}) {
+    mesh.set_face(h, Mesh::null_face());
+    mesh.set_halfedge(mesh.target(h), h);
+  }
+  BOOST_REQUIRE(mesh.is_valid(false));
+  for (const std::size_t number : {3, 20}) {
+    Mesh output;
+    SMC::coarsen_mesh(mesh, number, output);
+    BOOST_CHECK_EQUAL(output.number_of_vertices(), number);
+    const reference::Reference_mesh m(test::to_soup(output));
+    BOOST_REQUIRE_EQUAL(m.topologies().size(), 1u);
+    BOOST_CHECK_EQUAL(m.topologies()[0].loops, 1u);
+    BOOST_CHECK_EQUAL(m.topologies()[0].characteristic(), 1);
+  }
 }
 
 // With removed elements among the others, in the input and in the output.
@@ -259,13 +291,50 @@ Soup disc(std::size_t n)
   return soup;
 }
 
-Soup cone(std::size_t n)
+// Cuts a face into triangles around a new vertex. Triangle by triangle, that would take quadratic time.
+void add_center(Mesh& mesh, Mesh::Halfedge_index h, double z)
 {
-  Soup soup = disc(n);
-  std::reverse(soup.polygons[0].begin(), soup.polygons[0].end());
-  soup.points.push_back({0, 0, 1});
-  for (std::size_t i = 0; i < n; ++i)
-    soup.polygons.push_back({i, (i + 1) % n, n});
+  mesh.point(mesh.target(CGAL::Euler::add_center_vertex(h, mesh))) = test::Point(0, 0, z);
+}
+
+// A face of `n` sides. CGAL's functions for soups of polygons take quadratic time for it.
+Mesh disc_mesh(std::size_t n)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> corners;
+  for (const generated::Point& p : disc(n).points)
+    corners.push_back(mesh.add_vertex(test::Point(p[0], p[1], p[2])));
+  CGAL::Euler::add_face(corners, mesh);
+  return mesh;
+}
+
+Mesh fan(std::size_t n)
+{
+  Mesh mesh = disc_mesh(n);
+  add_center(mesh, mesh.halfedge(Mesh::Face_index(0)), 0.5);
+  return mesh;
+}
+
+// A fan with a face, or another fan, on its other side.
+Mesh cone(std::size_t n, bool is_double)
+{
+  Mesh mesh = disc_mesh(n);
+  const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Face_index(0)), o = mesh.opposite(h);
+  CGAL::Euler::fill_hole(o, mesh);
+  add_center(mesh, h, 1);
+  if (is_double)
+    add_center(mesh, o, -1);
+  return mesh;
+}
+
+// A face of `n` sides with others around it.
+Soup lid(std::size_t n)
+{
+  Soup soup = generated::tube(n, 3);
+  const std::size_t rows = soup.points.size() / n;
+  soup.polygons.emplace_back();
+  for (std::size_t i = n; i-- > 0;)
+    soup.polygons.back().push_back(i * rows);
   return soup;
 }
 
@@ -275,14 +344,15 @@ BOOST_AUTO_TEST_CASE(face_of_ten_thousand_sides)
 {
   check_coarsened(disc(10000), 3);
   check_coarsened(disc(10000), 100);
-  check_coarsened(cone(250), 100);
+  check_coarsened(cone(10000, false), 100, true, 100);
+  check_coarsened(test::to_mesh(lid(10000)), 300, true, 100);
 }
 
-BOOST_AUTO_TEST_CASE(vertex_of_many_faces)
+// A face at a time, clusters of so many thin triangles need a thousand rounds and more to find their places; some will do here.
+BOOST_AUTO_TEST_CASE(vertex_of_a_hundred_thousand_faces)
 {
-  constexpr std::size_t valence = 2000;
-  check_coarsened(generated::fan(valence), 100);
-  check_coarsened(generated::bipyramid(valence), 100);
+  check_coarsened(fan(100000), 1000, true, 50);
+  check_coarsened(cone(100000, true), 1000, true, 50);
 }
 
 // ---- parameters ----

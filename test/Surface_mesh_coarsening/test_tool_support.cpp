@@ -94,6 +94,59 @@ BOOST_AUTO_TEST_CASE(soup_check_accepts_manifolds)
     BOOST_TEST(!soup_fault(soup_of(source)).has_value());
 }
 
+namespace {
+
+void check_same_as_cgal(const generated::Soup& source)
+{
+  const Soup soup = soup_of(source);
+  BOOST_REQUIRE(!soup_fault(soup));
+  Mesh expected;
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, expected);
+  const Mesh mesh = to_mesh(soup);
+  BOOST_CHECK(mesh.is_valid(false));
+  BOOST_CHECK_EQUAL(mesh.number_of_halfedges(), expected.number_of_halfedges());
+  std::set<std::vector<std::size_t> > loops, expected_loops; // of faces and borders, each from its smallest vertex on
+  const auto loop = [](const Mesh& m, Halfedge h) {
+    std::vector<std::size_t> around;
+    for (const Halfedge g : m.halfedges_around_face(h))
+      around.push_back(m.target(g));
+    std::rotate(around.begin(), std::min_element(around.begin(), around.end()), around.end());
+    around.push_back(m.is_border(h) ? std::size_t(-1) : std::size_t(m.face(h)));
+    return around;
+  };
+  for (const Halfedge h : mesh.halfedges())
+    loops.insert(loop(mesh, h));
+  for (const Halfedge h : expected.halfedges())
+    expected_loops.insert(loop(expected, h));
+  BOOST_CHECK(loops == expected_loops);
+  for (const Vertex v : mesh.vertices()) {
+    BOOST_CHECK(mesh.point(v) == soup.points[v]);
+    BOOST_CHECK_EQUAL(mesh.is_border(v), expected.is_border(v));
+    BOOST_CHECK_EQUAL(mesh.is_border(v), mesh.is_border(mesh.halfedge(v)));
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(mesh_of_a_soup)
+{
+  check_same_as_cgal(generated::single_triangle());
+  check_same_as_cgal(generated::joined(generated::torus(7, 5), generated::fan(9)));
+  check_same_as_cgal(generated::plate_with_windows(2));
+  check_same_as_cgal(generated::with_holes(generated::triangle_sphere(4), 5));
+  check_same_as_cgal(generated::partly_triangulated(generated::tube(12, 4)));
+}
+
+// In linear time, or nearly: this would take minutes face by face.
+BOOST_AUTO_TEST_CASE(mesh_with_hubs)
+{
+  const Soup soup = soup_of(generated::bipyramid(300000));
+  BOOST_REQUIRE(!soup_fault(soup));
+  const Mesh mesh = to_mesh(soup);
+  BOOST_CHECK(mesh.is_valid(false));
+  BOOST_CHECK(CGAL::is_closed(mesh));
+}
+
 BOOST_AUTO_TEST_CASE(counts)
 {
   BOOST_TEST(only_component(generated::cube_grid(3)).genus() == 0);

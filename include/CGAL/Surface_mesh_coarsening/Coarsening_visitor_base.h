@@ -32,8 +32,8 @@ struct Coarsening_visitor_base
   /// is called after each round of the minimization with its number (the first is 1), the number of faces that
   /// changed cluster in it, and the energy after it.
   void round_done(std::size_t /* round */, std::size_t /* moves */, double /* energy */) {}
-  /// is asked when a stage begins, after each round, and before the output is touched; `false` ends the coarsening with
-  /// `Coarsening_cancelled`.
+  /// is asked when a stage begins, after each round, before the output is touched, and within the stages each time that some
+  /// 16,000 elementary steps have been taken; `false` ends the coarsening with `Coarsening_cancelled`.
   bool go_further() { return true; }
 };
 

@@ -21,6 +21,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -69,11 +70,12 @@ public:
       visitor_(internal::get_parameter(np, CGAL::internal_np::visitor))
   {
     visitor_.stage_begins(Coarsening_stage::PREPARATION);
-    numbering_ = internal::numbering(mesh, np);
-    input_ = internal::clustering_input(mesh, np, numbering_, frame_);
+    const internal::Checkpoint checkpoint(visitor_);
+    numbering_ = internal::numbering(mesh, np, checkpoint);
+    input_ = internal::clustering_input(mesh, np, numbering_, frame_, checkpoint);
     subdivide_ = internal::choose_parameter(internal::get_parameter(np, internal_np::subdivide_input_p), false);
     repair_ = internal::choose_parameter(internal::get_parameter(np, internal_np::repair_output_p), true);
-    dropped_components_ = internal::drop_small_components(np, frame_, input_);
+    dropped_components_ = internal::drop_small_components(np, frame_, input_, checkpoint);
     visitor_.stage_ends(Coarsening_stage::PREPARATION);
   }
 
@@ -121,7 +123,8 @@ public:
       throw std::logic_error("grow() was called before seed()");
     visitor_.stage_begins(Coarsening_stage::GROWTH);
     minimization_.reset();
-    labels_ = std::make_unique<internal::Cluster_labels>(initial_->grow());
+    labels_.reset();
+    all_or_nothing([&] { labels_ = std::make_unique<internal::Cluster_labels>(initial_->grow()); });
     begin_minimization(report_.clusters);
     visitor_.stage_ends(Coarsening_stage::GROWTH);
   }
@@ -137,26 +140,23 @@ public:
   {
     forget();
     std::size_t number = 0;
-    labels_ = std::make_unique<internal::Cluster_labels>(input_.mesh);
+    auto labels = std::make_unique<internal::Cluster_labels>(input_.mesh);
     for (std::size_t i = 0; i < input_.parent.size(); ++i) {
       const std::size_t label = std::size_t(get(clusters, numbering_.faces[input_.parent[i]]));
-      if (label >= numbering_.faces.size()) {
-        labels_.reset();
+      if (label >= numbering_.faces.size())
         throw Invalid_input("the cluster of face " + std::to_string(i) + " is " + std::to_string(label) +
                             " in a mesh of " + std::to_string(numbering_.faces.size()) + " faces");
-      }
       number = (std::max)(number, label + 1);
-      labels_->set(Index(i), Index(label));
+      labels->set(Index(i), Index(label));
     }
-    const std::string fault = internal::Clustering_check(*labels_, number).fault(
+    const std::string fault = internal::Clustering_check(*labels, number).fault(
       [](std::size_t x) { return "cluster " + std::to_string(x); });
-    if (!fault.empty()) {
-      labels_.reset();
+    if (!fault.empty())
       throw Invalid_input(fault);
-    }
-    labels_->recount();
+    labels->recount();
     reset_report();
     report_.clusters = number;
+    labels_ = std::move(labels);
     begin_minimization(number);
   }
   /// @}
@@ -266,17 +266,18 @@ public:
                          const Before& before) const
   {
     visitor_.stage_begins(Coarsening_stage::TRIANGULATION);
+    const internal::Checkpoint checkpoint(visitor_);
     const Clustered_surface surface(working_input(), labels(), report_.clusters);
-    std::vector<internal::Triangle> triangles = internal::dual_triangles(labels());
+    std::vector<internal::Triangle> triangles = internal::dual_triangles(labels(), checkpoint);
     internal::Repair_counts counts;
     const std::vector<internal::Vector> positions = internal::place_vertices(
       surface, placement, repair_,
-      internal::output_coordinates<typename GetGeomTraits<Output, NamedParameters>::type>(frame_), triangles, counts);
+      internal::output_coordinates<typename GetGeomTraits<Output, NamedParameters>::type>(frame_), triangles, counts, checkpoint);
     report_.intersections_found = counts.intersections_found;
     report_.intersections_left = counts.intersections_left;
     report_.reversals_found = counts.reversals_found;
     report_.reversals_left = counts.reversals_left;
-    internal::Face_graph_filler<Output, NamedParameters> filler(positions, frame_, triangles, output, np);
+    internal::Face_graph_filler<Output, NamedParameters> filler(positions, frame_, triangles, output, np, checkpoint);
     visitor_.throw_if_cancelled();
     visitor_.stage_ends(Coarsening_stage::TRIANGULATION);
     before();
@@ -293,7 +294,7 @@ private:
     forget();
     reset_report();
     initial_ = std::make_unique<internal::Initial_clustering>(input_, report_, internal::Checkpoint(visitor_));
-    seed(*initial_);
+    all_or_nothing([&] { seed(*initial_); });
     visitor_.stage_ends(Coarsening_stage::SEEDING);
     return report_.seeds;
   }
@@ -302,6 +303,18 @@ private:
   {
     report_ = Coarsening_report();
     report_.dropped_components = dropped_components_;
+  }
+
+  // A step that fails, or is cancelled, leaves nothing to go on from: that begins with seeds or labels again.
+  template <class Step>
+  void all_or_nothing(const Step& step)
+  {
+    try {
+      step();
+    } catch (...) {
+      forget();
+      throw;
+    }
   }
 
   void forget()
@@ -315,8 +328,10 @@ private:
 
   void begin_minimization(std::size_t clusters)
   {
-    minimization_ = std::make_unique<internal::Energy_minimization<ClusterWeight> >(
-      working_input(), *labels_, clusters, weight_, internal::Checkpoint(visitor_), execution_);
+    all_or_nothing([&] {
+      minimization_ = std::make_unique<internal::Energy_minimization<ClusterWeight> >(
+        working_input(), *labels_, clusters, weight_, internal::Checkpoint(visitor_), execution_);
+    });
     report_.initial_energy = report_.final_energy = minimization_->energy();
   }
 

@@ -14,10 +14,12 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace fuzz {
@@ -48,6 +50,56 @@ inline generated::Soup to_soup(const Mesh& mesh)
       soup.polygons.back().push_back(number[v]);
   }
   return soup;
+}
+
+// Euler's characteristic and the number of border loops of each component, sorted. They are those of the halfedges: a hole between
+// two edges with the same ends is one, though no soup tells.
+inline std::vector<std::pair<long, long> > topologies(const Mesh& mesh)
+{
+  std::map<Mesh::Face_index, std::size_t> component;
+  std::vector<std::pair<long, long> > result;
+  for (const auto seed : faces(mesh)) {
+    if (component.count(seed))
+      continue;
+    const std::size_t number = result.size();
+    result.emplace_back(0, 0);
+    std::set<Mesh::Vertex_index> corners;
+    std::set<Mesh::Edge_index> edges;
+    std::set<Halfedge> border;
+    std::vector<Mesh::Face_index> stack(1, seed);
+    component[seed] = number;
+    while (!stack.empty()) {
+      const Mesh::Face_index f = stack.back();
+      stack.pop_back();
+      ++result[number].first;
+      for (const auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh)) {
+        corners.insert(mesh.target(h));
+        edges.insert(mesh.edge(h));
+        const Mesh::Face_index g = mesh.face(mesh.opposite(h));
+        if (g == Mesh::null_face())
+          border.insert(mesh.opposite(h));
+        else if (component.insert({g, number}).second)
+          stack.push_back(g);
+      }
+    }
+    result[number].first += long(corners.size()) - long(edges.size());
+    while (!border.empty()) {
+      ++result[number].second;
+      for (Halfedge h = *border.begin(); border.erase(h) != 0;)
+        h = mesh.next(h);
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+inline bool has_double_edges(const Mesh& mesh)
+{
+  std::set<std::pair<std::size_t, std::size_t> > ends;
+  for (const auto h : halfedges(mesh))
+    if (!ends.insert({std::size_t(mesh.source(h)), std::size_t(mesh.target(h))}).second)
+      return true;
+  return false;
 }
 
 inline generated::Soup start_surface(Bytes& bytes)

@@ -27,20 +27,20 @@ struct Clustering_input
 
   double mass(Index f) const { return density[f] * area[f]; }
 
-  void complete()
+  void complete(const Checkpoint& checkpoint = Checkpoint())
   {
     parent.resize(mesh.number_of_faces());
     std::iota(parent.begin(), parent.end(), Index(0));
-    measure();
+    measure(checkpoint);
   }
 
   // Cuts the faces of the chosen components into one piece per corner.
-  void subdivide(const std::vector<bool>& chosen_component)
+  void subdivide(const std::vector<bool>& chosen_component, const Checkpoint& checkpoint = Checkpoint())
   {
     std::vector<Index> cut_from(mesh.number_of_faces());
     std::iota(cut_from.begin(), cut_from.end(), Index(0));
-    mesh = Flat_mesh_subdivision::run(mesh, chosen_component, cut_from);
-    take_from(cut_from);
+    mesh = Flat_mesh_subdivision::run(mesh, chosen_component, cut_from, checkpoint);
+    take_from(cut_from, checkpoint);
   }
 
   // Takes densities and parents over from an input of which the faces are pieces.
@@ -48,11 +48,11 @@ struct Clustering_input
   {
     density = whole.density;
     parent = whole.parent;
-    take_from(whole_face);
+    take_from(whole_face, Checkpoint());
   }
 
   // Leaves out the components whose area is smaller. Returns their number.
-  std::size_t drop_components_below(double least_area)
+  std::size_t drop_components_below(double least_area, const Checkpoint& checkpoint = Checkpoint())
   {
     std::vector<double> areas(mesh.components.size(), 0);
     for (std::size_t f = 0; f < area.size(); ++f)
@@ -69,6 +69,7 @@ struct Clustering_input
     Flat_mesh smaller;
     smaller.first_corner.assign(1, 0);
     for (const Index f : kept) {
+      checkpoint.pass();
       for (Index c = mesh.first_corner[f]; c != mesh.first_corner[f + 1]; ++c) {
         const Index g = mesh.face_across[c];
         smaller.corner_vertex.push_back(mesh.corner_vertex[c]);
@@ -77,15 +78,15 @@ struct Clustering_input
       smaller.first_corner.push_back(Index(smaller.corner_vertex.size()));
     }
     smaller.points.swap(mesh.points);
-    Flat_mesh_topology::complete(smaller, smaller.points.size());
+    Flat_mesh_topology::complete(smaller, smaller.points.size(), checkpoint);
     mesh = std::move(smaller);
-    take_from(kept);
+    take_from(kept, checkpoint);
     return dropped;
   }
 
 private:
   // Makes the faces pieces of those in the list, or these themselves.
-  void take_from(const std::vector<Index>& old_faces)
+  void take_from(const std::vector<Index>& old_faces, const Checkpoint& checkpoint)
   {
     std::vector<double> densities;
     std::vector<Index> parents;
@@ -97,14 +98,15 @@ private:
     }
     density.swap(densities);
     parent.swap(parents);
-    measure();
+    measure(checkpoint);
   }
 
-  void measure()
+  void measure(const Checkpoint& checkpoint)
   {
     area.resize(mesh.number_of_faces());
     centroid.resize(mesh.number_of_faces());
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
+      checkpoint.pass();
       const Face_geometry g = face_geometry(mesh, Index(f));
       area[f] = g.area;
       centroid[f] = g.centroid;

@@ -240,7 +240,8 @@ private:
   void list_boundary_edges()
   {
     is_listed_.assign(mesh_.corner_vertex.size(), false);
-    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f)
+    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
+      checkpoint_.pass();
       for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
         const Index g = mesh_.face_across[c];
         if (g != NONE && g > f && labels_[g] != labels_[Index(f)]) {
@@ -248,6 +249,7 @@ private:
           is_listed_[c] = true;
         }
       }
+    }
   }
 
   std::size_t run(bool all)
@@ -255,10 +257,11 @@ private:
     std::size_t moves = 0;
     const std::size_t edges = edges_.size();
     for (std::size_t begin = 0; begin < edges; begin += batch) {
+      checkpoint_.pass((std::min)(edges - begin, batch));
       find_moves(begin, (std::min)(edges, begin + batch), all);
       for (const std::vector<Move>& found : found_)
         for (const Move& m : found) {
-          checkpoint_.pass();
+          checkpoint_.pass(); // a move takes longer than to look for one
           moves += make(m);
         }
     }

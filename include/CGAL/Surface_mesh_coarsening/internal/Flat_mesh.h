@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FLAT_MESH_H
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
 
 #include <algorithm>
 #include <array>
@@ -95,21 +96,22 @@ struct Flat_mesh
 class Flat_mesh_topology
 {
 public:
-  static void complete(Flat_mesh& m, std::size_t number_of_vertices)
+  static void complete(Flat_mesh& m, std::size_t number_of_vertices, const Checkpoint& checkpoint = Checkpoint())
   {
-    check_faces(m);
+    check_faces(m, checkpoint);
     count_stars(m, number_of_vertices);
-    std::vector<Index> start = first_corners_of_stars(m, number_of_vertices);
+    std::vector<Index> start = first_corners_of_stars(m, number_of_vertices, checkpoint);
     for (std::size_t v = 0; v < number_of_vertices; ++v)
-      walk_star(m, Index(v), start[v]);
-    number_components(m);
-    number_loops(m);
+      walk_star(m, Index(v), start[v], checkpoint);
+    number_components(m, checkpoint);
+    number_loops(m, checkpoint);
   }
 
 private:
-  static void check_faces(const Flat_mesh& m)
+  static void check_faces(const Flat_mesh& m, const Checkpoint& checkpoint)
   {
     for (std::size_t f = 0; f < m.number_of_faces(); ++f) {
+      checkpoint.pass();
       const Index begin = m.first_corner[f], end = m.first_corner[f + 1];
       if (end - begin < 3)
         throw Invalid_input("face " + std::to_string(f) + " has " + std::to_string(end - begin) + " sides");
@@ -152,11 +154,13 @@ private:
   }
 
   // The face where each star begins. Kept per vertex as a face index; NONE for isolated vertices.
-  static std::vector<Index> first_corners_of_stars(Flat_mesh& m, std::size_t number_of_vertices)
+  static std::vector<Index> first_corners_of_stars(Flat_mesh& m, std::size_t number_of_vertices,
+                                                   const Checkpoint& checkpoint)
   {
     std::vector<Index> start(number_of_vertices, NONE);
     m.loop.assign(number_of_vertices, NONE);
-    for (std::size_t f = m.number_of_faces(); f-- > 0;)
+    for (std::size_t f = m.number_of_faces(); f-- > 0;) {
+      checkpoint.pass();
       for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
         const Index v = m.corner_vertex[c];
         if (m.face_across[c] == NONE) {
@@ -168,10 +172,11 @@ private:
           start[v] = Index(f);
         }
       }
+    }
     return start;
   }
 
-  static void walk_star(Flat_mesh& m, Index v, Index f)
+  static void walk_star(Flat_mesh& m, Index v, Index f, const Checkpoint& checkpoint)
   {
     const Index begin = m.first_in_star[v], end = m.first_in_star[v + 1];
     if (begin == end)
@@ -179,6 +184,7 @@ private:
     const Index first = f;
     Index i = begin;
     do {
+      checkpoint.pass();
       m.star[i++] = f;
       f = m.face_across[m.previous_corner(f, m.corner_of(f, v))];
     } while (f != NONE && f != first && i != end);
@@ -187,7 +193,7 @@ private:
       throw Invalid_input("vertex " + std::to_string(v) + " is not a manifold vertex: the faces around it form more than one fan");
   }
 
-  static void number_components(Flat_mesh& m)
+  static void number_components(Flat_mesh& m, const Checkpoint& checkpoint)
   {
     m.component.assign(m.number_of_faces(), NONE);
     m.components.clear();
@@ -203,6 +209,7 @@ private:
       while (!stack.empty()) {
         const Index f = stack.back();
         stack.pop_back();
+        checkpoint.pass();
         ++component.faces;
         for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
           const Index g = m.face_across[c];
@@ -223,7 +230,7 @@ private:
         ++m.components[m.component[m.star[m.first_in_star[v]]]].vertices;
   }
 
-  static void number_loops(Flat_mesh& m)
+  static void number_loops(Flat_mesh& m, const Checkpoint& checkpoint)
   {
     std::vector<bool> done(m.number_of_vertices(), false);
     Index loops = 0;
@@ -231,6 +238,7 @@ private:
       if (m.loop[v] == NONE || done[v])
         continue;
       for (Index w = Index(v); !done[w]; w = next_on_border(m, w)) {
+        checkpoint.pass();
         done[w] = true;
         m.loop[w] = loops;
       }

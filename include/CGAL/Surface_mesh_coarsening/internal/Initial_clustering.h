@@ -53,7 +53,7 @@ public:
     while (uncut_input_->mesh.number_of_faces() < faces) {
       if (!subdivided_input_)
         subdivided_input_ = *uncut_input_;
-      subdivided_input_->subdivide(std::vector<bool>(cut_.size(), true));
+      subdivided_input_->subdivide(std::vector<bool>(cut_.size(), true), checkpoint_);
       input_ = uncut_input_ = &*subdivided_input_;
     }
     bound_by_vertices();
@@ -215,7 +215,7 @@ private:
       labels_.reset();
       clustering_.reset();
       cut_input_ = *uncut_input_;
-      cut_input_->subdivide(cut_);
+      cut_input_->subdivide(cut_, checkpoint_);
       input_ = &*cut_input_;
     }
     const Flat_mesh& m = input_->mesh;

@@ -52,8 +52,20 @@ public:
     if (go_further_ && !go_further_())
       throw Coarsening_cancelled();
   }
+  // Asks whether to go on each time that `often` steps have been taken, whichever loops they belong to.
+  void pass(std::size_t steps) const
+  {
+    passed_ += steps;
+    if (passed_ < often)
+      return;
+    passed_ = 0;
+    throw_if_cancelled();
+  }
+  bool can_cancel() const { return bool(go_further_); }
 
 private:
+  static constexpr std::size_t often = 1 << 14;
+
   template <class Pointer>
   void hold(const Pointer& visitor)
   {
@@ -68,25 +80,25 @@ private:
   std::function<void(Coarsening_stage)> stage_begins_, stage_ends_;
   std::function<void(std::size_t, std::size_t, double)> round_done_;
   std::function<bool()> go_further_;
+  mutable std::size_t passed_ = 0;
 };
 
-// Asks the visitor whether to go on, now and then: what lies between two questions takes about a millisecond.
+// Asks the visitor whether to go on, now and then: what lies between two questions takes about a millisecond. Copies count
+// together, so that many short loops do not go unasked. Loops that run on several threads have none.
 class Checkpoint
 {
 public:
   Checkpoint() {}
-  explicit Checkpoint(const Visitor_handle& visitor) : visitor_(&visitor) {}
+  explicit Checkpoint(const Visitor_handle& visitor) : visitor_(visitor.can_cancel() ? &visitor : nullptr) {}
 
-  void pass()
+  void pass(std::size_t steps = 1) const
   {
-    if (++passed_ % often == 0 && visitor_ != nullptr)
-      visitor_->throw_if_cancelled();
+    if (visitor_ != nullptr)
+      visitor_->pass(steps);
   }
 
 private:
-  static constexpr std::size_t often = 1 << 14;
   const Visitor_handle* visitor_ = nullptr;
-  std::size_t passed_ = 0;
 };
 
 } // namespace internal

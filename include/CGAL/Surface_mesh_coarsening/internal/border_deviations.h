@@ -25,8 +25,8 @@ namespace internal {
 class Border_deviations
 {
 public:
-  explicit Border_deviations(const Flat_mesh& m)
-    : mesh_(m), radius_(m.number_of_vertices(), std::numeric_limits<double>::infinity()), reach_(m.number_of_vertices(), 0)
+  explicit Border_deviations(const Flat_mesh& m, const Checkpoint& checkpoint = Checkpoint())
+    : mesh_(m), checkpoint_(checkpoint), radius_(m.number_of_vertices(), std::numeric_limits<double>::infinity()), reach_(m.number_of_vertices(), 0)
   {}
 
   void raise(std::vector<double>& deviations)
@@ -35,6 +35,7 @@ public:
     spread();
     const double most = deviations.empty() ? 0 : *std::max_element(deviations.begin(), deviations.end());
     for (std::size_t f = 0; f < deviations.size(); ++f) {
+      checkpoint_.pass();
       double radius = std::numeric_limits<double>::infinity();
       for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
         radius = (std::min)(radius, radius_[mesh_.corner_vertex[c]]);
@@ -65,6 +66,7 @@ private:
       std::vector<Index> loop;
       double length = 0;
       for (Index w = Index(v); !done[w];) {
+        checkpoint_.pass();
         done[w] = true;
         loop.push_back(w);
         const Index next = Flat_mesh_topology::next_on_border(mesh_, w);
@@ -107,6 +109,7 @@ private:
       const Index v = entry.second;
       if (entry.first > radius_[v])
         continue;
+      checkpoint_.pass(mesh_.first_in_star[v + 1] - mesh_.first_in_star[v]);
       for (Index i = mesh_.first_in_star[v]; i != mesh_.first_in_star[v + 1]; ++i)
         for_each_neighbor(mesh_.star[i], v, [&](Index w) {
           const double radius = entry.first + distance(v, w);
@@ -138,6 +141,7 @@ private:
 
   static constexpr double straight = 1e-6;
   const Flat_mesh& mesh_;
+  Checkpoint checkpoint_;
   std::vector<double> radius_, reach_; // of each vertex; the largest radius to be passed on
 };
 

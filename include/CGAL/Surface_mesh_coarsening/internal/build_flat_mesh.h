@@ -41,12 +41,14 @@ inline void check_countable(std::size_t n, const char* what)
 }
 
 template <class FaceGraph, class FaceIndexMap>
-void number_faces_by_map(const FaceGraph& mesh, const FaceIndexMap& index, Numbering<FaceGraph>& numbering)
+void number_faces_by_map(const FaceGraph& mesh, const FaceIndexMap& index, Numbering<FaceGraph>& numbering,
+                         const Checkpoint& checkpoint)
 {
   const auto none = boost::graph_traits<FaceGraph>::null_face();
   std::vector<bool> taken(numbering.faces.size(), false);
   std::vector<typename Numbering<FaceGraph>::face_descriptor> ordered(numbering.faces.size(), none);
   for (const auto f : numbering.faces) {
+    checkpoint.pass();
     const std::size_t i = std::size_t(get(index, f));
     if (i >= ordered.size() || taken[i])
       throw Invalid_input("the face index map gives " + std::to_string(i) + (i < ordered.size() ? " twice" : "") +
@@ -59,37 +61,44 @@ void number_faces_by_map(const FaceGraph& mesh, const FaceIndexMap& index, Numbe
 }
 
 template <class FaceGraph>
-void number_faces_by_map(const FaceGraph&, const CGAL::internal_np::Param_not_found&, Numbering<FaceGraph>&)
+void number_faces_by_map(const FaceGraph&, const CGAL::internal_np::Param_not_found&, Numbering<FaceGraph>&,
+                         const Checkpoint&)
 {}
 
 template <class FaceGraph, class FaceIndexMap>
-Numbering<FaceGraph> number_elements(const FaceGraph& mesh, const FaceIndexMap& index)
+Numbering<FaceGraph> number_elements(const FaceGraph& mesh, const FaceIndexMap& index,
+                                     const Checkpoint& checkpoint)
 {
   Numbering<FaceGraph> n;
   n.faces.assign(faces(mesh).begin(), faces(mesh).end());
   n.vertices.assign(vertices(mesh).begin(), vertices(mesh).end());
   check_countable(n.faces.size(), "faces");
   check_countable(n.vertices.size(), "vertices");
-  number_faces_by_map(mesh, index, n);
+  number_faces_by_map(mesh, index, n, checkpoint);
   n.face_number = get(dynamic_face_property_t<Index>(), mesh);
   n.vertex_number = get(dynamic_vertex_property_t<Index>(), mesh);
-  for (std::size_t i = 0; i < n.faces.size(); ++i)
+  for (std::size_t i = 0; i < n.faces.size(); ++i) {
+    checkpoint.pass();
     put(n.face_number, n.faces[i], Index(i));
-  for (std::size_t i = 0; i < n.vertices.size(); ++i)
+  }
+  for (std::size_t i = 0; i < n.vertices.size(); ++i) {
+    checkpoint.pass();
     put(n.vertex_number, n.vertices[i], Index(i));
+  }
   return n;
 }
 
 // Copies the connectivity. The first corner of each face is the one of its vertex of the smallest number, so that the
 // arrays do not depend on which halfedge a face graph keeps for a face.
 template <class FaceGraph>
-void copy_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, Flat_mesh& m)
+void copy_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, Flat_mesh& m, const Checkpoint& checkpoint)
 {
   m.first_corner.reserve(n.faces.size() + 1);
   m.first_corner.push_back(0);
   m.corner_vertex.reserve(3 * n.faces.size());
   m.face_across.reserve(3 * n.faces.size());
   for (const auto f : n.faces) {
+    checkpoint.pass();
     const std::size_t begin = m.corner_vertex.size();
     for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh)) {
       const auto beyond = face(opposite(h, mesh), mesh);
@@ -115,12 +124,14 @@ struct Frame
 // Moves the coordinates to the center of their bounding box, where energies keep their digits however far away the
 // mesh lies. Sizes near the ends of the range of double, whose sixth powers would leave it, are brought to about 1 by
 // a power of two, which rounds nothing.
-inline Frame to_local_frame(std::vector<Vector>& points, const std::vector<Index>& first_in_star)
+inline Frame to_local_frame(std::vector<Vector>& points, const std::vector<Index>& first_in_star,
+                            const Checkpoint& checkpoint)
 {
   Frame frame;
   const double inf = std::numeric_limits<double>::infinity();
   Vector low{{inf, inf, inf}}, high{{-inf, -inf, -inf}};
-  for (std::size_t v = 0; v < points.size(); ++v)
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    checkpoint.pass();
     for (int i = 0; i < 3; ++i) {
       if (first_in_star[v] == first_in_star[v + 1])
         continue;
@@ -130,6 +141,7 @@ inline Frame to_local_frame(std::vector<Vector>& points, const std::vector<Index
       low[i] = (std::min)(low[i], points[v][i]);
       high[i] = (std::max)(high[i], points[v][i]);
     }
+  }
   double extent = 0;
   for (int i = 0; i < 3; ++i)
     if (low[i] <= high[i]) {
@@ -139,27 +151,31 @@ inline Frame to_local_frame(std::vector<Vector>& points, const std::vector<Index
   const int exponent = extent > 0 ? std::ilogb(extent) : 0;
   if (exponent > 128 || exponent < -128)
     frame.exponent = exponent;
-  for (Vector& p : points)
+  for (Vector& p : points) {
+    checkpoint.pass();
     for (int i = 0; i < 3; ++i) {
       p[i] -= frame.origin[i];
       if (frame.exponent != 0)
         p[i] = std::ldexp(p[i], -frame.exponent);
     }
+  }
   return frame;
 }
 
 template <class FaceGraph, class VertexPointMap, class GeomTraits>
-Frame copy_points(const Numbering<FaceGraph>& n, const VertexPointMap& point_map, const GeomTraits& traits, Flat_mesh& m)
+Frame copy_points(const Numbering<FaceGraph>& n, const VertexPointMap& point_map, const GeomTraits& traits, Flat_mesh& m,
+                  const Checkpoint& checkpoint)
 {
   const auto x = traits.compute_x_3_object();
   const auto y = traits.compute_y_3_object();
   const auto z = traits.compute_z_3_object();
   m.points.reserve(n.vertices.size());
   for (const auto v : n.vertices) {
+    checkpoint.pass();
     const auto& p = get(point_map, v);
     m.points.push_back({CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p))});
   }
-  return to_local_frame(m.points, m.first_in_star);
+  return to_local_frame(m.points, m.first_in_star, checkpoint);
 }
 
 } // namespace internal

@@ -20,10 +20,11 @@ typedef std::array<Index, 3> Triangle;
 
 // Calls `visit(v, clusters)` for each vertex where three clusters or more meet, with them in counterclockwise order.
 template <class Visit>
-void for_each_meeting_point(const Cluster_labels& labels, const Visit& visit)
+void for_each_meeting_point(const Cluster_labels& labels, const Visit& visit, const Checkpoint& checkpoint = Checkpoint())
 {
   std::vector<Index> runs;
   for (std::size_t v = 0; v < labels.mesh().number_of_vertices(); ++v) {
+    checkpoint.pass();
     if (labels.boundary_count(Index(v)) < 3)
       continue;
     runs_around(labels, Index(v), runs);
@@ -36,13 +37,13 @@ void for_each_meeting_point(const Cluster_labels& labels, const Visit& visit)
 
 // Section 8.3 of the paper: a triangle of cluster numbers for each vertex where three clusters meet, a fan of them where
 // more do, in the orientation of the mesh.
-inline std::vector<Triangle> dual_triangles(const Cluster_labels& labels)
+inline std::vector<Triangle> dual_triangles(const Cluster_labels& labels, const Checkpoint& checkpoint = Checkpoint())
 {
   std::vector<Triangle> triangles;
   for_each_meeting_point(labels, [&](Index, const std::vector<Index>& runs) {
     for (std::size_t i = 2; i < runs.size(); ++i)
       triangles.push_back({runs[0], runs[i - 1], runs[i]});
-  });
+  }, checkpoint);
   return triangles;
 }
 

@@ -60,10 +60,11 @@ inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
 }
 
 // The unit normal of each face, zero where a face has no area.
-inline std::vector<Vector> unit_normals(const Flat_mesh& m)
+inline std::vector<Vector> unit_normals(const Flat_mesh& m, const Checkpoint& checkpoint = Checkpoint())
 {
   std::vector<Vector> normals(m.number_of_faces());
   for (std::size_t f = 0; f < normals.size(); ++f) {
+    checkpoint.pass();
     const Vector n = vector_area(m, Index(f));
     const double length = std::sqrt(dot(n, n));
     normals[f] = length > 0 ? (1 / length) * n : Vector{{0, 0, 0}};
@@ -75,10 +76,10 @@ inline std::vector<Vector> unit_normals(const Flat_mesh& m)
 // normals of the faces around its vertices. A pair counts once for each vertex that its faces share; faces without a
 // normal deviate from nothing. Around a vertex of very many faces every one is compared with a fixed number of faces,
 // evenly spread, which keeps the work linear.
-inline std::vector<double> mean_normal_deviations(const Flat_mesh& m)
+inline std::vector<double> mean_normal_deviations(const Flat_mesh& m, const Checkpoint& checkpoint = Checkpoint())
 {
   constexpr Index most_compared = 256;
-  const std::vector<Vector> normals = unit_normals(m);
+  const std::vector<Vector> normals = unit_normals(m, checkpoint);
   std::vector<double> sum(m.number_of_faces(), 0);
   std::vector<double> pairs(m.number_of_faces(), 0);
   for (std::size_t v = 0; v < m.number_of_vertices(); ++v) {
@@ -87,6 +88,7 @@ inline std::vector<double> mean_normal_deviations(const Flat_mesh& m)
     for (Index i = 0; i < valence; ++i) {
       const Index f = m.star[begin + i];
       pairs[f] += compared;
+      checkpoint.pass(compared);
       for (Index j = 0; j < compared; ++j) {
         const Index offset = valence <= most_compared ? j : Index(std::uint64_t(j) * valence / compared);
         const Index g = m.star[begin + offset];

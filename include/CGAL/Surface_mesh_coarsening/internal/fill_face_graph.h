@@ -68,12 +68,12 @@ struct Halfedges
   std::vector<Index> target, next, face; // per halfedge; `face` is NONE on the border
   std::vector<Index> of_vertex, of_face; // a halfedge that ends in the vertex, on the border if it can be
 
-  Halfedges(const std::vector<Triangle>& triangles, std::size_t vertices)
+  Halfedges(const std::vector<Triangle>& triangles, std::size_t vertices, const Checkpoint& checkpoint)
     : of_vertex(vertices, NONE),
       of_face(triangles.size())
   {
     std::vector<Index> side_halfedge(3 * triangles.size(), NONE);
-    pair_sides(triangles, side_halfedge);
+    pair_sides(triangles, side_halfedge, checkpoint);
     next.assign(target.size(), NONE);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       of_face[t] = side_halfedge[3 * t];
@@ -84,7 +84,7 @@ struct Halfedges
   }
 
 private:
-  void pair_sides(const std::vector<Triangle>& triangles, std::vector<Index>& side_halfedge)
+  void pair_sides(const std::vector<Triangle>& triangles, std::vector<Index>& side_halfedge, const Checkpoint& checkpoint)
   {
     // Sides ordered by their ends, the two of an edge next to each other in the order of their triangles.
     std::vector<std::pair<std::uint64_t, Index> > sides;
@@ -102,6 +102,7 @@ private:
         twin[sides[k - 1].second] = sides[k].second;
       }
     for (Index s = 0; s < Index(twin.size()); ++s) {
+      checkpoint.pass();
       if (side_halfedge[s] != NONE)
         continue;
       const Index h = Index(target.size()), t = s / 3;
@@ -157,14 +158,16 @@ class Face_graph_filler
 
 public:
   Face_graph_filler(const std::vector<Vector>& positions, const Frame& frame, const std::vector<Triangle>& triangles,
-                    Output& output, const NamedParameters& np)
+                    Output& output, const NamedParameters& np, const Checkpoint& checkpoint = Checkpoint())
     : output_(output),
       np_(np),
       points_(output_points<Output>(positions, frame, np))
   {
     polygons_.reserve(triangles.size());
-    for (const Triangle& t : triangles)
+    for (const Triangle& t : triangles) {
+      checkpoint.pass();
       polygons_.push_back({{t[0], t[1], t[2]}});
+    }
   }
 
   void commit()
@@ -208,11 +211,11 @@ class Face_graph_filler<Surface_mesh<Point>, NamedParameters>
 
 public:
   Face_graph_filler(const std::vector<Vector>& positions, const Frame& frame, const std::vector<Triangle>& triangles,
-                    Mesh& mesh, const NamedParameters& np)
+                    Mesh& mesh, const NamedParameters& np, const Checkpoint& checkpoint = Checkpoint())
     : mesh_(mesh),
       np_(np),
       points_(output_points<Mesh>(positions, frame, np)),
-      halfedges_(triangles, positions.size())
+      halfedges_(triangles, positions.size(), checkpoint)
   {
     if (!mesh_.has_garbage())
       reserve();

@@ -30,9 +30,11 @@ public:
     while (!next_layer_.empty()) {
       layer_.swap(next_layer_);
       next_layer_.clear();
-      for (const std::pair<Index, Index>& candidate : layer_)
+      for (const std::pair<Index, Index>& candidate : layer_) {
+        checkpoint_.pass();
         if (labels_[candidate.first] == NONE && labels_.stays_disc_with(candidate.first, candidate.second))
           take(candidate.first, candidate.second);
+      }
     }
   }
 
@@ -52,7 +54,6 @@ public:
 private:
   void take(Index f, Index label)
   {
-    checkpoint_.pass();
     labels_.set(f, label);
     for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
       const Index g = mesh_.face_across[c];

@@ -34,28 +34,31 @@ constexpr bool has_parameter =
                 CGAL::internal_np::Param_not_found>::value;
 
 template <class FaceGraph, class NamedParameters>
-Numbering<FaceGraph> numbering(const FaceGraph& mesh, const NamedParameters& np)
+Numbering<FaceGraph> numbering(const FaceGraph& mesh, const NamedParameters& np,
+                               const Checkpoint& checkpoint = Checkpoint())
 {
-  return number_elements(mesh, get_parameter(np, CGAL::internal_np::face_index));
+  return number_elements(mesh, get_parameter(np, CGAL::internal_np::face_index), checkpoint);
 }
 
 template <class FaceGraph>
-Flat_mesh flat_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n)
+Flat_mesh flat_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n,
+                            const Checkpoint& checkpoint = Checkpoint())
 {
   Flat_mesh m;
-  copy_connectivity(mesh, n, m);
-  Flat_mesh_topology::complete(m, n.vertices.size());
+  copy_connectivity(mesh, n, m, checkpoint);
+  Flat_mesh_topology::complete(m, n.vertices.size(), checkpoint);
   return m;
 }
 
 template <class FaceGraph, class NamedParameters>
-Frame copy_points(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n, Flat_mesh& m)
+Frame copy_points(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n, Flat_mesh& m,
+                  const Checkpoint& checkpoint = Checkpoint())
 {
   typedef typename GetGeomTraits<FaceGraph, NamedParameters>::type Traits;
   const Traits traits = choose_parameter<Traits>(get_parameter(np, CGAL::internal_np::geom_traits));
   const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, mesh));
-  return copy_points(n, points, traits, m);
+  return copy_points(n, points, traits, m, checkpoint);
 }
 
 // Which densities to compute.
@@ -77,11 +80,12 @@ Density_choice density_choice(const NamedParameters& np)
 // The caller's densities, checked.
 template <class FaceGraph, class DensityMap>
 std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&, const Density_choice&,
-                                 const DensityMap& map)
+                                 const DensityMap& map, const Checkpoint& checkpoint = Checkpoint())
 {
   std::vector<double> densities;
   densities.reserve(n.faces.size());
   for (const auto f : n.faces) {
+    checkpoint.pass();
     const double r = CGAL::to_double(get(map, f));
     if (!(r >= 1e-20 && r <= 1e20))
       throw Invalid_input("the density of face " + std::to_string(densities.size()) + " is " + std::to_string(r) +
@@ -94,38 +98,40 @@ std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&
 // The densities of section 5.2, raised near borders.
 template <class FaceGraph>
 std::vector<double> densities_of(const Numbering<FaceGraph>&, const Flat_mesh& m, const Density_choice& choice,
-                                 const CGAL::internal_np::Param_not_found&)
+                                 const CGAL::internal_np::Param_not_found&,
+                                 const Checkpoint& checkpoint = Checkpoint())
 {
-  std::vector<double> densities = mean_normal_deviations(m);
+  std::vector<double> densities = mean_normal_deviations(m, checkpoint);
   if (choice.at_borders)
-    Border_deviations(m).raise(densities);
+    Border_deviations(m, checkpoint).raise(densities);
   map_to_densities(densities, choice.maximum);
   return densities;
 }
 
 template <class FaceGraph, class NamedParameters>
 Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
-                                  Frame& frame)
+                                  Frame& frame, const Checkpoint& checkpoint)
 {
   Clustering_input input;
   const Density_choice choice = density_choice(np);
-  input.mesh = flat_connectivity(mesh, n);
+  input.mesh = flat_connectivity(mesh, n, checkpoint);
   if (n.faces.empty())
     throw Invalid_input("the input has no faces");
-  frame = copy_points(mesh, np, n, input.mesh);
-  input.density = densities_of(n, input.mesh, choice, get_parameter(np, internal_np::face_density));
-  input.complete();
+  frame = copy_points(mesh, np, n, input.mesh, checkpoint);
+  input.density = densities_of(n, input.mesh, choice, get_parameter(np, internal_np::face_density), checkpoint);
+  input.complete(checkpoint);
   return input;
 }
 
 // Leaves out the components of less than the area asked for, which is in the units of the mesh.
 template <class NamedParameters>
-std::size_t drop_small_components(const NamedParameters& np, const Frame& frame, Clustering_input& input)
+std::size_t drop_small_components(const NamedParameters& np, const Frame& frame, Clustering_input& input,
+                                  const Checkpoint& checkpoint)
 {
   const double least = choose_parameter(get_parameter(np, internal_np::minimum_component_area_p), 0.);
   if (!(least >= 0))
     throw Invalid_input("the minimum component area is " + std::to_string(least));
-  const std::size_t dropped = input.drop_components_below(std::ldexp(least, -2 * frame.exponent));
+  const std::size_t dropped = input.drop_components_below(std::ldexp(least, -2 * frame.exponent), checkpoint);
   if (input.mesh.number_of_faces() == 0)
     throw Invalid_input("no component of the input has an area of " + std::to_string(least));
   return dropped;

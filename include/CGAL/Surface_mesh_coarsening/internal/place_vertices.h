@@ -30,14 +30,16 @@ constexpr bool is_at_input_vertices = std::is_same<Placement, Closest_vertex_pla
 // of the triangles.
 template <class Placement>
 std::vector<Vector> place_vertices(const Clustered_surface& surface, const Border_arcs& border, const Placement& placement,
-                                   std::vector<Triangle>& triangles)
+                                   std::vector<Triangle>& triangles, const Checkpoint& checkpoint)
 {
   std::vector<Vector> positions(surface.number_of_clusters());
   border.place(positions);
   if constexpr (is_local_placement<Placement>) {
-    for (std::size_t x = 0; x < positions.size(); ++x)
+    for (std::size_t x = 0; x < positions.size(); ++x) {
+      checkpoint.pass(surface.faces(x).size());
       if (!border.is_on_border(x))
         positions[x] = placement(surface, x);
+    }
     (void)triangles;
   } else {
     placement(surface, border, triangles, positions);
@@ -55,10 +57,10 @@ std::vector<Vector> place_vertices(const Clustered_surface& surface, const Borde
 template <class Placement, class OutputCoordinates>
 std::vector<Vector> place_vertices(const Clustered_surface& surface, const Placement& placement, bool with_repair,
                                    const OutputCoordinates& output_coordinates, std::vector<Triangle>& triangles,
-                                   Repair_counts& counts)
+                                   Repair_counts& counts, const Checkpoint& checkpoint = Checkpoint())
 {
   const Border_arcs border(surface);
-  std::vector<Vector> positions = place_vertices(surface, border, placement, triangles);
+  std::vector<Vector> positions = place_vertices(surface, border, placement, triangles, checkpoint);
   counts = Repair_counts();
   if (with_repair) {
     Placement_repair repair(surface, border, output_coordinates, triangles, positions);

@@ -30,11 +30,13 @@ public:
   template <class FaceRange>
   void run(const FaceRange& candidates, Index level, std::vector<Index>& seeds)
   {
-    for (const Index f : candidates)
+    for (const Index f : candidates) {
+      checkpoint_.pass();
       if (steps_[f] == NONE) {
         seeds.push_back(f);
         mark(f, level);
       }
+    }
   }
 
   // Forgets the marks on the faces `candidates`.

@@ -20,17 +20,20 @@ class Flat_mesh_subdivision
 {
 public:
   // `parent`: the face of the unsubdivided mesh of each face; brought up to date.
-  static Flat_mesh run(const Flat_mesh& m, const std::vector<bool>& chosen_component, std::vector<Index>& parent)
+  static Flat_mesh run(const Flat_mesh& m, const std::vector<bool>& chosen_component, std::vector<Index>& parent,
+                       const Checkpoint& checkpoint = Checkpoint())
   {
     Flat_mesh_subdivision s(m, chosen_component);
-    s.number_new_elements();
+    s.number_new_elements(checkpoint);
     std::vector<Index> new_parent;
     for (std::size_t f = 0; f < m.number_of_faces(); ++f)
       for (Index i = 0; i < s.pieces(Index(f)); ++i)
         new_parent.push_back(parent[f]);
-    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+    for (std::size_t f = 0; f < m.number_of_faces(); ++f) {
+      checkpoint.pass();
       s.chosen_[m.component[f]] ? s.cut(Index(f)) : s.copy(Index(f));
-    Flat_mesh_topology::complete(s.result_, s.result_.points.size());
+    }
+    Flat_mesh_topology::complete(s.result_, s.result_.points.size(), checkpoint);
     parent.swap(new_parent);
     return std::move(s.result_);
   }
@@ -40,7 +43,7 @@ private:
 
   Index pieces(Index f) const { return chosen_[m_.component[f]] ? m_.degree(f) : 1; }
 
-  void number_new_elements()
+  void number_new_elements(const Checkpoint& checkpoint)
   {
     std::size_t faces = 0, corners = 0;
     first_piece_.reserve(m_.number_of_faces());
@@ -48,6 +51,7 @@ private:
     center_.assign(m_.number_of_faces(), NONE);
     result_.points = m_.points;
     for (std::size_t f = 0; f < m_.number_of_faces(); ++f) {
+      checkpoint.pass();
       first_piece_.push_back(Index(faces));
       faces += pieces(Index(f));
       corners += chosen_[m_.component[f]] ? 4 * m_.degree(Index(f)) : m_.degree(Index(f));

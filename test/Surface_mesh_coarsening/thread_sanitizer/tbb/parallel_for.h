@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Stands in for oneTBB's header in the build for the thread sanitizer. The sanitizer does not see how the threads of an oneTBB
+// that was built without it wait for each other, and takes every hand-over of work for a race. It sees all of this.
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_THREAD_SANITIZER_PARALLEL_FOR_H
+#define CGAL_SURFACE_MESH_COARSENING_THREAD_SANITIZER_PARALLEL_FOR_H
+
+#include "global_control.h"
+
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace tbb {
+
+// Threads take the numbers one by one, in no order.
+template <class Function>
+void parallel_for(std::size_t begin, std::size_t end, const Function& function)
+{
+  std::atomic<std::size_t> next(begin);
+  const auto work = [&] {
+    for (std::size_t i = next++; i < end; i = next++)
+      function(i);
+  };
+  std::vector<std::thread> others;
+  for (std::size_t i = 1; i < global_control::threads(); ++i)
+    others.emplace_back(work);
+  work();
+  for (std::thread& thread : others)
+    thread.join();
+}
+
+} // namespace tbb
+
+#endif // CGAL_SURFACE_MESH_COARSENING_THREAD_SANITIZER_PARALLEL_FOR_H
