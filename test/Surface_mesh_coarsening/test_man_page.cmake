@@ -3,6 +3,8 @@
 # Every option of --help, and every value it can have, stands in the manual page, and no other option does.
 #   cmake -D COARSEN_MESH=PROGRAM -D MAN_PAGE=coarsen_mesh.1 -P test_man_page.cmake
 
+cmake_minimum_required(VERSION 3.25)
+
 execute_process(COMMAND ${COARSEN_MESH} --help OUTPUT_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
 file(READ ${MAN_PAGE} page)
 string(REPLACE "\\-" "-" page "${page}")
