@@ -47,7 +47,7 @@ using coarsening_pictures::write_file;
 
 typedef std::vector<std::size_t> Labels;
 
-const double panel_size = 340;
+const double panel_size = 300;
 const std::size_t fandisk_vertices = 527;
 
 struct Setting
@@ -229,8 +229,8 @@ void picture_quads(const Setting& setting)
 
 void picture_borders(const Setting& setting)
 {
-  const Mesh mesh = read(setting, "elephant-with-holes.off");
-  picture_of(setting, "borders", mesh, 400, camera_for(mesh, Vector(1, 0.3, -0.6), Vector(0, 1, 0)));
+  const Mesh mesh = read(setting, "lion-head.off");
+  picture_of(setting, "borders", mesh, 400, camera_for(mesh, Vector(1.2, 0.2, -0.2), Vector(0, 1, 0)));
 }
 
 // What edge collapses have to reach.
