@@ -46,4 +46,12 @@ add_custom_target(doc COMMAND Doxygen::doxygen ${documentation_dir}/Doxyfile
 if(SURFACE_MESH_COARSENING_BUILD_TESTS)
   add_test(NAME documentation COMMAND Doxygen::doxygen ${documentation_dir}/Doxyfile
     WORKING_DIRECTORY ${documentation_dir})
+  find_program(BASH bash)
+  mark_as_advanced(BASH)
+  if(BASH)
+    add_test(NAME documentation_links COMMAND ${BASH} ${PROJECT_SOURCE_DIR}/test/Surface_mesh_coarsening/test_links.bash
+      ${PROJECT_SOURCE_DIR} ${documentation_dir}/html)
+    set_tests_properties(documentation PROPERTIES FIXTURES_SETUP manual)
+    set_tests_properties(documentation_links PROPERTIES FIXTURES_REQUIRED manual)
+  endif()
 endif()

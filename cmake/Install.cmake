@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Installs the headers and what find_package(Surface_mesh_coarsening) reads. Nothing installed names an absolute path,
+# Installs the headers and what find_package(Surface_mesh_coarsening) reads, and the tool. Nothing installed names an absolute path,
 # so the prefix can be moved.
 
 include(CMakePackageConfigHelpers)
@@ -10,12 +10,13 @@ set(config_dir ${CMAKE_INSTALL_DATADIR}/cmake/Surface_mesh_coarsening)
 
 install(TARGETS Surface_mesh_coarsening
   EXPORT Surface_mesh_coarsening_targets
-  FILE_SET HEADERS
-  FILE_SET internal_headers)
+  FILE_SET HEADERS COMPONENT Development
+  FILE_SET internal_headers COMPONENT Development)
 install(EXPORT Surface_mesh_coarsening_targets
   FILE Surface_mesh_coarseningTargets.cmake
   NAMESPACE Surface_mesh_coarsening::
-  DESTINATION ${config_dir})
+  DESTINATION ${config_dir}
+  COMPONENT Development)
 
 configure_package_config_file(
   ${CMAKE_CURRENT_LIST_DIR}/Surface_mesh_coarseningConfig.cmake.in
@@ -28,5 +29,17 @@ write_basic_package_version_file(
 install(FILES
   ${PROJECT_BINARY_DIR}/cmake/Surface_mesh_coarseningConfig.cmake
   ${PROJECT_BINARY_DIR}/cmake/Surface_mesh_coarseningConfigVersion.cmake
-  DESTINATION ${config_dir})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/surface_mesh_coarsening)
+  DESTINATION ${config_dir}
+  COMPONENT Development)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/surface_mesh_coarsening
+  COMPONENT Development)
+
+# The tool, where it is built, with its manual page and the completion of its command line.
+if(SURFACE_MESH_COARSENING_BUILD_EXAMPLES AND PROJECT_IS_TOP_LEVEL)
+  install(PROGRAMS ${PROJECT_BINARY_DIR}/bin/coarsen_mesh${CMAKE_EXECUTABLE_SUFFIX} DESTINATION ${CMAKE_INSTALL_BINDIR}
+    COMPONENT Tools OPTIONAL)
+  install(FILES ${PROJECT_SOURCE_DIR}/packaging/coarsen_mesh.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+    COMPONENT Tools)
+  install(FILES ${PROJECT_SOURCE_DIR}/packaging/coarsen_mesh.bash RENAME coarsen_mesh
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT Tools)
+endif()

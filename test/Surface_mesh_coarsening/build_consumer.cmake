@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Configures, builds and runs the application in consumer/, which gets the library by find_package from a prefix, or by
-# add_subdirectory from the sources.
+# Configures, builds and runs the application in consumer/, which gets the library by find_package from a prefix, from an
+# unpacked Debian package, or by add_subdirectory or FetchContent from the sources.
 
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
@@ -13,6 +13,27 @@ if(WAY STREQUAL "find_package")
   run(${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${WORK_DIR}/installed)
   file(RENAME ${WORK_DIR}/installed ${WORK_DIR}/moved)
   set(way_option -D CMAKE_PREFIX_PATH=${WORK_DIR}/moved)
+elseif(WAY STREQUAL "debian_package")
+  # Unpacked instead of installed, which needs no rights on the machine.
+  cmake_path(GET CMAKE_COMMAND PARENT_PATH bin)
+  run(${bin}/cpack -G DEB --config ${PROJECT_BINARY_DIR}/CPackConfig.cmake -B ${WORK_DIR}/packages)
+  file(GLOB packages ${WORK_DIR}/packages/*.deb)
+  foreach(package IN LISTS packages)
+    run(dpkg-deb --info ${package})
+    run(dpkg-deb --extract ${package} ${WORK_DIR}/root)
+  endforeach()
+  set(way_option -D CMAKE_PREFIX_PATH=${WORK_DIR}/root/usr)
+  if(TOOL)
+    run(${WORK_DIR}/root/usr/bin/coarsen_mesh --version)
+    foreach(file share/man/man1/coarsen_mesh.1 share/bash-completion/completions/coarsen_mesh)
+      if(NOT EXISTS ${WORK_DIR}/root/usr/${file})
+        message(FATAL_ERROR "The packages do not have ${file}")
+      endif()
+    endforeach()
+  endif()
+elseif(WAY STREQUAL "FetchContent")
+  # As an application without a network does it; the repository named in consumer/ is not asked.
+  set(way_option -D FETCH=ON -D FETCHCONTENT_SOURCE_DIR_SURFACE_MESH_COARSENING=${PROJECT_SOURCE_DIR})
 else()
   set(way_option -D SURFACE_MESH_COARSENING_SOURCE_DIR=${PROJECT_SOURCE_DIR})
 endif()

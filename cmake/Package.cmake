@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# cpack -G DEB makes two Debian packages of the build tree: the library, which is headers alone and fits every
+# architecture, and the tool if it has been built.
+
+if(NOT PROJECT_IS_TOP_LEVEL)
+  return()
+endif()
+
+set(SURFACE_MESH_COARSENING_PACKAGE_CONTACT "Surface_mesh_coarsening <surface-mesh-coarsening@localhost>" CACHE STRING
+  "Who maintains the packages that cpack makes")
+mark_as_advanced(SURFACE_MESH_COARSENING_PACKAGE_CONTACT)
+
+set(CPACK_PACKAGE_NAME surface-mesh-coarsening)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_CONTACT ${SURFACE_MESH_COARSENING_PACKAGE_CONTACT})
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL Development)
+if(SURFACE_MESH_COARSENING_BUILD_EXAMPLES)
+  list(APPEND CPACK_COMPONENTS_ALL Tools)
+endif()
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libsurface-mesh-coarsening-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev (>= 3.3)")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Coarse triangle meshes of fine polygon meshes: headers for use with CGAL")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME coarsen-mesh)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION graphics)
+set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Coarse triangle meshes of fine polygon meshes: command-line tool")
+
+# What the tool is linked to becomes its dependencies, where the programs that find that out are installed.
+find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)
+find_program(FILE_COMMAND file)
+mark_as_advanced(DPKG_SHLIBDEPS FILE_COMMAND)
+if(DPKG_SHLIBDEPS AND FILE_COMMAND)
+  set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
+endif()
+
+include(CPack)

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lays panels out in rows with a caption below each, and leaves it to gnuplot to write the letters.
+
+#ifndef COARSENING_PICTURES_COMPOSITION_H
+#define COARSENING_PICTURES_COMPOSITION_H
+
+#include "support/Image.h"
+#include "support/png_bytes.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace coarsening_pictures {
+
+using coarsening_support::Image;
+using coarsening_support::Rgb;
+
+struct Panel
+{
+  Image image;
+  std::string caption;
+  std::string scale_low, scale_high; // the ends of the color scale; without them there is none
+};
+
+inline void write_file(const std::filesystem::path& file, const std::string& content)
+{
+  std::ofstream os(file, std::ios::binary);
+  os << content;
+  if (!os.flush())
+    throw std::runtime_error("cannot write " + file.string());
+}
+
+// From pale to dark for t from 0 to 1, also for eyes that see no colors.
+inline Rgb scale_color(double t)
+{
+  static const double stops[4][3] = {{255, 250, 225}, {253, 190, 75}, {205, 75, 15}, {95, 25, 20}};
+  const double at = 3 * (std::min)(1., (std::max)(0., t));
+  const std::size_t i = (std::min)(std::size_t(2), static_cast<std::size_t>(at));
+  Rgb result;
+  for (std::size_t c = 0; c < 3; ++c)
+    result[c] = static_cast<std::uint8_t>(std::lround(stops[i][c] + (at - double(i)) * (stops[i + 1][c] - stops[i][c])));
+  return result;
+}
+
+inline void draw_scale(Image& image, std::size_t x0, std::size_t x1, std::size_t y0, std::size_t y1)
+{
+  for (std::size_t y = y0; y < y1; ++y)
+    for (std::size_t x = x0; x < x1; ++x)
+      image.at(x, y) = scale_color(double(x - x0) / double(x1 - x0 - 1));
+}
+
+// Fewer shades, which cannot be seen but make the files smaller; white stays white.
+inline void posterize(Image& image)
+{
+  for (Rgb& pixel : image.pixels)
+    for (std::uint8_t& channel : pixel)
+      channel = static_cast<std::uint8_t>((channel + 4) / 8 * 255 / 32);
+}
+
+// Writes the panels as DIRECTORY/NAME_I.png, and DIRECTORY/NAME.gp, which puts them together in DIRECTORY/figures/NAME.png.
+inline void compose(const std::filesystem::path& directory, const std::string& name, std::vector<std::vector<Panel> > rows)
+{
+  const std::size_t caption_height = 26, gap = 12;
+  std::size_t columns = 0, width = 0, height = 0;
+  for (const auto& row : rows) {
+    columns = (std::max)(columns, row.size());
+    for (const Panel& panel : row) {
+      width = (std::max)(width, panel.image.width);
+      height = (std::max)(height, panel.image.height);
+    }
+  }
+  const std::size_t total_width = columns * (width + gap), total_height = rows.size() * (height + caption_height);
+  const auto at = [](double pixels, std::size_t total) { return std::to_string(pixels / double(total)); };
+  std::string script = "set terminal pngcairo size " + std::to_string(total_width) + "," + std::to_string(total_height) +
+                       " font 'DejaVu Sans,10'\nset output 'figures/" + name +
+                       ".png'\nunset border\nunset tics\nunset key\nset multiplot\n";
+  std::size_t number = 0;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t c = 0; c < rows[r].size(); ++c) {
+      Panel& panel = rows[r][c];
+      Image& image = panel.image;
+      const std::size_t left = c * (width + gap) + (width + gap - image.width) / 2;
+      const std::size_t top = r * (height + caption_height) + (height - image.height) / 2; // both from the upper left
+      posterize(image);
+      const std::string file = name + "_" + std::to_string(number++) + ".png";
+      script += "unset label\nset label '" + panel.caption + "' at screen " +
+                at(double(c * (width + gap)) + double(width + gap) / 2, total_width) + "," +
+                at(double(total_height) - double(r * (height + caption_height) + height) - 12, total_height) + " center\n";
+      if (!panel.scale_low.empty() && image.width > 130 && image.height > 20) {
+        const std::size_t x0 = 40, x1 = 140, y0 = image.height - 10, y1 = image.height;
+        draw_scale(image, x0, x1, y0, y1);
+        const std::string y = std::to_string(image.height - (y0 + y1) / 2);
+        script += "set label '" + panel.scale_low + "' at first 34," + y + " right front\nset label '" + panel.scale_high +
+                  "' at first 146," + y + " left front\n";
+      }
+      write_file(directory / file, coarsening_support::png_bytes(image));
+      script += "set lmargin at screen " + at(double(left), total_width) + "\nset rmargin at screen " +
+                at(double(left + image.width), total_width) + "\nset tmargin at screen " +
+                at(double(total_height - top), total_height) + "\nset bmargin at screen " +
+                at(double(total_height - top - image.height), total_height) + "\nset xrange [-0.5:" +
+                std::to_string(image.width) + "-0.5]\nset yrange [-0.5:" + std::to_string(image.height) + "-0.5]\nplot '" +
+                file + "' binary filetype=png with rgbimage\n";
+    }
+  write_file(directory / (name + ".gp"), script + "unset multiplot\n");
+}
+
+} // namespace coarsening_pictures
+
+#endif // COARSENING_PICTURES_COMPOSITION_H

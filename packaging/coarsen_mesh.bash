@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Completion of coarsen_mesh for bash. It needs nothing of the package bash-completion.
+
+_coarsen_mesh()
+{
+  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}
+  # bash breaks words at '=': what stands before it is the option then.
+  if [[ $word == "=" ]]; then
+    word=
+  elif [[ $before == "=" && $COMP_CWORD -ge 2 ]]; then
+    before=${COMP_WORDS[COMP_CWORD-2]}
+  fi
+
+  local endings= values=
+  case $before in
+    -w | --weight) values="uniform area maximum exact-maximum variance" ;;
+    --placement) values="centroid closest-vertex quadric fitted" ;;
+    --clusters) endings=ply ;;
+    --picture) endings=png ;;
+    --report) endings=json ;;
+    -n | --vertices | -k | --neighborhood-level | --rounds | --maximum-density | --view | --up | --fill-holes | \
+    --minimum-component-area | --threads) return ;;
+    *)
+      if [[ $word == -* ]]; then
+        values="--vertices --neighborhood-level --rounds --weight --maximum-density --placement --clusters --picture
+          --view --up --report --repair --fill-holes --minimum-component-area --subdivide --measure --threads --quiet
+          --version --help -n -k -w"
+      else
+        endings="off obj ply stl"
+      fi ;;
+  esac
+
+  COMPREPLY=()
+  local name ending
+  if [[ -n $values ]]; then
+    while IFS= read -r name; do
+      COMPREPLY+=("$name")
+    done < <(compgen -W "$values" -- "$word")
+    return
+  fi
+  compopt -o filenames 2> /dev/null
+  while IFS= read -r name; do
+    COMPREPLY+=("$name")
+  done < <(compgen -d -- "$word")
+  for ending in $endings; do
+    while IFS= read -r name; do
+      COMPREPLY+=("$name")
+    done < <(compgen -f -X "!*.$ending" -- "$word")
+  done
+}
+
+complete -F _coarsen_mesh coarsen_mesh

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# What the manual says that commands print, they print; and figures of its table of distance and shape, and of the README's,
+# are what the tool measures, to the accuracy of sampling.
+#   cmake -D COARSEN_MESH=... -D FIND_SEEDS=... -D FANDISK=... -D PROJECT_SOURCE_DIR=... -P test_manual.cmake
+
+cmake_minimum_required(VERSION 3.25)
+
+file(READ ${PROJECT_SOURCE_DIR}/doc/Surface_mesh_coarsening/Surface_mesh_coarsening.txt manual)
+file(READ ${PROJECT_SOURCE_DIR}/README.md readme)
+
+execute_process(COMMAND ${FIND_SEEDS} OUTPUT_VARIABLE seeds COMMAND_ERROR_IS_FATAL ANY)
+string(FIND "${manual}" "\\verbatim\n${seeds}\\endverbatim" place)
+if(place EQUAL -1)
+  message(SEND_ERROR "the manual does not have what find_seeds prints:\n${seeds}")
+endif()
+
+# Numbers without their points, in thousandths.
+function(thousandths result number)
+  string(REGEX MATCH "^([0-9]+)\\.([0-9]*)" match "${number}")
+  string(SUBSTRING "${CMAKE_MATCH_2}000" 0 3 digits)
+  math(EXPR value "${CMAKE_MATCH_1} * 1000 + 1${digits} - 1000")
+  set(${result} ${value} PARENT_SCOPE)
+endfunction()
+
+# Fails unless the text has the distance and the angle that the tool measures, after `before`.
+function(check_figures where text before between weight density placement)
+  execute_process(COMMAND ${COARSEN_MESH} ${FANDISK} coarse.off -n 527 --weight ${weight} --maximum-density ${density}
+    --placement ${placement} --measure --report report.json --quiet COMMAND_ERROR_IS_FATAL ANY)
+  file(READ report.json report)
+  string(JSON rms GET "${report}" quality distance_percent rms)
+  string(JSON angle GET "${report}" quality smallest_angle_degrees mean)
+  if(NOT "${text}" MATCHES "${before}([0-9.]+)${between}([0-9.]+)&deg")
+    message(SEND_ERROR "${where} has no figures of ${weight}, ${placement}")
+    return()
+  endif()
+  set(stated_rms ${CMAKE_MATCH_1})
+  set(stated_angle ${CMAKE_MATCH_2})
+  foreach(name rms angle)
+    thousandths(measured ${${name}})
+    thousandths(stated ${stated_${name}})
+    set(tolerance_rms 4)
+    set(tolerance_angle 200)
+    math(EXPR difference "${measured} - ${stated}")
+    if(difference GREATER tolerance_${name} OR difference LESS -${tolerance_${name}})
+      message(SEND_ERROR "${where}, ${weight}, ${placement}: ${name} is ${${name}}, not ${stated_${name}}")
+    endif()
+  endforeach()
+endfunction()
+
+set(cell "[^|]*\\| ")
+check_figures("the manual" "${manual}" "\n\\| area \\| ${cell}${cell}${cell}" ", " area 50 fitted)
+check_figures("the manual" "${manual}" "\n\\| maximum \\| ${cell}" ", " maximum 50 closest-vertex)
+check_figures("the manual" "${manual}" "\n\\| variance \\| " ", " variance 3 centroid)
+check_figures("the manual" "${manual}" "\n\\| uniform \\| ${cell}${cell}" ", " uniform 1 quadric)
+check_figures("the README" "${readme}" "weight maximum \\| " " \\| " maximum 50 centroid)
+check_figures("the README" "${readme}" "the same, vertices fitted \\| " " \\| " maximum 50 fitted)
