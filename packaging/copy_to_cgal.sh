@@ -24,7 +24,7 @@ for test in "$here"/test/$name/test_*.cpp; do
   grep -qE 'models\.h"|Tool_process|COARSEN_MESH|nlohmann|read_soup|boost/gil' "$test" || cp "$test" "$target/test/$name/"
 done
 rm -f "$target/test/$name/test_tool_support.cpp" "$target/test/$name/support/Tool_process.h"
-cp -n "$here"/examples/$name/support/{Mesh,certificate,to_mesh}.h "$target/test/$name/support/"
+cp -n "$here"/examples/$name/support/{Mesh,certificate,soup_fault,to_mesh}.h "$target/test/$name/support/"
 
 for kind in Examples:examples Tests:test; do
   cat > "$target/${kind#*:}/$name/CMakeLists.txt" <<END
