@@ -38,8 +38,8 @@ public:
   typedef std::function<Vector(const Vector&)> Output_coordinates;
 
   Placement_repair(const Clustered_surface& surface, const Border_arcs& border, const Output_coordinates& output,
-                   std::vector<Triangle>& triangles, std::vector<Vector>& positions)
-    : surface_(surface), border_(border), output_(output), result_(triangles), positions_(positions),
+                   std::vector<Triangle>& triangles, std::vector<Vector>& positions, const Checkpoint& checkpoint)
+    : checkpoint_(checkpoint), surface_(surface), border_(border), output_(output), result_(triangles), positions_(positions),
       coarse_(triangles, positions.size()), reference_(surface)
   {
     points_.reserve(positions.size());
@@ -209,6 +209,7 @@ private:
     region = Bbox_3(region.xmin() - w, region.ymin() - w, region.zmin() - w, region.xmax() + w, region.ymax() + w,
                     region.zmax() + w);
     near_.clear();
+    checkpoint_.pass(coarse_.triangles().size());
     for (std::size_t t = 0; t < coarse_.triangles().size(); ++t)
       if (do_overlap(region, conflict.box(coarse_.triangles()[t])))
         near_.push_back(Index(t));
@@ -388,6 +389,9 @@ private:
       const Triangle triangle = coarse_.triangles()[t];
       const Bbox_3 box = conflict.box(triangle);
       faults += is_reversed(t);
+      checkpoint_.pass(near_.size());
+      if (conflict.is_point(triangle))
+        continue;
       for (const Index u : near_) {
         if (u == t || (u < t && std::binary_search(altered.begin(), altered.end(), u)))
           continue;
@@ -437,6 +441,7 @@ private:
     counts.reversals_left = reversed_.size();
   }
 
+  const Checkpoint checkpoint_;
   const Clustered_surface& surface_;
   const Border_arcs& border_;
   const Output_coordinates output_;

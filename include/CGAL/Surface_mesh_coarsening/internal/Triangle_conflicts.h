@@ -62,6 +62,9 @@ public:
   // Whether the corners lie on a line.
   bool is_flat(const Triangle& t) const { return collinear(points_[t[0]], points_[t[1]], points_[t[2]]); }
 
+  // Whether the corners are at one place. Such a triangle is in conflict with no other.
+  bool is_point(const Triangle& t) const { return points_[t[0]] == points_[t[1]] && points_[t[1]] == points_[t[2]]; }
+
   Bbox_3 box(const Triangle& t) const
   {
     return points_[t[0]].bbox() + points_[t[1]].bbox() + points_[t[2]].bbox();
@@ -126,6 +129,9 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
 {
   const Triangle_conflict conflict(points);
   std::vector<Triangle_box> boxes = triangle_boxes(triangles, conflict);
+  // Of very many at one place, each would be compared with each.
+  const auto is_point = [&](const Triangle_box& b) { return conflict.is_point(triangles[b.info()]); };
+  boxes.erase(std::remove_if(boxes.begin(), boxes.end(), is_point), boxes.end());
   std::vector<Triangle_pair> pairs;
   box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Triangle_box& a, const Triangle_box& b) {
     if (conflict(triangles[a.info()], triangles[b.info()]))

@@ -63,7 +63,7 @@ std::vector<Vector> place_vertices(const Clustered_surface& surface, const Place
   std::vector<Vector> positions = place_vertices(surface, border, placement, triangles, checkpoint);
   counts = Repair_counts();
   if (with_repair) {
-    Placement_repair repair(surface, border, output_coordinates, triangles, positions);
+    Placement_repair repair(surface, border, output_coordinates, triangles, positions, checkpoint);
     if (is_at_input_vertices<Placement>)
       repair.stay_at_input_vertices();
     counts = repair.run();
