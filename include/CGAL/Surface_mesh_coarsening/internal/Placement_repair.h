@@ -390,8 +390,6 @@ private:
       const Bbox_3 box = conflict.box(triangle);
       faults += is_reversed(t);
       checkpoint_.pass(near_.size());
-      if (conflict.is_point(triangle))
-        continue;
       for (const Index u : near_) {
         if (u == t || (u < t && std::binary_search(altered.begin(), altered.end(), u)))
           continue;
