@@ -86,6 +86,7 @@ private:
   // Exact tests of two triangles whose boxes overlap, in all rounds together: a second or two. What is left of sheets that
   // are too near each other all over stays.
   static constexpr std::size_t most_tests = 2000000;
+  static constexpr std::size_t most_measured = 500; // triangles
   static constexpr std::size_t most_input_vertices = 24;
 
   struct Move
@@ -348,7 +349,8 @@ private:
     return effect;
   }
 
-  // Of the clusters of some vertices and those around them.
+  // Of the clusters of some vertices and those around them. At vertices of very many triangles it would take quadratic time,
+  // and is left out of account.
   double squared_distance_around(const std::vector<Index>& vertices) const
   {
     std::vector<Index> triangles, clusters;
@@ -359,6 +361,8 @@ private:
     for (const Index v : clusters)
       triangles.insert(triangles.end(), coarse_.around(v).begin(), coarse_.around(v).end());
     sort_out(triangles);
+    if (triangles.size() > most_measured)
+      return 0;
     std::vector<Triangle> corners;
     for (const Index t : triangles)
       corners.push_back(coarse_.triangles()[t]);
@@ -390,6 +394,7 @@ private:
       const Bbox_3 box = conflict.box(triangle);
       faults += is_reversed(t);
       checkpoint_.pass(near_.size());
+      tests_ += near_.size() / 16; // a comparison of boxes takes a fraction of a test
       for (const Index u : near_) {
         if (u == t || (u < t && std::binary_search(altered.begin(), altered.end(), u)))
           continue;
