@@ -2,6 +2,8 @@
 
 # Runs PROGRAM and compares what it prints with the file TABLE, line by line.
 
+cmake_minimum_required(VERSION 3.25)
+
 execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
 file(READ ${TABLE} expected)
 if(printed STREQUAL expected)
