@@ -52,7 +52,7 @@ struct Surface
     const auto np = CGAL::parameters::default_values();
     const auto numbering = SMC::internal::numbering(mesh, np);
     SMC::internal::Frame frame;
-    input = SMC::internal::clustering_input(mesh, np, numbering, frame);
+    input = SMC::internal::clustering_input(mesh, np, numbering, frame, SMC::internal::Checkpoint());
   }
 
   Reference_mesh reference;
