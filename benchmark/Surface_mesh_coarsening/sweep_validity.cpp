@@ -85,7 +85,8 @@ Coarsening coarsening_with(double maximum_density)
 {
   return [=](const Mesh& mesh, std::size_t number, Mesh& output, Labels labels) {
     return SMC::coarsen_mesh(mesh, number, output,
-                             SMC::parameters::cluster_weight(Weight()).repair_output(false)
+                             SMC::parameters::cluster_weight(Weight())
+                               .repair_output(false) // flips no edges: the triangles are those of the clusters
                                .maximum_density(maximum_density)
                                .face_cluster_map(labels));
   };

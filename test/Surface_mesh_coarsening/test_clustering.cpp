@@ -220,7 +220,8 @@ void check_clustering(const Soup& input, std::size_t n, const How how = How())
       SMC::parameters::face_cluster_map(clusters)
         .cluster_weight(weight)
         .maximum_density(r_new<Weight>())
-        .border_densities(false));
+        .border_densities(false)
+        .repair_output(false));
     BOOST_CHECK(test::labels_of(mesh, clusters) == labels);
     BOOST_CHECK_EQUAL(report.moves, moves);
     check_close(report.final_energy, c.energy(), 1e-12, "energies of two ways"); // one has summed up in between
