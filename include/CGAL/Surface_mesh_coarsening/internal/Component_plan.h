@@ -22,7 +22,9 @@ namespace internal {
 // the rung gives every number from the one where its merging ends up to the one where it begins. The first rung is the
 // highest from which merging begins with always_enough(), or the lowest; then come those above it, as long as one begins
 // where those before have ended, or higher, then those below, and then the same with the faces cut into pieces, of which any
-// clusters can be made. So the numbers that can be had are all those from the smallest that a rung comes to.
+// clusters can be made. So the numbers that can be had are all those from the smallest that a rung comes to. Of rungs in
+// a row that come no lower, as many are tried as keeps the work on large components in proportion to their faces: with
+// clusters of many faces all rungs end near the same number.
 class Component_plan
 {
 public:
@@ -35,8 +37,7 @@ public:
   // Begins anew for `wanted` clusters.
   void begin(const Component& component, std::size_t wanted)
   {
-    enough_ = always_enough(component);
-    wanted_ = wanted;
+    aim_at(component, wanted);
     if (has_nearest() && wanted >= nearest_ && wanted < enough_) {
       go_to_nearest();
       return;
@@ -49,8 +50,7 @@ public:
   // The same, beginning with the seeds of level `level` in the paper's way.
   void begin(const Component& component, std::size_t wanted, Index level)
   {
-    enough_ = always_enough(component);
-    wanted_ = wanted;
+    aim_at(component, wanted);
     on_ladder_ = false;
     from_pieces_ = component.faces < wanted;
     go_to_first();
@@ -65,7 +65,7 @@ public:
   std::size_t wanted() const { return wanted_; }
 
   // Whether merging may begin with `clusters`.
-  bool may_begin_with(std::size_t clusters) const { return !is_climbing_ || clusters >= nearest_; }
+  bool may_begin_with(std::size_t clusters) const { return !is_climbing_ || clusters >= lowest_end_; }
 
   // The highest rung of the ladder that is not above `level`.
   static Index rung(Index level)
@@ -92,14 +92,20 @@ public:
     }
     if (!on_ladder_)
       return leave_usual_way(level, reached);
+    const bool is_in_vain = reached == 0 || reached >= lowest_end_;
+    rungs_in_vain_ = is_in_vain ? rungs_in_vain_ + 1 : 0;
+    if (!is_in_vain)
+      lowest_end_ = reached;
     if (first_rung_ == NONE) {
       first_rung_ = level;
       lowest_has_failed_ = level == 0 || seeds > most_seeds();
       is_climbing_ = reached > wanted_ && wanted_ < enough_ && seeds > 1;
     } else if (is_climbing_) {
-      is_climbing_ = reached != 0 && seeds > 1;
+      is_climbing_ = reached != 0 && seeds > 1 && rungs_in_vain_ < most_in_vain();
+      if (!is_climbing_)
+        rungs_in_vain_ = 0;
     } else {
-      lowest_has_failed_ = level == 0 || reached == 0 || seeds > most_seeds();
+      lowest_has_failed_ = level == 0 || reached == 0 || seeds > most_seeds() || rungs_in_vain_ >= most_in_vain();
     }
     if (is_climbing_)
       level_ = rung_above(level);
@@ -122,8 +128,23 @@ private:
   // From ever more seeds merging takes long on large components, and leads to no better end.
   std::size_t most_seeds() const { return 16 * enough_; }
 
+  std::size_t most_in_vain() const
+  {
+    const std::size_t faces_of_all_rungs = 2000000, faces = from_pieces_ ? 3 * faces_ : faces_;
+    return (std::max)(std::size_t(2), faces_of_all_rungs / faces);
+  }
+
+  void aim_at(const Component& component, std::size_t wanted)
+  {
+    enough_ = always_enough(component);
+    faces_ = component.faces;
+    wanted_ = wanted;
+    lowest_end_ = (std::numeric_limits<std::size_t>::max)();
+  }
+
   void go_to_first()
   {
+    rungs_in_vain_ = 0;
     level_ = first_rung_ = NONE;
     is_climbing_ = lowest_has_failed_ = false;
   }
@@ -160,7 +181,8 @@ private:
     return true;
   }
 
-  std::size_t enough_ = 0, wanted_ = 0;
+  std::size_t enough_ = 0, faces_ = 0, wanted_ = 0;
+  std::size_t rungs_in_vain_ = 0, lowest_end_ = 0; // of the rungs since begin()
   Index level_ = NONE, first_rung_ = NONE, nearest_level_ = NONE;
   bool on_ladder_ = false, is_climbing_ = false, lowest_has_failed_ = false;
   bool from_pieces_ = false, nearest_from_pieces_ = false;
