@@ -97,8 +97,8 @@ po::options_description described_options()
     ("rounds", text()->value_name("R"),
      "stop after R rounds of minimization; 0 shows seeds and growth alone (default: until a round changes nothing, at most 1000)")
     ("weight,w", text()->value_name("W")->default_value(default_weight()), joined(weight_names()).c_str())
-    ("maximum-density", text()->value_name("R")->default_value("50"),
-     "densities run from 1 on flat parts to R on the sharpest ones; the weight variance does well with 3")
+    ("maximum-density", text()->value_name("R")->default_value("10"),
+     "densities run from 1 on flat parts to R on the sharpest ones, and to 2 R on borders; the weight variance does well with 3")
     ("placement", text()->value_name("P")->default_value(default_placement()), joined(placement_names()).c_str())
     ("clusters", text()->value_name("FILE"), "write the input with a color and a label for each face (.ply)")
     ("picture", text()->value_name("FILE"), "write a picture of the result and of the clusters (.png)")
@@ -122,7 +122,7 @@ po::options_description described_options()
      "borders, in % of the diagonal of the input's bounding box; deviation of normals; smallest angles of the triangles; "
      "self-intersections")
     ("threads", text()->value_name("T")->default_value("1"),
-     "upper bound for the number of threads; this version computes on one")
+     "upper bound for the number of threads; the result does not depend on it. More than one need oneTBB")
     ("quiet", "print nothing but errors")
     ("version", "print the version")
     ("help", "print this text");

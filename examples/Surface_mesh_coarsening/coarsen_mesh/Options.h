@@ -28,7 +28,7 @@ struct Options
   std::optional<unsigned> neighborhood_level;
   std::optional<std::size_t> rounds; // as many as it takes when not given
   std::string weight, placement;     // names out of the lists in Choices.h
-  double maximum_density = 50;
+  double maximum_density = 10;
   std::string clusters, picture, report;
   Vector view = Vector(1, 0.5, 0.8), up = Vector(0, 1, 0);
   double minimum_component_area = 0; // of the mesh's units squared; 0 keeps every component

@@ -14,6 +14,12 @@
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/parameters.h>
 
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <functional>
 
 namespace coarsen_mesh_tool {
@@ -22,29 +28,24 @@ namespace SMC = CGAL::Surface_mesh_coarsening;
 
 namespace {
 
-typedef std::function<SMC::Clustered_surface::Point(const SMC::Clustered_surface&, std::size_t)> Local_placement;
-
-struct Named_placement
+template <class Clustering>
+void extract(const Clustering& clustering, const std::string& placement, Mesh& output)
 {
-  std::string name;
-  Local_placement placement; // none for the one that fits all vertices together
-};
-
-const std::vector<Named_placement>& placements()
-{
-  static const std::vector<Named_placement> all = {{"centroid", SMC::Centroid_placement()},
-                                                   {"closest-vertex", SMC::Closest_vertex_placement()},
-                                                   {"quadric", SMC::Quadric_placement()},
-                                                   {"fitted", nullptr}};
-  return all;
+  if (placement == "centroid")
+    clustering.extract_dual_mesh(output, SMC::Centroid_placement());
+  else if (placement == "closest-vertex")
+    clustering.extract_dual_mesh(output, SMC::Closest_vertex_placement());
+  else if (placement == "quadric")
+    clustering.extract_dual_mesh(output, SMC::Quadric_placement());
+  else
+    clustering.extract_dual_mesh(output, SMC::Fitted_placement());
 }
 
 template <class Weight>
 Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_visitor& visitor)
 {
   Coarsening_result result;
-  // The one place where a number of threads would be handed on; the library computes on one.
-  SMC::Mwcvd_clustering<Mesh, Weight> clustering(
+  SMC::Mwcvd_clustering<Mesh, Weight, CGAL::Parallel_if_available_tag> clustering(
     input, SMC::parameters::maximum_density(options.maximum_density)
              .minimum_component_area(options.minimum_component_area)
              .subdivide_input(options.subdivide)
@@ -56,13 +57,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
     clustering.seed_from_level(options.neighborhood_level.value_or(default_level));
   clustering.grow();
   clustering.minimize(options.rounds.value_or(clustering.default_number_of_iterations));
-  for (const Named_placement& named : placements())
-    if (named.name == options.placement) {
-      if (named.placement)
-        clustering.extract_dual_mesh(result.mesh, named.placement);
-      else
-        clustering.extract_dual_mesh(result.mesh, SMC::Fitted_placement());
-    }
+  extract(clustering, options.placement, result.mesh);
   result.report = clustering.report();
   result.labels.reserve(input.number_of_faces());
   for (Face f : input.faces())
@@ -101,21 +96,28 @@ const std::vector<std::string>& weight_names()
 
 const std::vector<std::string>& placement_names()
 {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> result;
-    for (const Named_placement& named : placements())
-      result.push_back(named.name);
-    return result;
-  }();
+  static const std::vector<std::string> names = {"centroid", "closest-vertex", "quadric", "fitted"};
   return names;
 }
 
-std::string default_weight() { return "maximum"; }
+unsigned most_threads()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  return unsigned(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+#else
+  return 1;
+#endif
+}
 
-std::string default_placement() { return "centroid"; }
+std::string default_weight() { return "area"; }
+
+std::string default_placement() { return "fitted"; }
 
 Coarsening_result coarsen(const Mesh& input, const Options& options, Tool_visitor& visitor)
 {
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, options.threads);
+#endif
   for (const Named_weight& weight : weights())
     if (weight.name == options.weight)
       return weight.coarsen(input, options, visitor);

@@ -2,12 +2,15 @@
 
 #include "report.h"
 
+#include "coarsening.h"
+
 #include <CGAL/Surface_mesh_coarsening/version.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace coarsen_mesh_tool {
@@ -57,7 +60,7 @@ Json parameters_of(const Options& options)
   result["minimum_component_area"] = options.minimum_component_area;
   result["fill_holes"] = options.fill_holes;
   result["subdivide"] = options.subdivide;
-  result["threads"] = {{"allowed", options.threads}, {"used", 1}};
+  result["threads"] = {{"allowed", options.threads}, {"used", (std::min)(options.threads, most_threads())}};
   return result;
 }
 
@@ -75,7 +78,11 @@ Json clustering_of(const CGAL::Surface_mesh_coarsening::Coarsening_report& repor
           {"final_energy", report.final_energy},
           {"converged", report.converged},
           {"subdivided_components", report.subdivided_components},
-          {"dropped_components", report.dropped_components}};
+          {"dropped_components", report.dropped_components},
+          {"self_intersections_found", report.intersections_found},
+          {"self_intersections_left", report.intersections_left},
+          {"reversed_triangles_found", report.reversals_found},
+          {"reversed_triangles_left", report.reversals_left}};
 }
 
 Json certificate_of(const Certificate& certificate)

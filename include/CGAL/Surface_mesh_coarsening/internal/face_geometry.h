@@ -104,12 +104,16 @@ inline std::vector<double> mean_normal_deviations(const Flat_mesh& m, const Chec
   return sum;
 }
 
+inline double largest_of(const std::vector<double>& deviations)
+{
+  return deviations.empty() ? 0 : *std::max_element(deviations.begin(), deviations.end());
+}
+
 // The linear mapping of section 5.2 from [0, maximum] to [1, maximum_density]. Where no normal deviates by more than the
 // rounding of coordinates may make it, the mesh is flat.
-inline void map_to_densities(std::vector<double>& deviations, double maximum_density)
+inline void map_to_densities(std::vector<double>& deviations, double maximum, double maximum_density)
 {
   constexpr double flat = 1e-6;
-  const double maximum = deviations.empty() ? 0 : *std::max_element(deviations.begin(), deviations.end());
   for (double& d : deviations)
     d = maximum > flat ? 1 + (maximum_density - 1) * (d / maximum) : 1;
 }

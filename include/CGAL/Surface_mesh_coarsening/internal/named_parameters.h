@@ -102,9 +102,10 @@ std::vector<double> densities_of(const Numbering<FaceGraph>&, const Flat_mesh& m
                                  const Checkpoint& checkpoint = Checkpoint())
 {
   std::vector<double> densities = mean_normal_deviations(m, checkpoint);
+  const double largest = largest_of(densities);
   if (choice.at_borders)
     Border_deviations(m, checkpoint).raise(densities);
-  map_to_densities(densities, choice.maximum);
+  map_to_densities(densities, largest, choice.maximum);
   return densities;
 }
 
