@@ -42,6 +42,12 @@ inline Vector mean_of_corners(const Flat_mesh& m, Index f)
   return (1. / m.degree(f)) * sum;
 }
 
+inline double face_area(const Flat_mesh& m, Index f)
+{
+  const Vector normal = vector_area(m, f);
+  return std::sqrt(dot(normal, normal));
+}
+
 inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
 {
   const Vector normal = vector_area(m, f);
