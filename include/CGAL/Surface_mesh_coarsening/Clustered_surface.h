@@ -74,7 +74,7 @@ public:
   /// the mesh.
   bool is_on_cluster_boundary(std::size_t vertex) const { return labels_.boundary_count(internal::Index(vertex)) != 0; }
   /// returns the centroid of a face.
-  const Point& centroid(std::size_t face) const { return input_.centroid[face]; }
+  Point centroid(std::size_t face) const { return input_.centroid(internal::Index(face)); }
   /// returns the area of a face.
   double area(std::size_t face) const { return input_.area[face]; }
   /// returns the density of a face.
@@ -88,9 +88,10 @@ public:
     Vector moment{{0, 0, 0}}, sum{{0, 0, 0}};
     double mass = 0;
     for (const Index f : faces(cluster)) {
-      moment = moment + input_.mass(f) * input_.centroid[f];
+      const Vector center = input_.centroid(f);
+      moment = moment + input_.mass(f) * center;
       mass += input_.mass(f);
-      sum = sum + input_.centroid[f];
+      sum = sum + center;
     }
     return mass > 0 ? (1 / mass) * moment : (1 / double(faces(cluster).size())) * sum;
   }

@@ -141,8 +141,8 @@ public:
     forget();
     std::size_t number = 0;
     auto labels = std::make_unique<internal::Cluster_labels>(input_.mesh);
-    for (std::size_t i = 0; i < input_.parent.size(); ++i) {
-      const std::size_t label = std::size_t(get(clusters, numbering_.faces[input_.parent[i]]));
+    for (std::size_t i = 0; i < input_.mesh.number_of_faces(); ++i) {
+      const std::size_t label = std::size_t(get(clusters, numbering_.faces[input_.parent_of(Index(i))]));
       if (label >= numbering_.faces.size())
         throw Invalid_input("the cluster of face " + std::to_string(i) + " is " + std::to_string(label) +
                             " in a mesh of " + std::to_string(numbering_.faces.size()) + " faces");
@@ -213,13 +213,13 @@ public:
   {
     if (initial_)
       for (const Index f : initial_->seeds())
-        *out++ = numbering_.faces[working_input().parent[f]];
+        *out++ = numbering_.faces[working_input().parent_of(f)];
     return out;
   }
 
   /// returns the cluster of a face. Where the faces of a component had to be subdivided internally, it is the cluster of the
   /// largest part of the face. Faces of components that were dropped get `number_of_clusters()`.
-  std::size_t cluster(face_descriptor f) const { return cluster_of_face(get(numbering_.face_number, f)); }
+  std::size_t cluster(face_descriptor f) const { return cluster_of_face(numbering_.number_of(f)); }
 
   /// writes the cluster of each face, see `cluster()`.
   /// \tparam FaceClusterMap a model of `WritablePropertyMap` with the faces as keys and an integral value type
@@ -283,6 +283,9 @@ public:
     before();
     filler.commit();
   }
+
+  // Gives back what only the minimization needs. There can be no more rounds then.
+  void end_minimization() { minimization_.reset(); }
   /// \endcond
   /// @}
 
@@ -339,7 +342,7 @@ private:
   std::size_t cluster_of_face(Index f) const
   {
     const internal::Clustering_input& input = working_input();
-    if (input.parent.size() == numbering_.faces.size() && dropped_components_ == 0)
+    if (input.parent.empty())
       return labels()[f];
     const auto pieces = std::equal_range(input.parent.begin(), input.parent.end(), f);
     if (pieces.first == pieces.second)

@@ -50,6 +50,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
   }
   clustering.minimize(choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
                                        Clustering::default_number_of_iterations));
+  clustering.end_minimization();
   clustering.extract_dual_mesh(
     output, choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p)), np_out, [&] {
       write_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));

@@ -36,14 +36,17 @@ public:
 
   /// \param p the exponent, at least 1 and finite; the paper uses 10.
   /// \throws Invalid_input if it is not.
-  explicit Maximum_density_weight(double p = 10) : p_(p)
+  explicit Maximum_density_weight(double p = 10) : p_(p), whole_p_(p <= 64 && p == std::floor(p) ? unsigned(p) : 0)
   {
     if (!(p >= 1) || std::isinf(p))
       throw Invalid_input("the exponent of the maximum density weight is " + std::to_string(p));
   }
 
   /// returns what the weight needs of a face.
-  Face_data face_data(double density, double /* area */) const { return std::pow(density, p_); }
+  Face_data face_data(double density, double /* area */) const
+  {
+    return whole_p_ != 0 ? whole_power(density, whole_p_) : std::pow(density, p_);
+  }
   /// adds a face to the data of a cluster.
   void add(Cluster_data& data, Face_data power) const { accumulate(data, power); }
   /// takes a face from the data of a cluster.
@@ -55,7 +58,36 @@ public:
     return sum > 0 ? std::pow(sum, 1 / p_) : 0;
   }
 
+  /// \cond SKIP_IN_MANUAL
+  // Lower bounds of the weights after a face has joined and after it has left, where the weight is `weight` now: with q = 1 / p and
+  // t the part of the sum, (1 + t)^q >= 1 + q t - q (1 - q) t^2 / 2, and (1 - t)^q >= 1 / (1 + q t / (1 - t)).
+  double least_weight_with(const Cluster_data& data, Face_data power, double weight) const
+  {
+    const double sum = data.sum + data.error, q = 1 / p_;
+    if (!(power < sum))
+      return weight * rounding;
+    const double t = power / sum;
+    return weight * (1 + q * t * (1 - 0.5 * (1 - q) * t)) * rounding;
+  }
+  double least_weight_without(const Cluster_data& data, Face_data power, double weight) const
+  {
+    const double sum = data.sum + data.error, rest = sum - power;
+    return rest > 1e-6 * sum ? weight * (p_ * rest / (p_ * rest + power)) * rounding : 0;
+  }
+  /// \endcond
+
 private:
+  static constexpr double rounding = 1 - 1e-8; // what roundings of sum and weight may amount to at most
+
+  static double whole_power(double x, unsigned n)
+  {
+    double power = 1;
+    for (; n != 0; n /= 2, x *= x)
+      if (n % 2 == 1)
+        power *= x;
+    return power;
+  }
+
   // Knuth's error-free sum.
   static void accumulate(Cluster_data& data, double x)
   {
@@ -65,6 +97,7 @@ private:
   }
 
   double p_;
+  unsigned whole_p_; // the same if it is a whole number; 0 if not
 };
 
 } // namespace Surface_mesh_coarsening

@@ -15,24 +15,24 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// What the clustering works on: the mesh in arrays, and of each face its area A, centroid g and density r. Faces may
-// be pieces of faces of the caller's mesh, then `parent` tells of which.
+// What the clustering works on: the mesh in arrays, and of each face its area A and density r. Centroids g are computed when
+// they are needed, which takes less time than the memory would. Faces may be pieces of faces of the caller's mesh, then
+// `parent` tells of which.
 struct Clustering_input
 {
   Flat_mesh mesh;
   std::vector<double> area;
-  std::vector<Vector> centroid;
   std::vector<double> density;
-  std::vector<Index> parent;
+  std::vector<Index> parent; // empty if the faces are those of the caller's mesh
 
   double mass(Index f) const { return density[f] * area[f]; }
-
-  void complete(const Checkpoint& checkpoint = Checkpoint())
+  Vector centroid(Index f) const
   {
-    parent.resize(mesh.number_of_faces());
-    std::iota(parent.begin(), parent.end(), Index(0));
-    measure(checkpoint);
+    return mesh.degree(f) == 3 ? mean_of_corners(mesh, f) : face_geometry(mesh, f).centroid;
   }
+  Index parent_of(Index f) const { return parent.empty() ? f : parent[f]; }
+
+  void complete(const Checkpoint& checkpoint = Checkpoint()) { measure(checkpoint); }
 
   // Cuts the faces of the chosen components into one piece per corner.
   void subdivide(const std::vector<bool>& chosen_component, const Checkpoint& checkpoint = Checkpoint())
@@ -94,7 +94,7 @@ private:
     parents.reserve(old_faces.size());
     for (const Index f : old_faces) {
       densities.push_back(density[f]);
-      parents.push_back(parent[f]);
+      parents.push_back(parent_of(f));
     }
     density.swap(densities);
     parent.swap(parents);
@@ -104,12 +104,9 @@ private:
   void measure(const Checkpoint& checkpoint)
   {
     area.resize(mesh.number_of_faces());
-    centroid.resize(mesh.number_of_faces());
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
       checkpoint.pass();
-      const Face_geometry g = face_geometry(mesh, Index(f));
-      area[f] = g.area;
-      centroid[f] = g.centroid;
+      area[f] = face_area(mesh, Index(f));
     }
   }
 };

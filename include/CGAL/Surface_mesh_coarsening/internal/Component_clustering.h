@@ -50,12 +50,16 @@ public:
   {
     for (const Index f : faces)
       labels.set(f, NONE);
-    Cluster_growth growth(labels, checkpoint_);
+    if (std::size_t(faces.last - faces.first) == input_.mesh.number_of_faces())
+      walk_.release();
     Index clusters = 0;
-    for (const Index f : seeds.faces)
-      growth.plant(f, clusters++);
-    growth.run();
-    clusters = growth.cover(faces, clusters);
+    {
+      Cluster_growth growth(labels, checkpoint_);
+      for (const Index f : seeds.faces)
+        growth.plant(f, clusters++);
+      growth.run();
+      clusters = growth.cover(faces, clusters);
+    }
 
     Cluster_splitting<Face_range> splitting(labels, faces, clusters, checkpoint_);
     if (!splitting.run() || !plan.may_begin_with(splitting.number_of_clusters()))

@@ -3,6 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_ENERGY_MINIMIZATION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_ENERGY_MINIMIZATION_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/Chunked_list.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Cluster_energy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Valid_moves.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
@@ -11,7 +13,10 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -19,39 +24,28 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// What the energy (8) of a cluster is made of. It is the weight times the inertia about the centroid (7).
-template <class Weight>
-struct Cluster_sums
-{
-  double mass = 0;               // sum r A
-  Vector centroid{{0, 0, 0}};    // sum r A g / mass
-  double inertia = 0;            // sum r A |g - centroid|^2
-  double energy = 0;
-  Index faces = 0;
-  Index round_of_change = 0;
-  typename Weight::Cluster_data data;
-};
-
 // Sections 5.1 and 8.2 of the paper: in rounds over the edges between clusters, the face on one side or on the other
 // joins the cluster across, whichever lowers the energy more, as long as the clusters remain discs whose dual is a
 // simplicial surface. All weights are those of the current sums, so the energy is a function of the clustering and
 // falls with each move.
+//
+// What a test needs of the two faces at an edge is kept with the edge: edges between clusters are few, and they are gone through
+// in order, which is kinder to caches than the faces are.
 //
 // Batch by batch of edges, a round first looks for such moves, at the sums as they are, which can be done for many edges at
 // a time, and then makes those in the order of the edges that still lower the energy.
 template <class Weight>
 class Energy_minimization
 {
+  typedef Face_terms<Weight> Face;
+  typedef Cluster_sums<Weight> Sums;
+
 public:
   Energy_minimization(const Clustering_input& input, Cluster_labels& labels, std::size_t number_of_clusters,
                       const Weight& weight, const Checkpoint& checkpoint, Execution execution)
-    : mesh_(input.mesh), labels_(labels), weight_(weight), checkpoint_(checkpoint), execution_(execution), moves_(labels, number_of_clusters),
-      faces_(mesh_.number_of_faces()), clusters_(number_of_clusters)
+    : input_(input), mesh_(input.mesh), labels_(labels), weight_(weight), energy_(weight), checkpoint_(checkpoint), execution_(execution),
+      moves_(labels, number_of_clusters), clusters_(number_of_clusters), round_of_change_(number_of_clusters, 0)
   {
-    for_each_chunk(execution_, faces_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f)
-        faces_[f] = {input.mass(Index(f)), input.centroid[f], weight_.face_data(input.density[f], input.area[f])};
-    });
     sum_up();
     list_boundary_edges();
   }
@@ -81,7 +75,7 @@ public:
     fresh.sum_up();
     const auto agree = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); };
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
-      const Cluster_sums<Weight>&x = clusters_[i], &y = fresh.clusters_[i];
+      const Sums&x = clusters_[i], &y = fresh.clusters_[i];
       if (x.faces != y.faces || !agree(x.mass, y.mass) || !agree(x.inertia, y.inertia) || !agree(x.energy, y.energy))
         return false;
     }
@@ -91,7 +85,7 @@ public:
   double energy() const
   {
     double sum = 0;
-    for (const Cluster_sums<Weight>& x : clusters_)
+    for (const Sums& x : clusters_)
       sum += x.energy;
     return sum;
   }
@@ -99,31 +93,36 @@ public:
   std::size_t tests() const { return tests_; }
 
 private:
-  static constexpr std::size_t chunk = 4096;
+  static constexpr double no_gain = -std::numeric_limits<double>::infinity();
   static constexpr std::size_t batch = 1024, part_of_batch = 128; // edges
 
-  struct Face
+  // An edge between two faces, that of the smaller index first, by its corner in that.
+  struct Plain_edge
   {
-    double mass;
-    Vector centroid;
-    typename Weight::Face_data data;
+    std::array<Index, 2> face;
+    Index corner;
   };
 
-  // An edge between two faces, by its corner in the one of smaller index.
   struct Edge
   {
-    Index face, across, corner;
+    std::array<Face, 2> data;
+    std::array<Index, 2> face;
+    Index corner;
   };
 
+  // A face of an edge joins a cluster, that of the other face when the move was found.
   struct Move
   {
-    Index face, to;
+    Index edge;
+    int side;
+    Index to;
   };
 
   // What a move would make of the energies of the two clusters.
   struct Trial
   {
-    Index face, to;
+    int side;
+    Index to;
     double gain;      // by which the energy falls
     double scale;     // of the changes of energy that it is the difference of
     double magnitude; // of the energies that these are the difference of
@@ -132,101 +131,42 @@ private:
   // All sums from scratch.
   void sum_up()
   {
-    for (Cluster_sums<Weight>& x : clusters_) {
-      const Index round_of_change = x.round_of_change;
-      x = Cluster_sums<Weight>();
-      x.round_of_change = round_of_change;
-    }
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      Cluster_sums<Weight>& x = clusters_[labels_[Index(f)]];
-      x.mass += faces_[f].mass;
-      x.centroid = x.centroid + faces_[f].mass * faces_[f].centroid;
+    std::fill(clusters_.begin(), clusters_.end(), Sums());
+    for (Index f = 0; f < Index(mesh_.number_of_faces()); ++f) {
+      Sums& x = clusters_[labels_[f]];
+      const Face face = data_of(f);
+      x.mass += face.mass;
+      x.centroid = x.centroid + face.mass * face.centroid;
       ++x.faces;
-      weight_.add(x.data, faces_[f].data);
+      weight_.add(x.data, face.data);
     }
-    for (Cluster_sums<Weight>& x : clusters_)
+    for (Sums& x : clusters_)
       if (x.mass > 0)
         x.centroid = (1 / x.mass) * x.centroid;
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      Cluster_sums<Weight>& x = clusters_[labels_[Index(f)]];
-      x.inertia += faces_[f].mass * squared_distance(faces_[f], x);
+    for (Index f = 0; f < Index(mesh_.number_of_faces()); ++f) {
+      Sums& x = clusters_[labels_[f]];
+      const Vector d = input_.centroid(f) - x.centroid;
+      x.inertia += input_.mass(f) * dot(d, d);
     }
-    for (Cluster_sums<Weight>& x : clusters_)
-      update_energy(x);
+    for (Sums& x : clusters_)
+      energy_.update_energy(x);
   }
 
-  static double squared_distance(const Face& face, const Cluster_sums<Weight>& x)
+  Face data_of(Index f) const
   {
-    const Vector d = face.centroid - x.centroid;
-    return dot(d, d);
+    return {input_.mass(f), input_.centroid(f), weight_.face_data(input_.density[f], input_.area[f])};
   }
 
-  void update_energy(Cluster_sums<Weight>& x) const
+  Trial trial(const Edge& e, int side, Index to) const
   {
-    x.energy = x.mass > 0 ? weight_.weight(x.data, x.mass, x.faces) * x.inertia : 0;
-  }
-
-  // The inertia after a mass has joined or left, by the parallel axis theorem.
-  static double inertia_with(const Cluster_sums<Weight>& x, double mass, double sum, double squared_distance)
-  {
-    return x.inertia + (sum > 0 ? mass * x.mass / sum * squared_distance : 0);
-  }
-  static double inertia_without(const Cluster_sums<Weight>& x, double mass, double rest, double squared_distance)
-  {
-    return (std::max)(0., x.inertia - (rest > 0 ? mass * x.mass / rest * squared_distance : 0));
-  }
-
-  double energy_with(const Cluster_sums<Weight>& x, const Face& face) const
-  {
-    const double mass = x.mass + face.mass;
-    if (!(mass > 0))
-      return 0;
-    return weight_.weight_with(x.data, face.data, mass, x.faces + 1) *
-           inertia_with(x, face.mass, mass, squared_distance(face, x));
-  }
-
-  double energy_without(const Cluster_sums<Weight>& x, const Face& face) const
-  {
-    const double mass = x.mass - face.mass;
-    if (!(mass > 0))
-      return 0;
-    return weight_.weight_without(x.data, face.data, mass, x.faces - 1) *
-           inertia_without(x, face.mass, mass, squared_distance(face, x));
-  }
-
-  void add(Cluster_sums<Weight>& x, const Face& face) const
-  {
-    const double mass = x.mass + face.mass;
-    x.inertia = inertia_with(x, face.mass, mass, squared_distance(face, x));
-    if (mass > 0)
-      x.centroid = x.centroid + (face.mass / mass) * (face.centroid - x.centroid);
-    x.mass = mass;
-    ++x.faces;
-    weight_.add(x.data, face.data);
-    update_energy(x);
-  }
-
-  void remove(Cluster_sums<Weight>& x, const Face& face) const
-  {
-    const double mass = x.mass - face.mass;
-    x.inertia = inertia_without(x, face.mass, mass, squared_distance(face, x));
-    if (mass > 0)
-      x.centroid = x.centroid - (face.mass / mass) * (face.centroid - x.centroid);
-    x.mass = mass;
-    --x.faces;
-    weight_.remove(x.data, face.data);
-    update_energy(x);
-  }
-
-  Trial trial(Index f, Index to) const
-  {
-    const Cluster_sums<Weight>& source = clusters_[labels_[f]];
-    const Cluster_sums<Weight>& target = clusters_[to];
-    if (source.faces == 1)
-      return {f, to, -1, 0, 0};
-    const double without = energy_without(source, faces_[f]), with = energy_with(target, faces_[f]);
+    const Sums& source = clusters_[labels_[e.face[side]]];
+    const Sums& target = clusters_[to];
+    const Face& face = e.data[side];
+    if (source.faces == 1 || (has_bounds<Weight> && energy_.cannot_gain(source, target, face)))
+      return {side, to, no_gain, 0, 0};
+    const double without = energy_.energy_without(source, face), with = energy_.energy_with(target, face);
     const double lost = source.energy - without, won = with - target.energy;
-    return {f, to, lost - won, std::abs(lost) + std::abs(won), source.energy + target.energy + without + with};
+    return {side, to, lost - won, std::abs(lost) + std::abs(won), source.energy + target.energy + without + with};
   }
 
   // Gains this small, relative to what they are the difference of, are taken for none. So moves between equal
@@ -240,14 +180,12 @@ private:
   void list_boundary_edges()
   {
     is_listed_.assign(mesh_.corner_vertex.size(), false);
-    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
+    for (Index f = 0; f < Index(mesh_.number_of_faces()); ++f) {
       checkpoint_.pass();
       for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
         const Index g = mesh_.face_across[c];
-        if (g != NONE && g > f && labels_[g] != labels_[Index(f)]) {
-          edges_.push_back({Index(f), g, c});
-          is_listed_[c] = true;
-        }
+        if (g != NONE && g > f && labels_[g] != labels_[f])
+          list({{{f, g}}, c});
       }
     }
   }
@@ -266,7 +204,7 @@ private:
         }
     }
     if (moves > 0)
-      drop_inner_edges();
+      update_list();
     return moves;
   }
 
@@ -279,16 +217,16 @@ private:
       found_[i].clear();
       for (std::size_t j = begin; j < end; ++j) {
         const Edge& e = edges_[first + j];
-        const Index x = labels_[e.face], y = labels_[e.across];
-        if (x == y || (!all && clusters_[x].round_of_change + 1 < round_ && clusters_[y].round_of_change + 1 < round_))
+        const Index x = labels_[e.face[0]], y = labels_[e.face[1]];
+        if (x == y || (!all && round_of_change_[x] + 1 < round_ && round_of_change_[y] + 1 < round_))
           continue;
         ++tested_[i];
-        Trial first_trial = trial(e.face, y), second_trial = trial(e.across, x);
+        Trial first_trial = trial(e, 0, y), second_trial = trial(e, 1, x);
         if (is_better(second_trial, first_trial))
           std::swap(first_trial, second_trial);
         for (const Trial& t : {first_trial, second_trial})
-          if (is_gain(t) && moves_.keeps_discs(t.face, t.to)) {
-            found_[i].push_back({t.face, t.to});
+          if (is_gain(t) && moves_.keeps_discs(e.face[t.side], t.to)) {
+            found_[i].push_back({Index(first + j), t.side, t.to});
             break;
           }
       }
@@ -299,59 +237,71 @@ private:
 
   bool make(const Move& m)
   {
-    const Index from = labels_[m.face];
-    if (from == m.to || !is_gain(trial(m.face, m.to)) || !moves_.move(m.face, m.to))
+    const Edge e = edges_[m.edge];
+    const Index f = e.face[m.side], from = labels_[f];
+    if (from == m.to || !is_gain(trial(e, m.side, m.to)) || !moves_.move(f, m.to))
       return false;
-    accept(m.face, from, m.to);
+    accept(f, e.data[m.side], from, m.to);
     return true;
   }
 
-  void accept(Index f, Index from, Index to)
+  void accept(Index f, const Face& data, Index from, Index to)
   {
-    Cluster_sums<Weight>& source = clusters_[from];
-    Cluster_sums<Weight>& target = clusters_[to];
+    Sums& source = clusters_[from];
+    Sums& target = clusters_[to];
     CGAL_assertion_code(const double before = source.energy + target.energy;)
-    remove(source, faces_[f]);
-    add(target, faces_[f]);
+    energy_.remove(source, data);
+    energy_.add(target, data);
     CGAL_assertion(source.energy + target.energy < before);
-    source.round_of_change = target.round_of_change = round_;
-    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
-      if (mesh_.face_across[c] != NONE && labels_.label_across(c) != to)
-        list(f, c);
+    round_of_change_[from] = round_of_change_[to] = round_;
+    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+      const Index g = mesh_.face_across[c];
+      if (g == NONE || labels_[g] == to)
+        continue;
+      const Index corner = f < g ? c : mesh_.corner_of(g, mesh_.corner_vertex[mesh_.next_corner(f, c)]);
+      if (!is_listed_[corner]) {
+        is_listed_[corner] = true;
+        new_edges_.push_back({{{(std::min)(f, g), (std::max)(f, g)}}, corner});
+      }
+    }
   }
 
-  void drop_inner_edges()
+  // Edges that came to lie within a cluster leave the list at the end of a round; those that came to lie between two, and still
+  // do, are added.
+  void update_list()
   {
-    edges_.erase(std::remove_if(edges_.begin(), edges_.end(),
-                                [&](const Edge& e) {
-                                  const bool is_inner = labels_[e.face] == labels_[e.across];
-                                  if (is_inner)
-                                    is_listed_[e.corner] = false;
-                                  return is_inner;
-                                }),
-                 edges_.end());
+    const auto is_inner = [&](const auto& e) { return labels_[e.face[0]] == labels_[e.face[1]]; };
+    edges_.remove_if([&](const Edge& e) {
+      if (is_inner(e))
+        is_listed_[e.corner] = false;
+      return is_inner(e);
+    });
+    for (const Plain_edge& e : new_edges_)
+      if (is_inner(e))
+        is_listed_[e.corner] = false;
+      else
+        list(e);
+    new_edges_.clear();
   }
 
-  // Adds the edge after corner `c` of face `f` to the list.
-  void list(Index f, Index c)
+  void list(const Plain_edge& e)
   {
-    const Index g = mesh_.face_across[c];
-    const Edge e = f < g ? Edge{f, g, c} : Edge{g, f, mesh_.corner_of(g, mesh_.corner_vertex[mesh_.next_corner(f, c)])};
-    if (is_listed_[e.corner])
-      return;
     is_listed_[e.corner] = true;
-    edges_.push_back(e);
+    edges_.push_back(Edge{{{data_of(e.face[0]), data_of(e.face[1])}}, e.face, e.corner});
   }
 
+  const Clustering_input& input_;
   const Flat_mesh& mesh_;
   Cluster_labels& labels_;
   Weight weight_;
+  Cluster_energy<Weight> energy_;
   Checkpoint checkpoint_;
   Execution execution_;
   Valid_moves moves_;
-  std::vector<Face> faces_;
-  std::vector<Cluster_sums<Weight> > clusters_;
-  std::vector<Edge> edges_;                // between clusters
+  std::vector<Sums> clusters_;
+  std::vector<Index> round_of_change_;     // of each cluster
+  Chunked_list<Edge> edges_;               // between clusters
+  std::vector<Plain_edge> new_edges_;      // that came to lie between clusters in this round
   std::vector<bool> is_listed_;            // per corner
   std::vector<std::vector<Move> > found_;  // per part of a batch
   std::vector<std::size_t> tested_;        // per part of a batch

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,6 +32,58 @@ inline Vector cross(const Vector& a, const Vector& b)
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+// Where the corners of each face begin. As long as all faces are triangles, nothing is stored.
+class Corner_offsets
+{
+public:
+  Index operator[](std::size_t i) const { return is_listed_ ? offsets_[i] : Index(3 * i); }
+  std::size_t size() const { return size_; }
+  void reserve(std::size_t n) { reserved_ = n; }
+  void push_back(Index offset)
+  {
+    if (!is_listed_ && offset != Index(3 * size_))
+      list();
+    if (is_listed_)
+      offsets_.push_back(offset);
+    ++size_;
+  }
+  void assign(std::size_t n, Index offset)
+  {
+    *this = Corner_offsets();
+    for (std::size_t i = 0; i < n; ++i)
+      push_back(offset);
+  }
+
+private:
+  void list()
+  {
+    offsets_.reserve((std::max)(reserved_, size_ + 1));
+    for (std::size_t i = 0; i < size_; ++i)
+      offsets_.push_back(Index(3 * i));
+    is_listed_ = true;
+  }
+
+  std::vector<Index> offsets_;
+  std::size_t size_ = 0, reserved_ = 0;
+  bool is_listed_ = false;
+};
+
+// The component of each face. Nothing is stored if there is only one.
+class Component_numbers
+{
+public:
+  Index operator[](std::size_t f) const { return numbers_.empty() ? 0 : numbers_[f]; }
+  void set(std::vector<Index> numbers, std::size_t components)
+  {
+    if (components < 2)
+      numbers = std::vector<Index>();
+    numbers_.swap(numbers);
+  }
+
+private:
+  std::vector<Index> numbers_;
+};
+
 // What topology says of one connected component.
 struct Component
 {
@@ -48,13 +101,13 @@ struct Component
 // at its clockwise end, that of an inner vertex at its face of the smallest index.
 struct Flat_mesh
 {
-  std::vector<Index> first_corner;   // of each face, and one past the last
+  Corner_offsets first_corner;       // of each face, and one past the last
   std::vector<Index> corner_vertex;  // of each corner
   std::vector<Index> face_across;    // the edge from each corner to the next; NONE beyond the border
   std::vector<Index> first_in_star;  // of each vertex, and one past the last
   std::vector<Index> star;
   std::vector<Index> loop;           // border loop of each vertex; NONE inside
-  std::vector<Index> component;      // of each face
+  Component_numbers component;       // of each face
   std::vector<Component> components;
   std::vector<Vector> points;        // relative to a local origin
 
@@ -195,17 +248,17 @@ private:
 
   static void number_components(Flat_mesh& m, const Checkpoint& checkpoint)
   {
-    m.component.assign(m.number_of_faces(), NONE);
+    std::vector<Index> number(m.number_of_faces(), NONE);
     m.components.clear();
     std::vector<Index> stack;
     for (std::size_t seed = 0; seed < m.number_of_faces(); ++seed) {
-      if (m.component[seed] != NONE)
+      if (number[seed] != NONE)
         continue;
       const Index id = Index(m.components.size());
       Component component;
       std::size_t border_edges = 0, corners = 0;
       stack.assign(1, Index(seed));
-      m.component[seed] = id;
+      number[seed] = id;
       while (!stack.empty()) {
         const Index f = stack.back();
         stack.pop_back();
@@ -216,8 +269,8 @@ private:
           ++corners;
           if (g == NONE)
             ++border_edges;
-          else if (m.component[g] == NONE) {
-            m.component[g] = id;
+          else if (number[g] == NONE) {
+            number[g] = id;
             stack.push_back(g);
           }
         }
@@ -225,6 +278,7 @@ private:
       component.edges = (corners + border_edges) / 2;
       m.components.push_back(component);
     }
+    m.component.set(std::move(number), m.components.size());
     for (std::size_t v = 0; v < m.number_of_vertices(); ++v)
       if (m.first_in_star[v] != m.first_in_star[v + 1])
         ++m.components[m.component[m.star[m.first_in_star[v]]]].vertices;

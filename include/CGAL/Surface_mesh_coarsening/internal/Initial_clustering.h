@@ -124,6 +124,7 @@ public:
     find_face_of_clusters();
     Cluster_labels labels = std::move(*labels_);
     labels_.reset();
+    release();
     return labels;
   }
 
@@ -131,6 +132,13 @@ private:
   static std::size_t sum(const std::vector<std::size_t>& v)
   {
     return std::accumulate(v.begin(), v.end(), std::size_t(0));
+  }
+
+  // Gives memory back that later stages need. To grow again begins with the seeds then, which are found as before.
+  void release()
+  {
+    clustering_.reset();
+    faces_ = std::vector<Index>();
   }
 
   void grow_again()

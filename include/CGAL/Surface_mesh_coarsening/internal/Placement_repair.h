@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -38,8 +39,9 @@ public:
   typedef std::function<Vector(const Vector&)> Output_coordinates;
 
   Placement_repair(const Clustered_surface& surface, const Border_arcs& border, const Output_coordinates& output,
-                   std::vector<Triangle>& triangles, std::vector<Vector>& positions, const Checkpoint& checkpoint)
-    : checkpoint_(checkpoint), surface_(surface), border_(border), output_(output), result_(triangles), positions_(positions),
+                   std::vector<Triangle>& triangles, std::vector<Vector>& positions, const Checkpoint& checkpoint,
+                   Execution execution = Execution::SEQUENTIAL)
+    : checkpoint_(checkpoint), execution_(execution), surface_(surface), border_(border), output_(output), result_(triangles), positions_(positions),
       coarse_(triangles, positions.size()), reference_(surface)
   {
     points_.reserve(positions.size());
@@ -125,7 +127,7 @@ private:
   {
     pairs_.clear();
     reversed_.clear();
-    for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), points_))
+    for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), points_, execution_))
       if (!is_in_input(pair))
         pairs_.push_back(pair);
     for (std::size_t t = 0; t < coarse_.triangles().size(); ++t)
@@ -162,11 +164,12 @@ private:
   {
     const std::vector<Index> vertices = corners_of(faulty);
     find_near(vertices);
+    last_altered_.clear();
     distance_before_ = squared_distance_around(vertices);
     Change best;
     Effect least;
     for (const Change& change : changes_at(faulty, vertices)) {
-      const Effect effect = effect_of(change, vertices);
+      const Effect effect = effect_of(change, vertices, least);
       if (is_better(effect, least)) {
         least = effect;
         best = change;
@@ -320,17 +323,18 @@ private:
     return altered;
   }
 
-  Effect effect_of(const Change& change, const std::vector<Index>& vertices)
+  // No more is computed than it takes to see whether the effect is better than another one.
+  Effect effect_of(const Change& change, const std::vector<Index>& vertices, const Effect& other)
   {
     const std::vector<Index> altered = altered_by(change);
     Effect effect;
-    const long before = faults_of(altered);
+    const long before = faults_before(altered);
     if (before == 0)
       return effect;
     const auto measure = [&] {
-      effect.gain = (std::max)(0l, before - faults_of(altered));
+      effect.gain = (std::max)(0l, before - faults_of(altered, before));
       if (effect.gain > 0)
-        effect.harm = squared_distance_around(vertices) - distance_before_;
+        effect.harm = squared_distance_around(vertices, distance_before_ + most_harm(effect.gain, other)) - distance_before_;
     };
     if (change.flipped == NONE) {
       std::vector<Move> back;
@@ -349,9 +353,30 @@ private:
     return effect;
   }
 
+  // From which harm on an effect of so large a gain is not better than another one.
+  double most_harm(long gain, const Effect& other) const
+  {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    if (other.gain <= 0 || (is_in_hurry_ && gain > other.gain))
+      return infinite;
+    // One that takes away fewer faults will not be made, but must not be taken for one that does no harm.
+    return other.harm > 0 ? 1.000001 * other.harm * double(gain) / double(other.gain) : infinite;
+  }
+
+  // The faults of triangles as they are; changes of the same vertex alter the same ones.
+  long faults_before(const std::vector<Index>& altered)
+  {
+    if (altered != last_altered_) {
+      last_faults_ = faults_of(altered, std::numeric_limits<long>::max());
+      last_altered_ = altered;
+    }
+    return last_faults_;
+  }
+
   // Of the clusters of some vertices and those around them. At vertices of very many triangles it would take quadratic time,
   // and is left out of account.
-  double squared_distance_around(const std::vector<Index>& vertices) const
+  double squared_distance_around(const std::vector<Index>& vertices,
+                                 double limit = std::numeric_limits<double>::infinity()) const
   {
     std::vector<Index> triangles, clusters;
     for (const Index v : vertices)
@@ -366,7 +391,7 @@ private:
     std::vector<Triangle> corners;
     for (const Index t : triangles)
       corners.push_back(coarse_.triangles()[t]);
-    return reference_.squared_distance(clusters, corners, positions_);
+    return reference_.squared_distance(clusters, corners, positions_, limit);
   }
 
   static void sort_out(std::vector<Index>& list)
@@ -385,7 +410,8 @@ private:
       coarse_.flip(change.flipped, change.corner, coarse_.across(change.flipped, change.corner));
   }
 
-  long faults_of(const std::vector<Index>& altered)
+  // The number of faults, or at least `limit` of them.
+  long faults_of(const std::vector<Index>& altered, long limit)
   {
     const Triangle_conflict conflict(points_);
     long faults = 0;
@@ -393,6 +419,8 @@ private:
       const Triangle triangle = coarse_.triangles()[t];
       const Bbox_3 box = conflict.box(triangle);
       faults += is_reversed(t);
+      if (faults >= limit)
+        return faults;
       checkpoint_.pass(near_.size());
       tests_ += near_.size() / 16; // a comparison of boxes takes a fraction of a test
       for (const Index u : near_) {
@@ -445,6 +473,7 @@ private:
   }
 
   const Checkpoint checkpoint_;
+  const Execution execution_;
   const Clustered_surface& surface_;
   const Border_arcs& border_;
   const Output_coordinates output_;
@@ -456,6 +485,8 @@ private:
   std::vector<Triangle_pair> pairs_;
   std::vector<Index> reversed_;
   std::vector<Index> near_;
+  std::vector<Index> last_altered_; // the triangles whose faults were counted last before a change
+  long last_faults_ = 0;
   std::size_t tests_ = 0;
   double distance_before_ = 0; // of the surroundings of what is being repaired
   bool is_in_hurry_ = false, at_input_vertices_ = false;

@@ -62,24 +62,25 @@ public:
     return dot(n, there) < 0;
   }
 
-  // The sum over some clusters of about their area times their mean squared distance from coarse triangles.
+  // The sum over some clusters of about their area times their mean squared distance from coarse triangles. Stops where it
+  // has reached `limit`.
   double squared_distance(const std::vector<Index>& clusters, const std::vector<Triangle>& triangles,
-                          const std::vector<Vector>& positions) const
+                          const std::vector<Vector>& positions, double limit) const
   {
     constexpr std::size_t most_samples = 24;
+    std::vector<Ball> balls;
+    for (const Triangle& t : triangles)
+      balls.push_back(ball_around(t, positions));
+    std::size_t last = 0; // the triangle nearest to the sample before
     double sum = 0;
     for (const Index x : clusters) {
       const Clustered_surface::Range faces = surface_.faces(x);
       const std::size_t step = 1 + faces.size() / most_samples;
       for (std::size_t i = 0; i < faces.size(); i += step) {
         const Index f = faces.begin()[i];
-        double nearest = -1;
-        for (const Triangle& t : triangles) {
-          const double d = closest_on_triangle(surface_.centroid(f), positions[t[0]], positions[t[1]], positions[t[2]])
-                             .squared_distance;
-          nearest = nearest < 0 ? d : (std::min)(nearest, d);
-        }
-        sum += double(step) * surface_.area(f) * nearest;
+        sum += double(step) * surface_.area(f) * squared_distance(surface_.centroid(f), triangles, balls, positions, last);
+        if (sum >= limit)
+          return sum;
       }
     }
     return sum;
@@ -97,6 +98,48 @@ public:
   }
 
 private:
+  struct Ball
+  {
+    Vector center;
+    double radius;
+  };
+
+  static Ball ball_around(const Triangle& t, const std::vector<Vector>& positions)
+  {
+    Ball ball{(1. / 3) * (positions[t[0]] + positions[t[1]] + positions[t[2]]), 0};
+    for (const Index v : t) {
+      const Vector d = positions[v] - ball.center;
+      ball.radius = (std::max)(ball.radius, dot(d, d));
+    }
+    ball.radius = std::sqrt(ball.radius);
+    return ball;
+  }
+
+  // From the nearest of some triangles. Those whose balls are farther away than the nearest so far are passed over.
+  static double squared_distance(const Vector& p, const std::vector<Triangle>& triangles, const std::vector<Ball>& balls,
+                                 const std::vector<Vector>& positions, std::size_t& last)
+  {
+    const auto to = [&](std::size_t i) {
+      const Triangle& t = triangles[i];
+      return closest_on_triangle(p, positions[t[0]], positions[t[1]], positions[t[2]]).squared_distance;
+    };
+    const std::size_t first = last;
+    double nearest = to(first), distance = std::sqrt(nearest);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const Vector d = p - balls[i].center;
+      const double reach = 1.000001 * (balls[i].radius + distance);
+      if (i == first || dot(d, d) > reach * reach)
+        continue;
+      const double square = to(i);
+      if (square < nearest) {
+        nearest = square;
+        distance = std::sqrt(square);
+        last = i;
+      }
+    }
+    return nearest;
+  }
+
   bool clusters_intersect(Index x, Index y)
   {
     const auto known = intersecting_.find({x, y});

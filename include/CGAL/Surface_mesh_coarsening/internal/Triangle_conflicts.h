@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_TRIANGLE_CONFLICTS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/parallel.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
@@ -52,7 +53,11 @@ public:
       return folds(t[(other + 1) % 3], t[(other + 2) % 3], t[other], third(u, t[(other + 1) % 3], t[(other + 2) % 3]));
     if (common == 1) {
       const int j = in_u[shared];
-      return crosses(t, u[(j + 1) % 3], u[(j + 2) % 3]) || crosses(u, t[(shared + 1) % 3], t[(shared + 2) % 3]);
+      const Index a = u[(j + 1) % 3], b = u[(j + 2) % 3], c = t[(shared + 1) % 3], d = t[(shared + 2) % 3];
+      // Mostly all but the common corner of one triangle is on one side of the plane of the other.
+      if (are_beside(t, a, b) || are_beside(u, c, d))
+        return false;
+      return crosses(t, a, b) || crosses(u, c, d);
     }
     if (is_beside(t, u) || is_beside(u, t) || is_flat(t) || is_flat(u))
       return false;
@@ -85,6 +90,13 @@ private:
     const Exact_point &p = points_[u[0]], &q = points_[u[1]], &r = points_[u[2]];
     const Orientation side = orientation(p, q, r, points_[t[0]]);
     return side != COPLANAR && orientation(p, q, r, points_[t[1]]) == side && orientation(p, q, r, points_[t[2]]) == side;
+  }
+
+  bool are_beside(const Triangle& t, Index a, Index b) const
+  {
+    const Exact_point &p = points_[t[0]], &q = points_[t[1]], &r = points_[t[2]];
+    const Orientation side = orientation(p, q, r, points_[a]);
+    return side != COPLANAR && orientation(p, q, r, points_[b]) == side;
   }
 
   Exact_tests::Triangle_3 triangle(const Triangle& t) const { return {points_[t[0]], points_[t[1]], points_[t[2]]}; }
@@ -125,7 +137,7 @@ inline std::vector<Triangle_box> triangle_boxes(const std::vector<Triangle>& tri
 
 // All pairs of triangles that are in conflict, in order.
 inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>& triangles,
-                                                    const std::vector<Exact_point>& points)
+                                                    const std::vector<Exact_point>& points, Execution execution)
 {
   const Triangle_conflict conflict(points);
   std::vector<Triangle_box> boxes = triangle_boxes(triangles, conflict);
@@ -133,10 +145,24 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
   const auto is_point = [&](const Triangle_box& b) { return conflict.is_point(triangles[b.info()]); };
   boxes.erase(std::remove_if(boxes.begin(), boxes.end(), is_point), boxes.end());
   std::vector<Triangle_pair> pairs;
+  std::vector<Triangle_pair> waiting;
+  const auto test_waiting = [&] {
+    std::vector<char> is_conflict(waiting.size());
+    for_each_chunk(execution, waiting.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        is_conflict[i] = conflict(triangles[waiting[i].first], triangles[waiting[i].second]);
+    });
+    for (std::size_t i = 0; i < waiting.size(); ++i)
+      if (is_conflict[i])
+        pairs.push_back(waiting[i]);
+    waiting.clear();
+  };
   box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Triangle_box& a, const Triangle_box& b) {
-    if (conflict(triangles[a.info()], triangles[b.info()]))
-      pairs.push_back(std::minmax(a.info(), b.info()));
+    waiting.push_back(std::minmax(a.info(), b.info()));
+    if (waiting.size() == 1 << 16)
+      test_waiting();
   });
+  test_waiting();
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;

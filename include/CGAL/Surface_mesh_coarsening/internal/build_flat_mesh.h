@@ -6,12 +6,14 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
 
 #include <cmath>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -30,6 +32,69 @@ struct Numbering
   std::vector<vertex_descriptor> vertices;
   typename boost::property_map<FaceGraph, dynamic_face_property_t<Index> >::const_type face_number;
   typename boost::property_map<FaceGraph, dynamic_vertex_property_t<Index> >::const_type vertex_number;
+
+  Index number_of(face_descriptor f) const { return get(face_number, f); }
+  Index number_of(vertex_descriptor v) const { return get(vertex_number, v); }
+};
+
+// The elements of a `Surface_mesh` that has none marked as removed are numbered already.
+template <class Descriptor>
+class Descriptor_list
+{
+public:
+  void assign_numbered(std::size_t n) { size_ = n; }
+  template <class Iterator>
+  void assign(Iterator begin, Iterator end)
+  {
+    list_.assign(begin, end);
+    size_ = list_.size();
+  }
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  Descriptor operator[](std::size_t i) const
+  {
+    typedef typename Descriptor::size_type Number;
+    return list_.empty() ? Descriptor(Number(i)) : list_[i];
+  }
+
+  class iterator
+  {
+  public:
+    iterator(const Descriptor_list& list, std::size_t i) : list_(&list), i_(i) {}
+    Descriptor operator*() const { return (*list_)[i_]; }
+    iterator& operator++()
+    {
+      ++i_;
+      return *this;
+    }
+    bool operator!=(const iterator& other) const { return i_ != other.i_; }
+
+  private:
+    const Descriptor_list* list_;
+    std::size_t i_;
+  };
+  iterator begin() const { return {*this, 0}; }
+  iterator end() const { return {*this, size_}; }
+  void swap(std::vector<Descriptor>& ordered) { list_.swap(ordered); }
+
+private:
+  std::vector<Descriptor> list_;
+  std::size_t size_ = 0;
+};
+
+template <class Point>
+struct Numbering<CGAL::Surface_mesh<Point> >
+{
+  typedef CGAL::Surface_mesh<Point> Mesh;
+  typedef typename Mesh::Face_index face_descriptor;
+  typedef typename Mesh::Vertex_index vertex_descriptor;
+
+  Descriptor_list<face_descriptor> faces;
+  Descriptor_list<vertex_descriptor> vertices;
+  std::vector<Index> face_number, vertex_number; // empty where they are those of the mesh
+
+  Index number_of(face_descriptor f) const { return face_number.empty() ? Index(f) : face_number[f]; }
+  Index number_of(vertex_descriptor v) const { return vertex_number.empty() ? Index(v) : vertex_number[v]; }
 };
 
 inline void check_countable(std::size_t n, const char* what)
@@ -88,6 +153,38 @@ Numbering<FaceGraph> number_elements(const FaceGraph& mesh, const FaceIndexMap& 
   return n;
 }
 
+template <class Point, class FaceIndexMap>
+Numbering<CGAL::Surface_mesh<Point> > number_elements(const CGAL::Surface_mesh<Point>& mesh, const FaceIndexMap& index,
+                                                      const Checkpoint& checkpoint)
+{
+  constexpr bool has_index = !std::is_same<FaceIndexMap, CGAL::internal_np::Param_not_found>::value;
+  Numbering<CGAL::Surface_mesh<Point> > n;
+  check_countable(mesh.number_of_faces(), "faces");
+  check_countable(mesh.number_of_vertices(), "vertices");
+  if (has_index || mesh.number_of_removed_faces() > 0) {
+    n.faces.assign(mesh.faces_begin(), mesh.faces_end());
+    number_faces_by_map(mesh, index, n, checkpoint);
+    n.face_number.assign(mesh.number_of_faces() + mesh.number_of_removed_faces(), NONE);
+    for (std::size_t i = 0; i < n.faces.size(); ++i) {
+      checkpoint.pass();
+      n.face_number[n.faces[i]] = Index(i);
+    }
+  } else {
+    n.faces.assign_numbered(mesh.number_of_faces());
+  }
+  if (mesh.number_of_removed_vertices() > 0) {
+    n.vertices.assign(mesh.vertices_begin(), mesh.vertices_end());
+    n.vertex_number.assign(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), NONE);
+    for (std::size_t i = 0; i < n.vertices.size(); ++i) {
+      checkpoint.pass();
+      n.vertex_number[n.vertices[i]] = Index(i);
+    }
+  } else {
+    n.vertices.assign_numbered(mesh.number_of_vertices());
+  }
+  return n;
+}
+
 // Copies the connectivity. The first corner of each face is the one of its vertex of the smallest number, so that the
 // arrays do not depend on which halfedge a face graph keeps for a face.
 template <class FaceGraph>
@@ -102,8 +199,8 @@ void copy_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, Fla
     const std::size_t begin = m.corner_vertex.size();
     for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh)) {
       const auto beyond = face(opposite(h, mesh), mesh);
-      m.corner_vertex.push_back(get(n.vertex_number, source(h, mesh)));
-      m.face_across.push_back(beyond == boost::graph_traits<FaceGraph>::null_face() ? NONE : get(n.face_number, beyond));
+      m.corner_vertex.push_back(n.number_of(source(h, mesh)));
+      m.face_across.push_back(beyond == boost::graph_traits<FaceGraph>::null_face() ? NONE : n.number_of(beyond));
     }
     const auto smallest = std::min_element(m.corner_vertex.begin() + begin, m.corner_vertex.end());
     const std::size_t shift = smallest - (m.corner_vertex.begin() + begin);

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FACE_GEOMETRY_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,12 @@ inline Vector mean_of_corners(const Flat_mesh& m, Index f)
   return (1. / m.degree(f)) * sum;
 }
 
+inline double face_area(const Flat_mesh& m, Index f)
+{
+  const Vector normal = vector_area(m, f);
+  return std::sqrt(dot(normal, normal));
+}
+
 inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
 {
   const Vector normal = vector_area(m, f);
@@ -60,15 +67,15 @@ inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
 }
 
 // The unit normal of each face, zero where a face has no area.
-inline std::vector<Vector> unit_normals(const Flat_mesh& m, const Checkpoint& checkpoint = Checkpoint())
+inline std::vector<Vector> unit_normals(const Flat_mesh& m, const Checkpoint& checkpoint = Checkpoint(),
+                                        Execution execution = Execution::SEQUENTIAL)
 {
   std::vector<Vector> normals(m.number_of_faces());
-  for (std::size_t f = 0; f < normals.size(); ++f) {
-    checkpoint.pass();
-    const Vector n = vector_area(m, Index(f));
+  for_each_number(execution, normals.size(), checkpoint, [&](Index f) {
+    const Vector n = vector_area(m, f);
     const double length = std::sqrt(dot(n, n));
     normals[f] = length > 0 ? (1 / length) * n : Vector{{0, 0, 0}};
-  }
+  });
   return normals;
 }
 
@@ -76,32 +83,54 @@ inline std::vector<Vector> unit_normals(const Flat_mesh& m, const Checkpoint& ch
 // normals of the faces around its vertices. A pair counts once for each vertex that its faces share; faces without a
 // normal deviate from nothing. Around a vertex of very many faces every one is compared with a fixed number of faces,
 // evenly spread, which keeps the work linear.
-inline std::vector<double> mean_normal_deviations(const Flat_mesh& m, const Checkpoint& checkpoint = Checkpoint())
+class Normal_deviation
 {
-  constexpr Index most_compared = 256;
-  const std::vector<Vector> normals = unit_normals(m, checkpoint);
-  std::vector<double> sum(m.number_of_faces(), 0);
-  std::vector<double> pairs(m.number_of_faces(), 0);
-  for (std::size_t v = 0; v < m.number_of_vertices(); ++v) {
-    const Index begin = m.first_in_star[v], valence = m.first_in_star[v + 1] - begin;
-    const Index compared = (std::min)(valence, most_compared);
-    for (Index i = 0; i < valence; ++i) {
-      const Index f = m.star[begin + i];
-      pairs[f] += compared;
-      checkpoint.pass(compared);
-      for (Index j = 0; j < compared; ++j) {
-        const Index offset = valence <= most_compared ? j : Index(std::uint64_t(j) * valence / compared);
-        const Index g = m.star[begin + offset];
-        if (f == g || normals[f] == Vector{{0, 0, 0}} || normals[g] == Vector{{0, 0, 0}})
-          continue;
-        const Vector d = normals[f] - normals[g];
-        sum[f] += std::sqrt(dot(d, d));
-      }
+public:
+  Normal_deviation(const Flat_mesh& mesh, const std::vector<Vector>& normals) : mesh_(mesh), normals_(normals) {}
+
+  double operator()(Index f) const
+  {
+    const Vector& n = normals_[f];
+    double sum = 0;
+    std::size_t pairs = 0;
+    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+      const Index v = mesh_.corner_vertex[c], begin = mesh_.first_in_star[v];
+      const Index valence = mesh_.first_in_star[v + 1] - begin, compared = (std::min)(valence, most_compared);
+      pairs += compared;
+      for (Index j = 0; j < compared; ++j)
+        sum += difference(n, normals_[mesh_.star[begin + place(j, valence)]]);
     }
+    return n == none ? 0 : sum / double(pairs);
   }
-  for (std::size_t f = 0; f < sum.size(); ++f)
-    sum[f] /= pairs[f];
-  return sum;
+
+private:
+  static constexpr Index most_compared = 256;
+  static constexpr Vector none{{0, 0, 0}};
+
+  static Index place(Index j, Index valence)
+  {
+    return valence <= most_compared ? j : Index(std::uint64_t(j) * valence / most_compared);
+  }
+
+  static double difference(const Vector& n, const Vector& other)
+  {
+    const Vector d = n - other;
+    const double length = std::sqrt(dot(d, d));
+    return other == none ? 0 : length;
+  }
+
+  const Flat_mesh& mesh_;
+  const std::vector<Vector>& normals_;
+};
+
+inline std::vector<double> mean_normal_deviations(const Flat_mesh& m, const Checkpoint& checkpoint = Checkpoint(),
+                                                  Execution execution = Execution::SEQUENTIAL)
+{
+  const std::vector<Vector> normals = unit_normals(m, checkpoint, execution);
+  const Normal_deviation deviation(m, normals);
+  std::vector<double> deviations(m.number_of_faces());
+  for_each_number(execution, deviations.size(), checkpoint, [&](Index f) { deviations[f] = deviation(f); });
+  return deviations;
 }
 
 inline double largest_of(const std::vector<double>& deviations)

@@ -6,7 +6,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
 
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -30,10 +29,13 @@ public:
     while (!next_layer_.empty()) {
       layer_.swap(next_layer_);
       next_layer_.clear();
-      for (const std::pair<Index, Index>& candidate : layer_) {
+      for (const Index f : layer_) {
         checkpoint_.pass();
-        if (labels_[candidate.first] == NONE && labels_.stays_disc_with(candidate.first, candidate.second))
-          take(candidate.first, candidate.second);
+        for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+          const Index g = mesh_.face_across[c];
+          if (g != NONE && labels_[g] == NONE && labels_.stays_disc_with(g, labels_[f]))
+            take(g, labels_[f]);
+        }
       }
     }
   }
@@ -55,17 +57,13 @@ private:
   void take(Index f, Index label)
   {
     labels_.set(f, label);
-    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
-      const Index g = mesh_.face_across[c];
-      if (g != NONE && labels_[g] == NONE)
-        next_layer_.emplace_back(g, label);
-    }
+    next_layer_.push_back(f);
   }
 
   Cluster_labels& labels_;
   const Flat_mesh& mesh_;
   Checkpoint checkpoint_;
-  std::vector<std::pair<Index, Index> > layer_, next_layer_; // candidates: a face and the cluster next to it
+  std::vector<Index> layer_, next_layer_; // faces taken whose neighbors have not been looked at
 };
 
 } // namespace internal

@@ -3,6 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PARALLEL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PARALLEL_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
+
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -11,11 +13,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+typedef std::uint32_t Index;
 
 enum class Execution { SEQUENTIAL, PARALLEL };
 
@@ -45,6 +50,30 @@ void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const 
   (void)execution;
   for (std::size_t i = 0; i < chunks; ++i)
     run(i);
+}
+
+// The same, asking a checkpoint now and then.
+template <class Work>
+void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const Checkpoint& checkpoint, const Work& work)
+{
+  constexpr std::size_t at_a_time = 16; // chunks
+  for (std::size_t first = 0; first < n; first += at_a_time * size) {
+    const std::size_t last = (std::min)(n, first + at_a_time * size);
+    checkpoint.pass(last - first);
+    for_each_chunk(execution, last - first, size, [&](std::size_t i, std::size_t begin, std::size_t end) {
+      work(first / size + i, first + begin, first + end);
+    });
+  }
+}
+
+// Calls `work(i)` for the numbers from 0 to `n`, in any order.
+template <class Work>
+void for_each_number(Execution execution, std::size_t n, const Checkpoint& checkpoint, const Work& work)
+{
+  for_each_chunk(execution, n, 1024, checkpoint, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      work(Index(i));
+  });
 }
 
 } // namespace internal

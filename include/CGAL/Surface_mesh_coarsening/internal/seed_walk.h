@@ -24,12 +24,13 @@ class Seed_walk
 {
 public:
   explicit Seed_walk(const Flat_mesh& mesh, const Checkpoint& checkpoint = Checkpoint())
-    : mesh_(mesh), checkpoint_(checkpoint), steps_(mesh.number_of_faces(), NONE) {}
+    : mesh_(mesh), checkpoint_(checkpoint) {}
 
   // Appends the seeds among the faces `candidates` to `seeds`.
   template <class FaceRange>
   void run(const FaceRange& candidates, Index level, std::vector<Index>& seeds)
   {
+    steps_.resize(mesh_.number_of_faces(), NONE);
     for (const Index f : candidates) {
       checkpoint_.pass();
       if (steps_[f] == NONE) {
@@ -43,9 +44,13 @@ public:
   template <class FaceRange>
   void forget(const FaceRange& candidates)
   {
-    for (const Index f : candidates)
-      steps_[f] = NONE;
+    if (!steps_.empty())
+      for (const Index f : candidates)
+        steps_[f] = NONE;
   }
+
+  // Forgets all marks, and gives their memory back.
+  void release() { steps_ = std::vector<Index>(); }
 
 private:
   void mark(Index seed, Index level)

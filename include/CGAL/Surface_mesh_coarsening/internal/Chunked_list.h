@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CHUNKED_LIST_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CHUNKED_LIST_H
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// A list in chunks of a fixed size. Unlike a vector it takes no more memory than one chunk beyond its elements, also while it
+// grows.
+template <class T>
+class Chunked_list
+{
+public:
+  std::size_t size() const { return size_; }
+  const T& operator[](std::size_t i) const { return chunks_[i / chunk][i % chunk]; }
+
+  void push_back(const T& x)
+  {
+    if (size_ % chunk == 0) {
+      chunks_.emplace_back();
+      chunks_.back().reserve(chunk);
+    }
+    chunks_.back().push_back(x);
+    ++size_;
+  }
+
+  // Takes the elements of which `is_gone` holds out; the others keep their order.
+  template <class Predicate>
+  void remove_if(const Predicate& is_gone)
+  {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const T& x = (*this)[i];
+      if (is_gone(x))
+        continue;
+      if (kept != i)
+        chunks_[kept / chunk][kept % chunk] = x;
+      ++kept;
+    }
+    size_ = kept;
+    chunks_.resize((size_ + chunk - 1) / chunk);
+    if (!chunks_.empty())
+      chunks_.back().resize(size_ - (chunks_.size() - 1) * chunk);
+  }
+
+private:
+  static constexpr std::size_t chunk = 1024;
+  std::vector<std::vector<T> > chunks_;
+  std::size_t size_ = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_CHUNKED_LIST_H

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTER_ENERGY_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTER_ENERGY_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// What the energy needs of a face.
+template <class Weight>
+struct Face_terms
+{
+  double mass;
+  Vector centroid;
+  typename Weight::Face_data data;
+};
+
+// What the energy (8) of a cluster is made of. It is the weight times the inertia about the centroid (7).
+template <class Weight>
+struct Cluster_sums
+{
+  double mass = 0;               // sum r A
+  Vector centroid{{0, 0, 0}};    // sum r A g / mass
+  double inertia = 0;            // sum r A |g - centroid|^2
+  double weight = 0;
+  double energy = 0;              // weight times inertia
+  Index faces = 0;
+  typename Weight::Cluster_data data;
+};
+
+// Whether a weight tells bounds of what it will be after a move: `least_weight_with(data, face, weight)` and
+// `least_weight_without(data, face, weight)`, both no larger than the weight then, which is `weight` now.
+template <class Weight, class = void>
+constexpr bool has_bounds = false;
+template <class Weight>
+constexpr bool has_bounds<Weight, std::void_t<decltype(std::declval<const Weight&>().least_weight_with(
+                                    std::declval<const typename Weight::Cluster_data&>(),
+                                    std::declval<const typename Weight::Face_data&>(), 0.))> > = true;
+
+// The energy of a cluster as it is, and as it would be with a face more or less.
+template <class Weight>
+class Cluster_energy
+{
+public:
+  typedef Face_terms<Weight> Face;
+  typedef Cluster_sums<Weight> Sums;
+
+  explicit Cluster_energy(const Weight& weight) : weight_(weight) {}
+
+  static double squared_distance(const Face& face, const Sums& x)
+  {
+    const Vector d = face.centroid - x.centroid;
+    return dot(d, d);
+  }
+
+  void update_energy(Sums& x) const
+  {
+    x.weight = x.mass > 0 ? weight_.weight(x.data, x.mass, x.faces) : 0;
+    x.energy = x.weight * x.inertia;
+  }
+
+  // The inertia after a mass has joined or left, by the parallel axis theorem.
+  static double inertia_with(const Sums& x, double mass, double sum, double squared_distance)
+  {
+    return x.inertia + (sum > 0 ? mass * x.mass / sum * squared_distance : 0);
+  }
+  static double inertia_without(const Sums& x, double mass, double rest, double squared_distance)
+  {
+    return (std::max)(0., x.inertia - (rest > 0 ? mass * x.mass / rest * squared_distance : 0));
+  }
+
+  double energy_with(const Sums& x, const Face& face) const
+  {
+    const double mass = x.mass + face.mass;
+    if (!(mass > 0))
+      return 0;
+    return weight_.weight_with(x.data, face.data, mass, x.faces + 1) *
+           inertia_with(x, face.mass, mass, squared_distance(face, x));
+  }
+
+  double energy_without(const Sums& x, const Face& face) const
+  {
+    const double mass = x.mass - face.mass;
+    if (!(mass > 0))
+      return 0;
+    return weight_.weight_without(x.data, face.data, mass, x.faces - 1) *
+           inertia_without(x, face.mass, mass, squared_distance(face, x));
+  }
+
+  void add(Sums& x, const Face& face) const
+  {
+    const double mass = x.mass + face.mass;
+    x.inertia = inertia_with(x, face.mass, mass, squared_distance(face, x));
+    if (mass > 0)
+      x.centroid = x.centroid + (face.mass / mass) * (face.centroid - x.centroid);
+    x.mass = mass;
+    ++x.faces;
+    weight_.add(x.data, face.data);
+    update_energy(x);
+  }
+
+  void remove(Sums& x, const Face& face) const
+  {
+    const double mass = x.mass - face.mass;
+    x.inertia = inertia_without(x, face.mass, mass, squared_distance(face, x));
+    if (mass > 0)
+      x.centroid = x.centroid - (face.mass / mass) * (face.centroid - x.centroid);
+    x.mass = mass;
+    --x.faces;
+    weight_.remove(x.data, face.data);
+    update_energy(x);
+  }
+
+  // Whether bounds of the two weights after a move, which are quicker to compute than these, show that it gains nothing.
+  bool cannot_gain(const Sums& source, const Sums& target, const Face& face) const
+  {
+    if constexpr (has_bounds<Weight>) {
+      const double rest = source.mass - face.mass, sum = target.mass + face.mass;
+      if (!(rest > 0))
+        return false;
+      const double without = weight_.least_weight_without(source.data, face.data, source.weight) *
+                             inertia_without(source, face.mass, rest, squared_distance(face, source));
+      const double with = weight_.least_weight_with(target.data, face.data, target.weight) *
+                          inertia_with(target, face.mass, sum, squared_distance(face, target));
+      return source.energy + target.energy < without + with;
+    } else {
+      return false;
+    }
+  }
+
+private:
+  Weight weight_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTER_ENERGY_H
