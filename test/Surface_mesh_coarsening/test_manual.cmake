@@ -53,5 +53,5 @@ check_figures("the manual" "${manual}" "\n\\| area \\| ${cell}${cell}${cell}" ",
 check_figures("the manual" "${manual}" "\n\\| maximum \\| ${cell}" ", " maximum 50 closest-vertex)
 check_figures("the manual" "${manual}" "\n\\| variance \\| " ", " variance 3 centroid)
 check_figures("the manual" "${manual}" "\n\\| uniform \\| ${cell}${cell}" ", " uniform 1 quadric)
-check_figures("the README" "${readme}" "weight maximum \\| " " \\| " maximum 50 centroid)
-check_figures("the README" "${readme}" "the same, vertices fitted \\| " " \\| " maximum 50 fitted)
+check_figures("the README" "${readme}" "weight maximum, vertices at centroids \\| " " \\| " maximum 50 centroid)
+check_figures("the README" "${readme}" "weight area, vertices fitted \\| " " \\| " area 10 fitted)
