@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Clustering_access.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Energy_minimization.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Initial_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
@@ -256,11 +257,12 @@ public:
   void extract_dual_mesh(Output& output, const VertexPlacement& placement = VertexPlacement(),
                          const NamedParameters& np = parameters::default_values()) const
   {
-    extract_dual_mesh(output, placement, np, [] {});
+    extract_dual_mesh(output, placement, np, [](const auto&) {});
   }
 
   /// \cond SKIP_IN_MANUAL
-  // `before` is called when everything is done that can fail, and `output` has not changed yet.
+  // `before` is called with the positions of the vertices when everything is done that can fail, and `output` has not changed
+  // yet.
   template <class Output, class VertexPlacement, class NamedParameters, class Before>
   void extract_dual_mesh(Output& output, const VertexPlacement& placement, const NamedParameters& np,
                          const Before& before) const
@@ -280,7 +282,7 @@ public:
     internal::Face_graph_filler<Output, NamedParameters> filler(positions, frame_, triangles, output, np, checkpoint);
     visitor_.throw_if_cancelled();
     visitor_.stage_ends(Coarsening_stage::TRIANGULATION);
-    before();
+    before(positions);
     filler.commit();
   }
 
@@ -290,6 +292,8 @@ public:
   /// @}
 
 private:
+  friend struct internal::Clustering_access;
+
   template <class Seed>
   std::size_t seed_as(const Seed& seed)
   {
