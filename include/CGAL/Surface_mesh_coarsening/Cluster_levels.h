@@ -123,22 +123,41 @@ public:
     typedef typename GetGeomTraits<Output, NamedParameters>::type Traits;
     check(level);
     const Checkpoint checkpoint(Access::visitor(clustering_));
-    const Clustering_input& input = Access::working_input(clustering_);
     const Frame& frame = Access::frame(clustering_);
-    const std::vector<Index> ancestors = history_.ancestors(finest(), level);
-    Cluster_labels labels(input.mesh);
-    for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
-      labels.set(Index(f), ancestors[history_.number(Access::labels(clustering_)[Index(f)])]);
-    labels.recount();
-    std::vector<Triangle> triangles = history_.triangles(level);
-    Repair_counts counts;
-    const std::vector<Vector> positions = place_vertices(Clustered_surface(input, labels, level), placement,
-                                                         Access::repairs(clustering_), output_coordinates<Traits>(frame),
-                                                         triangles, counts, checkpoint);
+    const Cluster_labels level_labels = labels(level);
+    std::vector<Triangle> triangles;
+    const std::vector<Vector> positions =
+      place(level_labels, level, placement, Access::repairs(clustering_), output_coordinates<Traits>(frame), triangles);
     Face_graph_filler<Output, NamedParameters> filler(positions, frame, triangles, output, np, checkpoint);
     Access::visitor(clustering_).throw_if_cancelled();
     filler.commit();
   }
+
+  /// \cond SKIP_IN_MANUAL
+  // The clusters of a level, and its dual in place.
+  internal::Cluster_labels labels(std::size_t level) const
+  {
+    const internal::Clustering_input& input = Access::working_input(clustering_);
+    const std::vector<Index> ancestors = history_.ancestors(finest(), level);
+    internal::Cluster_labels result(input.mesh);
+    for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
+      result.set(Index(f), ancestors[history_.number(Access::labels(clustering_)[Index(f)])]);
+    result.recount();
+    return result;
+  }
+  template <class VertexPlacement, class OutputCoordinates>
+  std::vector<internal::Vector> place(const internal::Cluster_labels& level_labels, std::size_t level,
+                                      const VertexPlacement& placement, bool with_repair,
+                                      const OutputCoordinates& output_coordinates,
+                                      std::vector<internal::Triangle>& triangles) const
+  {
+    internal::Repair_counts counts;
+    triangles = history_.triangles(level);
+    return internal::place_vertices(Clustered_surface(Access::working_input(clustering_), level_labels, level), placement,
+                                    with_repair, output_coordinates, triangles, counts,
+                                    internal::Checkpoint(Access::visitor(clustering_)));
+  }
+  /// \endcond
 
 private:
   void check(std::size_t level) const

@@ -57,10 +57,14 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
   clustering.extract_dual_mesh(
     output, choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p)), np_out,
     [&](const std::vector<Vector>& positions) {
-      sources.find(input, clustering, positions);
+      const bool are_wanted = has_parameter<internal_np::vertex_source_t, NPOut> ||
+                              has_parameter<internal_np::vertex_to_cluster_t, NPIn>;
+      const std::vector<Index> clusters = are_wanted ? clusters_of_faces(clustering) : std::vector<Index>();
+      sources.find(input, clustering, clusters, positions);
       write_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
       write_boundary_counts(clustering, get_parameter(np_in, internal_np::vertex_boundary_count));
-      write_vertex_clusters(clustering, get_parameter(np_in, internal_np::vertex_to_cluster));
+      write_vertex_clusters(clustering, clusters, clustering.number_of_clusters(),
+                            get_parameter(np_in, internal_np::vertex_to_cluster));
     });
   sources.write(output);
   return clustering.report();

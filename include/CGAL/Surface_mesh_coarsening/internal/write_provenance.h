@@ -56,19 +56,38 @@ std::vector<Index> clusters_of_faces(const Clustering& clustering)
   return clusters;
 }
 
+// Writes clusters of the faces of the input that were not left out; the others get `number`.
 template <class Clustering, class Map>
-void write_vertex_clusters(const Clustering& clustering, const Map& map)
+void write_face_clusters(const Clustering& clustering, const std::vector<Index>& clusters, std::size_t number, const Map& map)
+{
+  typedef typename boost::property_traits<Map>::value_type Value;
+  const auto& faces = Clustering_access::numbering(clustering).faces;
+  const std::vector<Index>& parent = Clustering_access::input(clustering).parent;
+  std::vector<Index> of_face(faces.size(), Index(number));
+  for (std::size_t i = 0; i < parent.size(); ++i)
+    of_face[parent[i]] = clusters[i];
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    put(map, faces[f], Value(of_face[f]));
+}
+template <class Clustering>
+void write_face_clusters(const Clustering&, const std::vector<Index>&, std::size_t, const CGAL::internal_np::Param_not_found&)
+{}
+
+template <class Clustering, class Map>
+void write_vertex_clusters(const Clustering& clustering, const std::vector<Index>& clusters, std::size_t number,
+                           const Map& map)
 {
   typedef typename boost::property_traits<Map>::value_type Value;
   const Clustering_input& input = Clustering_access::input(clustering);
-  const std::vector<Index> clusters = clusters_of_vertices(input.mesh, input.area, clusters_of_faces(clustering),
-                                                           Index(clustering.number_of_clusters()));
+  const std::vector<Index> of_vertex = clusters_of_vertices(input.mesh, input.area, clusters, Index(number));
   const auto& vertices = Clustering_access::numbering(clustering).vertices;
   for (std::size_t v = 0; v < vertices.size(); ++v)
-    put(map, vertices[v], Value(clusters[v]));
+    put(map, vertices[v], Value(of_vertex[v]));
 }
 template <class Clustering>
-void write_vertex_clusters(const Clustering&, const CGAL::internal_np::Param_not_found&) {}
+void write_vertex_clusters(const Clustering&, const std::vector<Index>&, std::size_t,
+                           const CGAL::internal_np::Param_not_found&)
+{}
 
 // Finds where on the input the vertices come from before the output changes, and writes that when it has its vertices.
 template <class FaceGraph, class Map>
@@ -78,11 +97,12 @@ public:
   explicit Vertex_sources(const Map& map) : map_(map) {}
 
   template <class Clustering>
-  void find(const FaceGraph& mesh, const Clustering& clustering, const std::vector<Vector>& positions)
+  void find(const FaceGraph& mesh, const Clustering& clustering, const std::vector<Index>& clusters,
+            const std::vector<Vector>& positions)
   {
     const Clustering_input& input = Clustering_access::input(clustering);
     locations_ = surface_locations(mesh, Clustering_access::numbering(clustering), input.mesh, input.parent,
-                                   clusters_of_faces(clustering), positions,
+                                   clusters, positions,
                                    Checkpoint(Clustering_access::visitor(clustering)));
   }
 
@@ -105,7 +125,7 @@ class Vertex_sources<FaceGraph, CGAL::internal_np::Param_not_found>
 public:
   explicit Vertex_sources(const CGAL::internal_np::Param_not_found&) {}
   template <class Clustering>
-  void find(const FaceGraph&, const Clustering&, const std::vector<Vector>&) {}
+  void find(const FaceGraph&, const Clustering&, const std::vector<Index>&, const std::vector<Vector>&) {}
   template <class Output>
   void write(const Output&) {}
 };
