@@ -24,6 +24,8 @@ struct Distance_report
   std::size_t vertices = 0;
   /// an upper bound of the two-sided Hausdorff distance between the input and the output, at most the distance asked for.
   double distance_bound = 0;
+  /// the report of the clustering that the output is a level of. Its number of clusters is that of the output.
+  Coarsening_report clustering;
   /// the number of clusterings that were minimized.
   std::size_t clusterings = 0;
   /// the number of results whose distance was estimated.
@@ -88,6 +90,8 @@ Distance_report coarsen_mesh_to_distance(const FaceGraph& input, double maximum_
   search.run(make_clustering);
 
   const Clustering& clustering = search.clustering();
+  report.clustering = clustering.report();
+  report.clustering.clusters = report.vertices;
   const auto source_map = get_parameter(np_out, internal_np::vertex_source);
   Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
   Face_graph_filler<OutputFaceGraph, NamedParametersOut> filler(search.positions(), Clustering_access::frame(clustering),
