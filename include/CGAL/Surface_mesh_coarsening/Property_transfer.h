@@ -206,7 +206,7 @@ public:
 private:
   Index coarse_number(typename Coarse_graph_traits::vertex_descriptor v) const
   {
-    return get(coarse_numbering_.vertex_number, v);
+    return coarse_numbering_.number_of(v);
   }
 
   Surface_location<FaceGraph> location(const internal::Nearest_point& p) const
@@ -284,7 +284,7 @@ private:
   {
     using namespace internal;
     const auto point = [&](auto v) -> const internal::Vector& {
-      return surfaces_.mesh().points[get(numbering_.vertex_number, v)];
+      return surfaces_.mesh().points[numbering_.number_of(v)];
     };
     auto nearest = halfedge(numbering_.faces[face], mesh_);
     double least = -1;
@@ -309,7 +309,7 @@ private:
     for (std::size_t f = 0; f < numbering_.faces.size(); ++f)
       for (const auto h : halfedges_around_face(halfedge(numbering_.faces[f], mesh_), mesh_))
         if (!is_border(opposite(h, mesh_), mesh_))
-          seams[m.corner_of(Index(f), get(numbering_.vertex_number, source(h, mesh_)))] = is_seam(h);
+          seams[m.corner_of(Index(f), numbering_.number_of(source(h, mesh_)))] = is_seam(h);
     internal::Chart_sectors sectors(surfaces_, seams);
     for (std::size_t x = 0; x < surfaces_.number_of_vertices(); ++x)
       sectors.for_each_corner_at(Index(x), [&](Index t, const internal::Nearest_point& p) {

@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_SURFACE_LOCATION_H
 #define CGAL_SURFACE_MESH_COARSENING_SURFACE_LOCATION_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Nearest_point_search.h>
 #include <CGAL/Surface_mesh_coarsening/internal/build_flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/face_geometry.h>
@@ -63,27 +64,28 @@ Surface_location<FaceGraph> surface_location(const FaceGraph& mesh, const Number
   location.face = n.faces[face_of_mesh];
   location.coordinates = coordinates_in_face(m, nearest, vector_area(m, nearest.face));
   // The flat arrays begin with another corner.
-  const Index first = get(n.vertex_number, source(halfedge(location.face, mesh), mesh));
+  const Index first = n.number_of(source(halfedge(location.face, mesh), mesh));
   const Index shift = m.corner_of(nearest.face, first) - m.first_corner[nearest.face];
   std::rotate(location.coordinates.begin(), location.coordinates.begin() + shift, location.coordinates.end());
   return location;
 }
 
-// The locations of positions that belong to clusters of the faces of `m`, whose faces are numbered `parent` in the mesh.
+// The locations of positions that belong to clusters of the faces of `input`.
 template <class FaceGraph>
 std::vector<Surface_location<FaceGraph> > surface_locations(const FaceGraph& mesh, const Numbering<FaceGraph>& n,
-                                                            const Flat_mesh& m, const std::vector<Index>& parent,
+                                                            const Clustering_input& input,
                                                             const std::vector<Index>& cluster_of_face,
                                                             const std::vector<Vector>& positions,
                                                             const Checkpoint& checkpoint = Checkpoint())
 {
+  const Flat_mesh& m = input.mesh;
   const Nearest_point_search search(m, cluster_of_face, positions.size());
   std::vector<Surface_location<FaceGraph> > locations;
   locations.reserve(positions.size());
   for (std::size_t x = 0; x < positions.size(); ++x) {
     checkpoint.pass(64);
     const Nearest_point nearest = search(positions[x], Index(x));
-    locations.push_back(surface_location(mesh, n, m, nearest, parent[nearest.face]));
+    locations.push_back(surface_location(mesh, n, m, nearest, input.parent_of(nearest.face)));
   }
   return locations;
 }

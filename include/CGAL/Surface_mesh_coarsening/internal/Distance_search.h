@@ -57,9 +57,10 @@ public:
     const auto& numbering = Access::numbering(clustering());
     std::vector<Index> all(numbering.faces.size());
     levels().write_clusters(level_, boost::make_function_property_map<typename Clustering::face_descriptor>(
-      [&](typename Clustering::face_descriptor f) -> Index& { return all[get(numbering.face_number, f)]; }));
-    for (const Index f : Access::input(clustering()).parent)
-      clusters.push_back(all[f]);
+      [&](typename Clustering::face_descriptor f) -> Index& { return all[numbering.number_of(f)]; }));
+    const Clustering_input& input = Access::input(clustering());
+    for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
+      clusters.push_back(all[input.parent_of(Index(f))]);
     return clusters;
   }
 
@@ -134,13 +135,13 @@ private:
   {
     const std::size_t n = std::size_t(0.93 * double(level_));
     if (n < fine_levels_->coarsest() || 3 * level_ > fine_levels_->finest() ||
-        Access::working_input(*fine_).parent.size() != Access::input(*fine_).parent.size())
+        Access::working_input(*fine_).mesh.number_of_faces() != Access::input(*fine_).mesh.number_of_faces())
       return;
     auto clustering = make_clustering();
     std::vector<Index> clusters(Access::numbering(*fine_).faces.size());
-    const auto& number = Access::numbering(*fine_).face_number;
+    const auto& numbering = Access::numbering(*fine_);
     const auto map = boost::make_function_property_map<typename Clustering::face_descriptor>(
-      [&](typename Clustering::face_descriptor f) -> Index& { return clusters[get(number, f)]; });
+      [&](typename Clustering::face_descriptor f) -> Index& { return clusters[numbering.number_of(f)]; });
     fine_levels_->write_clusters(n, map);
     clustering->set_clusters(map);
     clustering->minimize(iterations_);

@@ -105,14 +105,14 @@ private:
     for (std::size_t f = 0; f < faces; ++f) {
       Sums& s = sums_[labels[Index(f)]];
       s.mass += input.mass(Index(f));
-      s.centroid = s.centroid + input.mass(Index(f)) * input.centroid[f];
+      s.centroid = s.centroid + input.mass(Index(f)) * input.centroid(Index(f));
     }
     for (Sums& s : sums_)
       if (s.mass > 0)
         s.centroid = (1 / s.mass) * s.centroid;
     for (std::size_t f = 0; f < faces; ++f) {
       Sums& s = sums_[labels[Index(f)]];
-      const Vector d = input.centroid[f] - s.centroid;
+      const Vector d = input.centroid(Index(f)) - s.centroid;
       s.inertia += input.mass(Index(f)) * dot(d, d);
     }
   }

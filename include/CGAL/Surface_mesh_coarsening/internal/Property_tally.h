@@ -74,7 +74,7 @@ std::vector<Triangle> numbered_triangles(const FaceGraph& mesh, const Numbering<
   for (const auto f : n.faces) {
     std::vector<Index> corners;
     for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
-      corners.push_back(get(n.vertex_number, source(h, mesh)));
+      corners.push_back(n.number_of(source(h, mesh)));
     if (corners.size() != 3)
       throw Invalid_input("face " + std::to_string(triangles.size()) + " of the coarse mesh has " +
                           std::to_string(corners.size()) + " sides");

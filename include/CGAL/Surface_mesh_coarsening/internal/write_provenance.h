@@ -50,9 +50,9 @@ std::vector<Index> clusters_of_faces(const Clustering& clustering)
   const Clustering_input& input = Clustering_access::input(clustering);
   const auto& faces = Clustering_access::numbering(clustering).faces;
   std::vector<Index> clusters;
-  clusters.reserve(input.parent.size());
-  for (const Index f : input.parent)
-    clusters.push_back(Index(clustering.cluster(faces[f])));
+  clusters.reserve(input.mesh.number_of_faces());
+  for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
+    clusters.push_back(Index(clustering.cluster(faces[input.parent_of(Index(f))])));
   return clusters;
 }
 
@@ -62,10 +62,10 @@ void write_face_clusters(const Clustering& clustering, const std::vector<Index>&
 {
   typedef typename boost::property_traits<Map>::value_type Value;
   const auto& faces = Clustering_access::numbering(clustering).faces;
-  const std::vector<Index>& parent = Clustering_access::input(clustering).parent;
+  const Clustering_input& input = Clustering_access::input(clustering);
   std::vector<Index> of_face(faces.size(), Index(number));
-  for (std::size_t i = 0; i < parent.size(); ++i)
-    of_face[parent[i]] = clusters[i];
+  for (std::size_t i = 0; i < clusters.size(); ++i)
+    of_face[input.parent_of(Index(i))] = clusters[i];
   for (std::size_t f = 0; f < faces.size(); ++f)
     put(map, faces[f], Value(of_face[f]));
 }
@@ -101,7 +101,7 @@ public:
             const std::vector<Vector>& positions)
   {
     const Clustering_input& input = Clustering_access::input(clustering);
-    locations_ = surface_locations(mesh, Clustering_access::numbering(clustering), input.mesh, input.parent,
+    locations_ = surface_locations(mesh, Clustering_access::numbering(clustering), input,
                                    clusters, positions,
                                    Checkpoint(Clustering_access::visitor(clustering)));
   }
