@@ -3,6 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERING_ACCESS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERING_ACCESS_H
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
@@ -18,6 +20,20 @@ struct Clustering_access
   static const auto& working_input(const Clustering& c) { return c.working_input(); }
   template <class Clustering>
   static const auto& labels(const Clustering& c) { return c.labels(); }
+  template <class Clustering>
+  static auto& mutable_labels(Clustering& c)
+  {
+    labels(c);
+    return *c.labels_;
+  }
+  // Clusters have been added or removed.
+  template <class Clustering>
+  static void have_changed(Clustering& c, std::size_t clusters)
+  {
+    c.minimization_.reset();
+    c.report_.clusters = clusters;
+    c.report_.converged = false;
+  }
   template <class Clustering>
   static const auto& numbering(const Clustering& c) { return c.numbering_; }
   template <class Clustering>
