@@ -19,11 +19,12 @@ _coarsen_mesh()
     --clusters) endings=ply ;;
     --picture) endings=png ;;
     --report) endings=json ;;
-    -n | --vertices | -k | --neighborhood-level | --rounds | --maximum-density | --view | --up | --fill-holes | \
+    -n | --vertices | -k | --neighborhood-level | --maximum-distance | --maximum-distance-absolute | --levels | \
+    --rounds | --maximum-density | --view | --up | --fill-holes | \
     --minimum-component-area | --threads) return ;;
     *)
       if [[ $word == -* ]]; then
-        values="--vertices --neighborhood-level --rounds --weight --maximum-density --placement --clusters --picture
+        values="--vertices --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --weight --maximum-density --placement --clusters --picture
           --view --up --report --repair --fill-holes --minimum-component-area --subdivide --measure --threads --quiet
           --version --help -n -k -w"
       else

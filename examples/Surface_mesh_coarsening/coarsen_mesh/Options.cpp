@@ -94,6 +94,13 @@ po::options_description described_options()
     ("vertices,n", text()->value_name("N"), "number of vertices of the result")
     ("neighborhood-level,k", text()->value_name("K"),
      "instead of --vertices: one vertex for every seed whose neighborhood of K layers of faces is free (default 7)")
+    ("maximum-distance", text()->value_name("D"),
+     "instead of --vertices: as few vertices as keep the result within this distance of the input, both ways, in parts of the "
+     "diagonal of the input's bounding box (0.01 is one percent); the distance is bounded, not sampled")
+    ("maximum-distance-absolute", text()->value_name("D"), "the same in the mesh's unit of length")
+    ("levels", text()->value_name("L")->default_value("0"),
+     "beside OUTPUT, write L coarser levels of it, each with half the vertices of the one before: OUTPUT with .1, .2 and so on "
+     "before its ending")
     ("rounds", text()->value_name("R"),
      "stop after R rounds of minimization; 0 shows seeds and growth alone (default: until a round changes nothing, at most 1000)")
     ("weight,w", text()->value_name("W")->default_value(default_weight()), joined(weight_names()).c_str())
@@ -154,6 +161,8 @@ void check_files(const Options& options)
 
   // OUTPUT may take the input's place, which is what a user who names the same file twice asks for.
   std::vector<std::string> files = {options.input, options.clusters, options.picture, options.report};
+  for (std::size_t i = 1; i <= options.levels; ++i)
+    files.push_back(level_file(options.output, i));
   for (int pass = 0; pass < 2; ++pass, files[0] = options.output)
     for (std::size_t i = 0; i < files.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
@@ -183,6 +192,18 @@ Options checked_options(const po::variables_map& values)
     options.neighborhood_level = static_cast<unsigned>(to_count("neighborhood-level", *text, 0, 1000000));
   if (options.vertices && options.neighborhood_level)
     throw Wrong_usage("--vertices and --neighborhood-level exclude each other");
+  for (const char* option : {"maximum-distance", "maximum-distance-absolute"})
+    if (const auto text = given(values, option)) {
+      if (options.vertices || options.neighborhood_level || options.maximum_distance)
+        throw Wrong_usage(std::string("--") + option + " excludes --vertices, --neighborhood-level and the other distance");
+      options.maximum_distance = to_size(option, *text);
+      if (!(*options.maximum_distance > 0))
+        throw Wrong_usage(std::string("--") + option + " takes a number greater than 0, not '" + *text + "'");
+      options.distance_is_relative = option == std::string("maximum-distance");
+    }
+  options.levels = to_count("levels", *given(values, "levels"), 0, 30);
+  if (options.levels > 0 && options.maximum_distance)
+    throw Wrong_usage("--levels needs a number of vertices, and no maximum distance");
   if (const auto text = given(values, "rounds"))
     options.rounds = to_count("rounds", *text, 0, any);
   options.weight = *given(values, "weight");

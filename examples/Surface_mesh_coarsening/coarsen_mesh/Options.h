@@ -26,6 +26,9 @@ struct Options
   std::string input, output;
   std::optional<std::size_t> vertices;
   std::optional<unsigned> neighborhood_level;
+  std::optional<double> maximum_distance; // instead of a number of vertices
+  bool distance_is_relative = true;       // to the diagonal of the bounding box
+  std::size_t levels = 0;                 // coarser ones to be written beside the result
   std::optional<std::size_t> rounds; // as many as it takes when not given
   std::string weight, placement;     // names out of the lists in Choices.h
   double maximum_density = 10;

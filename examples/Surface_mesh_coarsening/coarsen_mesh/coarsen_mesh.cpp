@@ -57,6 +57,13 @@ Coarsening_result coarsen_or_explain(const Input& input, const Options& options,
   }
 }
 
+std::string shown(double x)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", x);
+  return text;
+}
+
 std::string summary(const Options& options, const Input& input, const Coarsening_result& result,
                     const Findings& findings, const Stage_times& times)
 {
@@ -68,6 +75,10 @@ std::string summary(const Options& options, const Input& input, const Coarsening
   std::string remarks;
   if (findings.holes)
     remarks += std::to_string(findings.holes->filled) + " holes filled, ";
+  if (result.distance_bound)
+    remarks += "within a distance of " + shown(*result.distance_bound) + ", ";
+  if (!result.levels.empty())
+    remarks += std::to_string(result.levels.size()) + " levels, ";
   if (left_out > 0)
     remarks += std::to_string(left_out) + " components left out, ";
   return options.input + " (" + std::to_string(input.mesh.number_of_vertices()) + " vertices, " +
@@ -119,6 +130,9 @@ std::string run(const Options& options)
   times.begin("check");
   progress.say("checking the result");
   findings.fault = triangle_mesh_fault(result.mesh);
+  for (const Coarser_level& level : result.levels)
+    if (!findings.fault)
+      findings.fault = triangle_mesh_fault(level.mesh);
   if (findings.fault)
     throw Failure(options.input, "the result is not a valid mesh and is not written: " + *findings.fault);
   findings.certificate = certify(input.mesh, result.labels, result.mesh, result.report.dropped_components,
@@ -140,7 +154,10 @@ std::string run(const Options& options)
   Interruption::throw_if_requested();
   times.begin("write");
   progress.say("writing");
-  files.emplace_back(options.output, mesh_bytes(result.mesh, file_type(options.output)));
+  files.emplace_back(options.output, mesh_bytes(result.mesh, file_type(options.output), input.material_library));
+  for (std::size_t i = 0; i < result.levels.size(); ++i)
+    files.emplace_back(level_file(options.output, i + 1),
+                       mesh_bytes(result.levels[i].mesh, file_type(options.output), input.material_library));
   if (!options.clusters.empty())
     files.emplace_back(options.clusters, cluster_bytes(input.mesh, result.labels));
   progress.end();

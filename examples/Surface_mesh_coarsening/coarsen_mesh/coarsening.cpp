@@ -7,20 +7,30 @@
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Closest_vertex_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh_to_distance.h>
 #include <CGAL/Surface_mesh_coarsening/parameters.h>
+#include <CGAL/Surface_mesh_coarsening/transfer_properties.h>
 
 #include <CGAL/tags.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
 
+#include <cmath>
+#include <filesystem>
 #include <functional>
+#include <iterator>
+#include <map>
+#include <utility>
 
 namespace coarsen_mesh_tool {
 
@@ -28,40 +38,120 @@ namespace SMC = CGAL::Surface_mesh_coarsening;
 
 namespace {
 
-template <class Clustering>
-void extract(const Clustering& clustering, const std::string& placement, Mesh& output)
+// Calls `use` with the placement that the options name.
+template <class Use>
+void with_placement(const Options& options, const Use& use)
 {
-  if (placement == "centroid")
-    clustering.extract_dual_mesh(output, SMC::Centroid_placement());
-  else if (placement == "closest-vertex")
-    clustering.extract_dual_mesh(output, SMC::Closest_vertex_placement());
-  else if (placement == "quadric")
-    clustering.extract_dual_mesh(output, SMC::Quadric_placement());
+  if (options.placement == "centroid")
+    use(SMC::Centroid_placement());
+  else if (options.placement == "closest-vertex")
+    use(SMC::Closest_vertex_placement());
+  else if (options.placement == "quadric")
+    use(SMC::Quadric_placement());
   else
-    clustering.extract_dual_mesh(output, SMC::Fitted_placement());
+    use(SMC::Fitted_placement());
+}
+
+// Colors are means, as numbers with fractions are; other whole numbers are labels.
+void carry_properties(const Mesh& input, const std::vector<std::size_t>& labels, Mesh& result)
+{
+  static const Mesh plain;
+  if (input.properties<Vertex>() == plain.properties<Vertex>() && input.properties<Face>() == plain.properties<Face>() &&
+      input.properties<Halfedge>() == plain.properties<Halfedge>())
+    return;
+  std::map<std::string, SMC::Transfer_policy> policies;
+  for (const char* name : {"red", "green", "blue", "alpha", "diffuse_red", "diffuse_green", "diffuse_blue"})
+    for (const char* prefix : {"v:", "f:"})
+      policies[std::string(prefix) + name] = SMC::Transfer_policy::INTERPOLATED;
+  const auto clusters =
+    boost::make_function_property_map<Face>([&](Face f) { return labels[static_cast<std::size_t>(f)]; });
+  SMC::transfer_properties(input, clusters, result, policies);
+}
+
+double diagonal(const Mesh& mesh)
+{
+  CGAL::Bbox_3 box;
+  for (Vertex v : mesh.vertices())
+    box += mesh.point(v).bbox();
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+template <class NamedParameters>
+void coarsen_to_distance(const Mesh& input, const Options& options, const NamedParameters& np, Coarsening_result& result)
+{
+  const double unit = options.distance_is_relative ? diagonal(input) : 1;
+  result.labels.resize(input.number_of_faces());
+  const auto clusters = boost::make_function_property_map<Face>(
+    [&](Face f) -> std::size_t& { return result.labels[static_cast<std::size_t>(f)]; });
+  with_placement(options, [&](const auto& placement) {
+    const SMC::Distance_report report = SMC::coarsen_mesh_to_distance<CGAL::Parallel_if_available_tag>(
+      input, *options.maximum_distance * unit, result.mesh, np.vertex_placement(placement).face_cluster_map(clusters));
+    result.report = report.clustering;
+    result.distance_bound = report.distance_bound;
+  });
+}
+
+// Each level has half the vertices of the one before, as long as the topology allows it.
+template <class Clustering>
+void make_levels(const Mesh& input, const Options& options, const Clustering& clustering, Coarsening_result& result)
+{
+  const SMC::Cluster_levels<Clustering> levels(clustering);
+  std::vector<std::size_t> parents(clustering.number_of_clusters()), labels(input.number_of_faces());
+  // The vertices of the result are in another order than those of the finest level.
+  const auto map = boost::make_function_property_map<Face>(
+    [&](Face f) -> std::size_t& { return labels[static_cast<std::size_t>(f)]; });
+  std::size_t n = levels.finest();
+  for (std::size_t i = 0; i < options.levels && n / 2 >= levels.coarsest(); ++i) {
+    Coarser_level level;
+    levels.write_clusters(n / 2, map);
+    if (i == 0) {
+      level.parents.resize(n);
+      for (std::size_t f = 0; f < labels.size(); ++f)
+        if (result.labels[f] < n)
+          level.parents[result.labels[f]] = labels[f];
+    } else {
+      levels.parents(n, n / 2, std::back_inserter(level.parents));
+    }
+    n /= 2;
+    with_placement(options, [&](const auto& placement) { levels.extract_dual_mesh(n, level.mesh, placement); });
+    carry_properties(input, labels, level.mesh);
+    result.levels.push_back(std::move(level));
+  }
 }
 
 template <class Weight>
 Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_visitor& visitor)
 {
   Coarsening_result result;
-  SMC::Mwcvd_clustering<Mesh, Weight, CGAL::Parallel_if_available_tag> clustering(
-    input, SMC::parameters::maximum_density(options.maximum_density)
-             .minimum_component_area(options.minimum_component_area)
-             .subdivide_input(options.subdivide)
-             .visitor(std::ref(visitor)));
+  typedef SMC::Mwcvd_clustering<Mesh, Weight, CGAL::Parallel_if_available_tag> Clustering;
+  const std::size_t default_rounds = Clustering::default_number_of_iterations;
+  const auto np = SMC::parameters::maximum_density(options.maximum_density)
+                    .cluster_weight(Weight())
+                    .number_of_iterations(options.rounds.value_or(default_rounds))
+                    .minimum_component_area(options.minimum_component_area)
+                    .subdivide_input(options.subdivide)
+                    .visitor(std::ref(visitor));
+  if (options.maximum_distance) {
+    coarsen_to_distance(input, options, np, result);
+    carry_properties(input, result.labels, result.mesh);
+    return result;
+  }
+  Clustering clustering(input, np);
   const unsigned default_level = 7;
   if (options.vertices)
     clustering.seed(*options.vertices);
   else
     clustering.seed_from_level(options.neighborhood_level.value_or(default_level));
   clustering.grow();
-  clustering.minimize(options.rounds.value_or(clustering.default_number_of_iterations));
-  extract(clustering, options.placement, result.mesh);
+  clustering.minimize(options.rounds.value_or(default_rounds));
+  with_placement(options, [&](const auto& placement) { clustering.extract_dual_mesh(result.mesh, placement); });
   result.report = clustering.report();
   result.labels.reserve(input.number_of_faces());
   for (Face f : input.faces())
     result.labels.push_back(clustering.cluster(f));
+  carry_properties(input, result.labels, result.mesh);
+  if (options.levels > 0)
+    make_levels(input, options, clustering, result);
   return result;
 }
 
@@ -112,6 +202,13 @@ unsigned most_threads()
 std::string default_weight() { return "area"; }
 
 std::string default_placement() { return "fitted"; }
+
+std::string level_file(const std::string& output, std::size_t level)
+{
+  std::filesystem::path file(output);
+  const std::filesystem::path ending = file.extension();
+  return file.replace_extension("." + std::to_string(level) + ending.string()).string();
+}
 
 Coarsening_result coarsen(const Mesh& input, const Options& options, Tool_visitor& visitor)
 {

@@ -9,17 +9,30 @@
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace coarsen_mesh_tool {
+
+// What the options ask to be coarser than the result.
+struct Coarser_level
+{
+  Mesh mesh;
+  std::vector<std::size_t> parents; // the vertex here of each vertex of the level before
+};
 
 struct Coarsening_result
 {
   Mesh mesh;                       // its vertex i stands for the label i
   std::vector<std::size_t> labels; // per face of the input
   CGAL::Surface_mesh_coarsening::Coarsening_report report;
+  std::optional<double> distance_bound; // if a distance was asked for
+  std::vector<Coarser_level> levels;
 };
+
+// The name of the file of a coarser level; the first is 1.
+std::string level_file(const std::string& output, std::size_t level);
 
 // The names that the command line knows.
 const std::vector<std::string>& weight_names();

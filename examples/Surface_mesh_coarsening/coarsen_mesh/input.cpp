@@ -6,6 +6,7 @@
 #include "support/Muted_streams.h"
 #include "support/read_soup.h"
 #include "support/soup_fault.h"
+#include "support/soup_properties.h"
 #include "support/to_mesh.h"
 #include "Interruption.h"
 
@@ -37,6 +38,7 @@ Input read_input(const Options& options, Stage_times& times, Progress_line& prog
   if (options.repair) {
     times.begin("repair");
     progress.say("repairing");
+    soup.drop_properties(); // repairing renumbers points and polygons
     result.repairs = try_repair(options.input, soup);
     Interruption::throw_if_requested();
     times.begin("read");
@@ -47,6 +49,8 @@ Input read_input(const Options& options, Stage_times& times, Progress_line& prog
                                    *fault);
   result.unused_points = drop_unused_points(soup);
   result.mesh = to_mesh(soup);
+  add_properties(soup, result.mesh);
+  result.material_library = soup.material_library;
   times.end();
   return result;
 }

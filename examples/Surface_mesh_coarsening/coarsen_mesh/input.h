@@ -10,6 +10,7 @@
 #include "repair.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace coarsen_mesh_tool {
@@ -20,6 +21,7 @@ struct Input
   std::size_t points_in_file = 0, polygons_in_file = 0;
   std::size_t unused_points = 0; // dropped without being asked: they belong to no surface
   std::vector<Repair_step> repairs;
+  std::string material_library; // that the file names
 };
 
 // Reads the input, repairs it if asked to, and makes sure that it is an oriented 2-manifold. Throws Failure otherwise.

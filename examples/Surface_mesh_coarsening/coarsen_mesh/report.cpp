@@ -53,6 +53,9 @@ Json parameters_of(const Options& options)
   Json result;
   result["vertices"] = options.vertices ? Json(*options.vertices) : Json();
   result["neighborhood_level"] = options.neighborhood_level ? Json(*options.neighborhood_level) : Json();
+  result["maximum_distance"] = options.maximum_distance ? Json(*options.maximum_distance) : Json();
+  result["maximum_distance_is_relative"] = options.distance_is_relative;
+  result["levels"] = options.levels;
   result["rounds"] = options.rounds ? Json(*options.rounds) : Json();
   result["weight"] = options.weight;
   result["maximum_density"] = options.maximum_density;
@@ -132,6 +135,24 @@ Json quality_of(const Mesh& result, const std::optional<Coarsening_quality>& qua
           {"self_intersections", q.self_intersections}};
 }
 
+// With `measure`, the distances of each level, too.
+Json levels_of(const Options& options, const Input& input, const Coarsening_result& result)
+{
+  Json levels = Json::array();
+  for (std::size_t i = 0; i < result.levels.size(); ++i) {
+    const Coarser_level& level = result.levels[i];
+    Json description = sizes_of(level_file(options.output, i + 1), level.mesh);
+    description["parents"] = level.parents;
+    if (options.measure) {
+      const auto q = CGAL::Surface_mesh_coarsening::measure_coarsening(input.mesh, level.mesh);
+      description["distance_percent"] = {
+        {"rms", percent(q, q.rms_distance)}, {"mean", percent(q, q.mean_distance)}, {"maximum", percent(q, q.maximum_distance)}};
+    }
+    levels.push_back(description);
+  }
+  return levels;
+}
+
 Json seconds_of(const Stage_times& times)
 {
   Json result;
@@ -154,6 +175,8 @@ std::string report_text(const Options& options, const Input& input, const Coarse
   report["parameters"] = parameters_of(options);
   report["clustering"] = clustering_of(result.report);
   report["output"] = sizes_of(options.output, result.mesh);
+  report["output"]["distance_bound"] = result.distance_bound ? Json(*result.distance_bound) : Json();
+  report["levels"] = levels_of(options, input, result);
   report["output"]["valid"] = !findings.fault;
   report["output"]["fault"] = findings.fault ? Json(*findings.fault) : Json();
   report["certificate"] = certificate_of(findings.certificate);

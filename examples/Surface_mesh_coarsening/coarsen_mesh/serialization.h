@@ -14,8 +14,8 @@ namespace coarsen_mesh_tool {
 using namespace coarsening_support;
 
 // Returns what a file of this type (off, obj, ply, stl) holds for the mesh. OFF and OBJ keep all digits; PLY and STL are
-// binary.
-std::string mesh_bytes(const Mesh& mesh, const std::string& type);
+// binary. PLY has the numbers of vertices and faces, OBJ has texture coordinates, materials and groups.
+std::string mesh_bytes(const Mesh& mesh, const std::string& type, const std::string& material_library = "");
 
 // Returns a PLY file of the mesh with the properties red, green, blue, alpha and label for each face.
 std::string cluster_bytes(const Mesh& mesh, const std::vector<std::size_t>& labels);

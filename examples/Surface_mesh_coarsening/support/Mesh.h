@@ -8,7 +8,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace coarsening_support {
@@ -22,11 +24,39 @@ using Halfedge = Mesh::Halfedge_index;
 using Edge = Mesh::Edge_index;
 using Face = Mesh::Face_index;
 
+// A type of number in a file.
+enum class Number_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
+
+// Numbers that stand in a file beside points or polygons, one for each.
+struct Soup_property
+{
+  std::string name;
+  Number_type type;
+  std::vector<double> values;
+};
+
 // Holds polygons as they stand in a file: nothing is known yet about how they hang together.
 struct Soup
 {
   std::vector<Point> points;
   std::vector<std::vector<std::size_t> > polygons;
+  std::vector<Soup_property> of_points = {}, of_polygons = {};
+  // Texture coordinates, and which of them the corners of each polygon have; no polygon has any where there are none.
+  std::vector<std::array<double, 2> > texture_points = {};
+  std::vector<std::vector<std::size_t> > texture_corners = {};
+  std::vector<std::string> materials = {}, groups = {}; // of each polygon, if there are any
+  std::string material_library = {};
+
+  void drop_properties()
+  {
+    of_points.clear();
+    of_polygons.clear();
+    texture_points.clear();
+    texture_corners.clear();
+    materials.clear();
+    groups.clear();
+    material_library.clear();
+  }
 };
 
 } // namespace coarsening_support

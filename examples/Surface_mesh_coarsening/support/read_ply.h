@@ -16,7 +16,7 @@
 
 namespace coarsening_support {
 
-enum class Ply_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
+typedef Number_type Ply_type;
 
 inline unsigned size_of(Ply_type type)
 {
@@ -27,13 +27,14 @@ inline unsigned size_of(Ply_type type)
 inline bool is_integer(Ply_type type) { return type < Ply_type::FLOAT32; }
 
 // What the values of a property are for.
-enum class Ply_use { NONE, X, Y, Z, CORNERS };
+enum class Ply_use { NONE, X, Y, Z, CORNERS, KEPT };
 
 struct Ply_property
 {
   bool is_list = false;
   Ply_type count_type = Ply_type::UINT8, type = Ply_type::FLOAT32;
   Ply_use use = Ply_use::NONE;
+  std::size_t kept = 0; // number of what is kept
 };
 
 struct Ply_element
@@ -76,10 +77,24 @@ inline Ply_use ply_use(const Ply_element& element, const Ply_property& property,
     return static_cast<Ply_use>(static_cast<int>(Ply_use::X) + (name[0] - 'x'));
   if (element.name == "face" && property.is_list && (name == "vertex_indices" || name == "vertex_index"))
     return Ply_use::CORNERS;
-  return Ply_use::NONE;
+  const bool is_known = element.name == "vertex" || element.name == "face";
+  return is_known && !property.is_list ? Ply_use::KEPT : Ply_use::NONE;
 }
 
-inline void read_ply_property(Text_scanner& text, Ply_header& header)
+// Makes room for the values of a property that is kept. Of those of the same name, the first is.
+inline void keep_ply_property(Ply_element& element, Ply_property& property, std::string_view name, Soup& soup)
+{
+  std::vector<Soup_property>& kept = element.name == "vertex" ? soup.of_points : soup.of_polygons;
+  for (const Soup_property& earlier : kept)
+    if (earlier.name == name) {
+      property.use = Ply_use::NONE;
+      return;
+    }
+  property.kept = kept.size();
+  kept.push_back({std::string(name), property.type, {}});
+}
+
+inline void read_ply_property(Text_scanner& text, Ply_header& header, Soup& soup)
 {
   if (header.elements.empty())
     text.fail("there is a property before the first element");
@@ -99,8 +114,10 @@ inline void read_ply_property(Text_scanner& text, Ply_header& header)
   if (property.use == Ply_use::CORNERS && !is_integer(property.type))
     text.fail("the numbers of vertices are of a type that is not whole");
   for (const Ply_property& earlier : header.elements.back().properties)
-    if (property.use != Ply_use::NONE && property.use == earlier.use)
+    if (property.use != Ply_use::NONE && property.use != Ply_use::KEPT && property.use == earlier.use)
       text.fail("the property " + Text_scanner::shown(name) + " comes twice");
+  if (property.use == Ply_use::KEPT)
+    keep_ply_property(header.elements.back(), property, name, soup);
   header.elements.back().properties.push_back(property);
 }
 
@@ -135,7 +152,7 @@ inline void check_ply_header(const Ply_header& header, const Text_scanner& text)
     std::size_t number = 0;
     for (const Ply_element& e : header.elements)
       for (const Ply_property& p : e.properties)
-        number += e.name == element && p.use != Ply_use::NONE;
+        number += e.name == element && p.use != Ply_use::NONE && p.use != Ply_use::KEPT;
     return number;
   };
   if (uses_of("vertex") != 3)
@@ -147,7 +164,7 @@ inline void check_ply_header(const Ply_header& header, const Text_scanner& text)
                      e.least_bytes(header.binary), text.bytes_left());
 }
 
-inline Ply_header read_ply_header(Text_scanner& text)
+inline Ply_header read_ply_header(Text_scanner& text, Soup& soup)
 {
   Ply_header header;
   if (!text.find_line() || text.word() != "ply")
@@ -169,7 +186,7 @@ inline Ply_header read_ply_header(Text_scanner& text)
     } else if (keyword == "element")
       read_ply_element(text, header);
     else if (keyword == "property")
-      read_ply_property(text, header);
+      read_ply_property(text, header, soup);
     else
       text.fail(Text_scanner::shown(keyword) + " is no keyword of a header of PLY");
     text.end_line("the header of PLY needs");
@@ -274,6 +291,9 @@ void read_ply_elements(Source source, const Ply_header& header, Soup& soup)
       for (const Ply_property& property : element.properties)
         if (property.is_list)
           read_ply_list(source, property, what, soup);
+        else if (property.use == Ply_use::KEPT)
+          (element.name == "vertex" ? soup.of_points : soup.of_polygons)[property.kept].values.push_back(
+            source.number(property.type, what));
         else if (property.use != Ply_use::NONE)
           coordinates[static_cast<int>(property.use) - static_cast<int>(Ply_use::X)] =
             source.number(property.type, what);
@@ -292,7 +312,7 @@ inline void read_ply(const std::string& content, Soup& soup)
   const char* const begin = content.data();
   const char* const end = begin + content.size();
   Text_scanner text(begin, end);
-  const Ply_header header = read_ply_header(text);
+  const Ply_header header = read_ply_header(text, soup);
   if (!header.binary) {
     text.end_line("'end_header'");
     read_ply_elements(Ply_text(text), header, soup);

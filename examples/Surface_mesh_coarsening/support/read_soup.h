@@ -85,8 +85,12 @@ inline std::size_t drop_unused_points(Soup& soup)
   for (std::size_t v = 0; v < soup.points.size(); ++v)
     if (number[v] != unused) {
       soup.points[kept] = soup.points[v];
+      for (Soup_property& property : soup.of_points)
+        property.values[kept] = property.values[v];
       number[v] = kept++;
     }
+  for (Soup_property& property : soup.of_points)
+    property.values.resize(kept);
   const std::size_t dropped = soup.points.size() - kept;
   soup.points.resize(kept);
   for (auto& polygon : soup.polygons)

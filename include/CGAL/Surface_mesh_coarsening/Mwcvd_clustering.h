@@ -4,8 +4,10 @@
 #define CGAL_SURFACE_MESH_COARSENING_MWCVD_CLUSTERING_H
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Clustering_steering.h>
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Clustering_access.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Energy_minimization.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Initial_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
@@ -43,6 +45,7 @@ namespace Surface_mesh_coarsening {
 /// same, whichever it is
 template <class FaceGraph, class ClusterWeight = Maximum_density_weight, class ConcurrencyTag = Sequential_tag>
 class Mwcvd_clustering
+  : public Clustering_steering<Mwcvd_clustering<FaceGraph, ClusterWeight, ConcurrencyTag> >
 {
   typedef boost::graph_traits<FaceGraph> Graph_traits;
   typedef internal::Index Index;
@@ -122,6 +125,7 @@ public:
     if (!initial_)
       throw std::logic_error("grow() was called before seed()");
     visitor_.stage_begins(Coarsening_stage::GROWTH);
+    this->forget_editing();
     minimization_.reset();
     labels_.reset();
     all_or_nothing([&] { labels_ = std::make_unique<internal::Cluster_labels>(initial_->grow()); });
@@ -170,6 +174,7 @@ public:
   /// \return whether anything changed
   bool minimize_round()
   {
+    this->forget_editing();
     const std::size_t moves = minimization().round();
     ++report_.rounds;
     report_.moves += moves;
@@ -256,11 +261,12 @@ public:
   void extract_dual_mesh(Output& output, const VertexPlacement& placement = VertexPlacement(),
                          const NamedParameters& np = parameters::default_values()) const
   {
-    extract_dual_mesh(output, placement, np, [] {});
+    extract_dual_mesh(output, placement, np, [](const auto&) {});
   }
 
   /// \cond SKIP_IN_MANUAL
-  // `before` is called when everything is done that can fail, and `output` has not changed yet.
+  // `before` is called with the positions of the vertices when everything is done that can fail, and `output` has not changed
+  // yet.
   template <class Output, class VertexPlacement, class NamedParameters, class Before>
   void extract_dual_mesh(Output& output, const VertexPlacement& placement, const NamedParameters& np,
                          const Before& before) const
@@ -280,16 +286,18 @@ public:
     internal::Face_graph_filler<Output, NamedParameters> filler(positions, frame_, triangles, output, np, checkpoint);
     visitor_.throw_if_cancelled();
     visitor_.stage_ends(Coarsening_stage::TRIANGULATION);
-    before();
+    before(positions);
     filler.commit();
   }
 
-  // Gives back what only the minimization needs. There can be no more rounds then.
+  // Gives back what only the minimization needs.
   void end_minimization() { minimization_.reset(); }
   /// \endcond
   /// @}
 
 private:
+  friend struct internal::Clustering_access;
+
   template <class Seed>
   std::size_t seed_as(const Seed& seed)
   {
@@ -322,6 +330,7 @@ private:
 
   void forget()
   {
+    this->forget_editing();
     minimization_.reset();
     labels_.reset();
     initial_.reset();
@@ -331,11 +340,8 @@ private:
 
   void begin_minimization(std::size_t clusters)
   {
-    all_or_nothing([&] {
-      minimization_ = std::make_unique<internal::Energy_minimization<ClusterWeight> >(
-        working_input(), *labels_, clusters, weight_, internal::Checkpoint(visitor_), execution_);
-    });
-    report_.initial_energy = report_.final_energy = minimization_->energy();
+    report_.clusters = clusters;
+    all_or_nothing([&] { minimization(); });
   }
 
   // The pieces of a face follow each other in the order of the faces.
@@ -361,14 +367,15 @@ private:
     return *labels_;
   }
 
-  const internal::Energy_minimization<ClusterWeight>& minimization() const
+  // It is there but after clusters were added or removed.
+  internal::Energy_minimization<ClusterWeight>& minimization() const
   {
     labels();
-    return *minimization_;
-  }
-  internal::Energy_minimization<ClusterWeight>& minimization()
-  {
-    labels();
+    if (!minimization_) {
+      minimization_ = std::make_unique<internal::Energy_minimization<ClusterWeight> >(
+        working_input(), *labels_, report_.clusters, weight_, internal::Checkpoint(visitor_), execution_);
+      report_.initial_energy = report_.final_energy = minimization_->energy();
+    }
     return *minimization_;
   }
 
@@ -379,10 +386,10 @@ private:
   internal::Clustering_input input_;
   bool subdivide_ = false, repair_ = true;
   std::size_t dropped_components_ = 0;
-  mutable Coarsening_report report_; // making the output adds to it
+  mutable Coarsening_report report_; // making the output adds to it, and so do energies that are asked for
   std::unique_ptr<internal::Initial_clustering> initial_;
   std::unique_ptr<internal::Cluster_labels> labels_;
-  std::unique_ptr<internal::Energy_minimization<ClusterWeight> > minimization_;
+  mutable std::unique_ptr<internal::Energy_minimization<ClusterWeight> > minimization_;
 };
 
 } // namespace Surface_mesh_coarsening

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_H
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/internal/write_provenance.h>
 
 #include <type_traits>
 
@@ -51,11 +52,21 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
   clustering.minimize(choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
                                        Clustering::default_number_of_iterations));
   clustering.end_minimization();
+  const auto source_map = get_parameter(np_out, internal_np::vertex_source);
+  Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
   clustering.extract_dual_mesh(
-    output, choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p)), np_out, [&] {
+    output, choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p)), np_out,
+    [&](const std::vector<Vector>& positions) {
+      const bool are_wanted = has_parameter<internal_np::vertex_source_t, NPOut> ||
+                              has_parameter<internal_np::vertex_to_cluster_t, NPIn>;
+      const std::vector<Index> clusters = are_wanted ? clusters_of_faces(clustering) : std::vector<Index>();
+      sources.find(input, clustering, clusters, positions);
       write_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
       write_boundary_counts(clustering, get_parameter(np_in, internal_np::vertex_boundary_count));
+      write_vertex_clusters(clustering, clusters, clustering.number_of_clusters(),
+                            get_parameter(np_in, internal_np::vertex_to_cluster));
     });
+  sources.write(output);
   return clustering.report();
 }
 
@@ -150,6 +161,13 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamType{a model of `ReadWritePropertyMap` with the faces as keys and an integral value type}
 ///     \cgalParamDefault{the clusters are not written}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_to_cluster_map}
+///     \cgalParamDescription{receives a cluster for each vertex of `input`: of the clusters of the faces around it, the one that
+///                           has the largest area of them}
+///     \cgalParamType{a model of `WritablePropertyMap` with the vertices as keys and an integral value type}
+///     \cgalParamDefault{the clusters are not written}
+///     \cgalParamExtra{isolated vertices, and those of components that are left out, get the number of clusters}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{start_from_face_clusters}
 ///     \cgalParamDescription{whether `face_cluster_map` holds clusters, valid in the sense of `is_valid_clustering()`, that the
 ///                           minimization shall start from}
@@ -198,6 +216,14 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDescription{an object that makes points}
 ///     \cgalParamType{a class with the functor `Construct_point_3` and the function that gives it, as every \cgal kernel has}
 ///     \cgalParamDefault{a kernel deduced from the point type}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_source_map}
+///     \cgalParamDescription{receives the source of each vertex of `output`: the nearest point of the surface of `input`}
+///     \cgalParamType{a model of `WritablePropertyMap` with the vertices of `output` as keys and `Surface_location<FaceGraph>` as
+///                    value}
+///     \cgalParamDefault{the sources are not looked for}
+///     \cgalParamExtra{the surface is that without components that are left out; faces of more than three sides are
+///                     fans of triangles}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

@@ -41,6 +41,23 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
+/// reports a distance that no result was found to keep to.
+class Unreachable_distance
+  : public Invalid_input
+{
+public:
+  /// \param message says what was asked.
+  /// \param nearest is the bound of the distance of the closest result that was found.
+  Unreachable_distance(const std::string& message, double nearest) : Invalid_input(message), nearest_(nearest) {}
+
+  /// returns the bound of the distance of the closest result that was found.
+  double nearest() const noexcept { return nearest_; }
+
+private:
+  double nearest_;
+};
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
 /// reports that the visitor's `go_further()` returned `false`.
 class Coarsening_cancelled
   : public std::runtime_error

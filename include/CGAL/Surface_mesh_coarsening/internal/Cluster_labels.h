@@ -41,6 +41,15 @@ public:
     label_[f] = label;
   }
   const std::vector<Index>& labels() const { return label_; }
+  // Whether no face may join or leave a cluster.
+  bool is_frozen(Index label) const { return label < is_frozen_.size() && is_frozen_[label]; }
+  void freeze(Index label, bool is_frozen)
+  {
+    if (is_frozen && label >= is_frozen_.size())
+      is_frozen_.resize(label + 1, false);
+    if (label < is_frozen_.size())
+      is_frozen_[label] = is_frozen;
+  }
   Index boundary_count(Index v) const { return boundary_count_[v]; }
   const std::vector<Index>& boundary_counts() const { return boundary_count_; }
 
@@ -160,6 +169,7 @@ private:
   const Flat_mesh& mesh_;
   std::vector<Index> label_;
   std::vector<Index> boundary_count_;
+  std::vector<bool> is_frozen_; // of the first clusters
   bool has_hubs_ = false;
   std::unordered_map<std::uint64_t, Index> faces_at_hub_; // by hub and label
 };

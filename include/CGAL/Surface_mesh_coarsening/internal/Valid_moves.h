@@ -19,10 +19,11 @@ public:
   Valid_moves(Cluster_labels& labels, std::size_t number_of_clusters)
     : mesh_(labels.mesh()), labels_(labels), walk_(labels), stamp_of_cluster_(number_of_clusters, 0) {}
 
-  // Whether both clusters remain discs.
+  // Whether both clusters remain discs, and are free to change.
   bool keeps_discs(Index f, Index to) const
   {
-    return labels_.stays_disc_without(f) && labels_.stays_disc_with(f, to);
+    return labels_.stays_disc_without(f) && labels_.stays_disc_with(f, to) && !labels_.is_frozen(labels_[f]) &&
+           !labels_.is_frozen(to);
   }
 
   // Moves face `f` if it may move. Returns whether it did.

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_CLUSTER_FACES_H
+#define CGAL_SURFACE_MESH_COARSENING_CLUSTER_FACES_H
+
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// The inverse of a face cluster map: gives the faces of each cluster, in two arrays.
+///
+/// Cluster `i` is the one that the `i`-th vertex of the output of `coarsen_mesh()` stands for.
+///
+/// \tparam FaceGraph a model of `FaceListGraph`
+template <class FaceGraph>
+class Cluster_faces
+{
+public:
+  /// The face descriptor of the mesh.
+  typedef typename boost::graph_traits<FaceGraph>::face_descriptor face_descriptor;
+
+  /// A range of faces.
+  class Range
+  {
+  public:
+    /// \cond SKIP_IN_MANUAL
+    Range(const face_descriptor* begin, const face_descriptor* end) : begin_(begin), end_(end) {}
+    /// \endcond
+    /// returns the begin of the range.
+    const face_descriptor* begin() const { return begin_; }
+    /// returns the end of the range.
+    const face_descriptor* end() const { return end_; }
+    /// returns the length of the range.
+    std::size_t size() const { return std::size_t(end_ - begin_); }
+
+  private:
+    const face_descriptor *begin_, *end_;
+  };
+
+  /// sorts the faces by cluster, in time linear in their number.
+  ///
+  /// \tparam FaceClusterMap a model of `ReadablePropertyMap` with the faces as keys and an integral value type
+  /// \param mesh the mesh
+  /// \param clusters the clusters, as `coarsen_mesh()` writes them
+  /// \param number_of_clusters the number of clusters; faces of the cluster of this number, which `coarsen_mesh()` gives to
+  /// components that it has left out, belong to none
+  /// \throws Invalid_input if a face has a cluster of a larger number.
+  template <class FaceClusterMap>
+  Cluster_faces(const FaceGraph& mesh, const FaceClusterMap& clusters, std::size_t number_of_clusters)
+    : first_(number_of_clusters + 1, 0)
+  {
+    for (const face_descriptor f : CGAL::faces(mesh)) {
+      const std::size_t x = std::size_t(get(clusters, f));
+      if (x > number_of_clusters)
+        throw Invalid_input("a face has cluster " + std::to_string(x) + " of " + std::to_string(number_of_clusters));
+      if (x < number_of_clusters)
+        ++first_[x + 1];
+    }
+    for (std::size_t x = 0; x < number_of_clusters; ++x)
+      first_[x + 1] += first_[x];
+    faces_.resize(first_.back());
+    std::vector<std::size_t> at(first_.begin(), first_.end() - 1);
+    for (const face_descriptor f : CGAL::faces(mesh))
+      if (std::size_t(get(clusters, f)) < number_of_clusters)
+        faces_[at[std::size_t(get(clusters, f))]++] = f;
+  }
+
+  /// returns the number of clusters.
+  std::size_t size() const { return first_.size() - 1; }
+  /// returns the faces of a cluster, in the order in which the mesh gives them.
+  Range faces(std::size_t cluster) const
+  {
+    return {faces_.data() + first_[cluster], faces_.data() + first_[cluster + 1]};
+  }
+
+private:
+  std::vector<std::size_t> first_;
+  std::vector<face_descriptor> faces_;
+};
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_FACES_H

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_CLUSTER_LEVELS_H
+#define CGAL_SURFACE_MESH_COARSENING_CLUSTER_LEVELS_H
+
+#include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Clustering_access.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Merge_history.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// Levels of detail from one clustering: a chain of clusterings, each with a cluster less than the one before.
+///
+/// Level `n` has `n` clusters, numbered from 0. The clusters of a level are unions of those of every finer level, and each
+/// level is valid in the sense of `is_valid_clustering()`. From a level to the next coarser one, those two clusters become one
+/// whose merge adds least to the energy with the weights of formula (9); the cluster of the largest number goes, and its
+/// `parent()` grows.
+///
+/// What is stored are some numbers for each cluster of the finest level, which is that of the clustering given. The triangles
+/// of any level are made in time linear in their number.
+///
+/// \tparam Clustering an instance of `Mwcvd_clustering`
+template <class Clustering>
+class Cluster_levels
+{
+  typedef internal::Index Index;
+  typedef internal::Clustering_access Access;
+
+public:
+  /// merges the clusters until the topology does not allow it any more.
+  ///
+  /// \param clustering has clusters, and is not changed as long as the levels are used
+  /// \throws std::logic_error if it has none.
+  /// \throws Coarsening_cancelled if its visitor said so.
+  explicit Cluster_levels(const Clustering& clustering)
+    : clustering_(clustering),
+      history_(Access::working_input(clustering), Access::labels(clustering), Index(clustering.number_of_clusters()),
+               internal::Checkpoint(Access::visitor(clustering)))
+  {}
+
+  /// returns the number of clusters of the finest level.
+  std::size_t finest() const { return history_.finest(); }
+  /// returns the number of clusters of the coarsest level.
+  std::size_t coarsest() const { return history_.coarsest(); }
+
+  /// returns the cluster that `cluster` is merged into from level `cluster + 1` to level `cluster`. It has a smaller number.
+  /// \pre `coarsest() <= cluster < finest()`; `Invalid_input` is thrown otherwise.
+  std::size_t parent(std::size_t cluster) const
+  {
+    if (cluster < coarsest() || cluster >= finest())
+      throw Invalid_input("cluster " + std::to_string(cluster) + " has no parent");
+    return history_.parent(Index(cluster));
+  }
+
+  /// writes, for each cluster of level `fine`, the cluster of level `coarse` that it is part of, in time linear in `fine`.
+  /// \pre `coarsest() <= coarse <= fine <= finest()`; `Unreachable_number_of_vertices` or `Invalid_input` is thrown otherwise.
+  template <class OutputIterator>
+  OutputIterator parents(std::size_t fine, std::size_t coarse, OutputIterator out) const
+  {
+    check(fine);
+    check(coarse);
+    if (coarse > fine)
+      throw Invalid_input("level " + std::to_string(coarse) + " is not coarser than level " + std::to_string(fine));
+    for (const Index x : history_.ancestors(fine, coarse))
+      *out++ = std::size_t(x);
+    return out;
+  }
+
+  /// writes the triangles of the dual of a level, each an `std::array<std::size_t, 3>` of clusters, in time linear in their
+  /// number.
+  /// \throws Unreachable_number_of_vertices if there is no such level.
+  template <class OutputIterator>
+  OutputIterator triangles(std::size_t level, OutputIterator out) const
+  {
+    check(level);
+    for (const internal::Triangle& t : history_.triangles(level))
+      *out++ = std::array<std::size_t, 3>{{t[0], t[1], t[2]}};
+    return out;
+  }
+
+  /// writes the cluster of each face on a level. Faces of components that were dropped get `level`.
+  /// \tparam FaceClusterMap a model of `WritablePropertyMap` with the faces as keys and an integral value type
+  /// \throws Unreachable_number_of_vertices if there is no such level.
+  template <class FaceClusterMap>
+  void write_clusters(std::size_t level, FaceClusterMap clusters) const
+  {
+    typedef typename boost::property_traits<FaceClusterMap>::value_type Value;
+    check(level);
+    const std::vector<Index> ancestors = history_.ancestors(finest(), level);
+    for (const auto f : Access::numbering(clustering_).faces) {
+      const std::size_t x = clustering_.cluster(f);
+      put(clusters, f, Value(x == finest() ? level : ancestors[history_.number(Index(x))]));
+    }
+  }
+
+  /// replaces `output` by the dual triangulation of a level, with `level` vertices.
+  ///
+  /// \tparam Output a model of `MutableFaceGraph`
+  /// \tparam VertexPlacement a model of `VertexPlacement` or `GlobalVertexPlacement`
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  /// \param level the number of clusters
+  /// \param output is cleared and filled; its `i`-th vertex is that of cluster `i`
+  /// \param placement gives each cluster in the interior its position
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits`
+  /// of `output`
+  /// \throws Unreachable_number_of_vertices if there is no such level.
+  /// \throws Coarsening_cancelled if the visitor of the clustering said so.
+  ///
+  /// The placement takes time linear in the number of faces.
+  template <class Output, class VertexPlacement = Centroid_placement,
+            class NamedParameters = parameters::Default_named_parameters>
+  void extract_dual_mesh(std::size_t level, Output& output, const VertexPlacement& placement = VertexPlacement(),
+                         const NamedParameters& np = parameters::default_values()) const
+  {
+    using namespace internal;
+    typedef typename GetGeomTraits<Output, NamedParameters>::type Traits;
+    check(level);
+    const Checkpoint checkpoint(Access::visitor(clustering_));
+    const Frame& frame = Access::frame(clustering_);
+    const Cluster_labels level_labels = labels(level);
+    std::vector<Triangle> triangles;
+    const std::vector<Vector> positions =
+      place(level_labels, level, placement, Access::repairs(clustering_), output_coordinates<Traits>(frame), triangles);
+    Face_graph_filler<Output, NamedParameters> filler(positions, frame, triangles, output, np, checkpoint);
+    Access::visitor(clustering_).throw_if_cancelled();
+    filler.commit();
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  // The clusters of a level, and its dual in place.
+  internal::Cluster_labels labels(std::size_t level) const
+  {
+    const internal::Clustering_input& input = Access::working_input(clustering_);
+    const std::vector<Index> ancestors = history_.ancestors(finest(), level);
+    internal::Cluster_labels result(input.mesh);
+    for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
+      result.set(Index(f), ancestors[history_.number(Access::labels(clustering_)[Index(f)])]);
+    result.recount();
+    return result;
+  }
+  template <class VertexPlacement, class OutputCoordinates>
+  std::vector<internal::Vector> place(const internal::Cluster_labels& level_labels, std::size_t level,
+                                      const VertexPlacement& placement, bool with_repair,
+                                      const OutputCoordinates& output_coordinates,
+                                      std::vector<internal::Triangle>& triangles) const
+  {
+    internal::Repair_counts counts;
+    triangles = history_.triangles(level);
+    return internal::place_vertices(Clustered_surface(Access::working_input(clustering_), level_labels, level), placement,
+                                    with_repair, output_coordinates, triangles, counts,
+                                    internal::Checkpoint(Access::visitor(clustering_)));
+  }
+  /// \endcond
+
+private:
+  void check(std::size_t level) const
+  {
+    if (level < coarsest() || level > finest())
+      throw Unreachable_number_of_vertices("there is no level of " + std::to_string(level) + " vertices, but of " +
+                                             std::to_string(coarsest()) + " to " + std::to_string(finest()),
+                                           level < coarsest() ? coarsest() : finest());
+  }
+
+  const Clustering& clustering_;
+  internal::Merge_history history_;
+};
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_LEVELS_H

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_SURFACE_LOCATION_H
+#define CGAL_SURFACE_MESH_COARSENING_SURFACE_LOCATION_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Nearest_point_search.h>
+#include <CGAL/Surface_mesh_coarsening/internal/build_flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/face_geometry.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// A point of the surface of a mesh: a face and coordinates in it.
+///
+/// The coordinates of a triangle are barycentric. Those of a polygon of more sides are mean value coordinates in the plane
+/// that it spans; where these would be negative, or where the polygon is bent so that they would give another point, they
+/// are the barycentric coordinates in one of the triangles of a fan, and 0 for the other corners. They are never negative
+/// and their sum is 1.
+///
+/// \tparam FaceGraph a model of `FaceGraph`
+template <class FaceGraph>
+struct Surface_location
+{
+  /// The face descriptor of the mesh.
+  typedef typename boost::graph_traits<FaceGraph>::face_descriptor face_descriptor;
+
+  /// the face.
+  face_descriptor face = boost::graph_traits<FaceGraph>::null_face();
+  /// the coordinates: the first for the source of `halfedge(face, mesh)`, and so on around the face. The order is that of
+  /// `CGAL::Polygon_mesh_processing::Face_location`.
+  std::vector<double> coordinates;
+};
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// returns the corner of a surface location that has the largest coordinate.
+/// \relates Surface_location
+template <class FaceGraph>
+typename boost::graph_traits<FaceGraph>::vertex_descriptor nearest_corner(const Surface_location<FaceGraph>& location,
+                                                                          const FaceGraph& mesh)
+{
+  const auto largest = std::max_element(location.coordinates.begin(), location.coordinates.end());
+  auto h = halfedge(location.face, mesh);
+  for (auto i = location.coordinates.begin(); i != largest; ++i)
+    h = next(h, mesh);
+  return source(h, mesh);
+}
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+template <class FaceGraph>
+Surface_location<FaceGraph> surface_location(const FaceGraph& mesh, const Numbering<FaceGraph>& n, const Flat_mesh& m,
+                                             const Nearest_point& nearest, Index face_of_mesh)
+{
+  Surface_location<FaceGraph> location;
+  location.face = n.faces[face_of_mesh];
+  location.coordinates = coordinates_in_face(m, nearest, vector_area(m, nearest.face));
+  // The flat arrays begin with another corner.
+  const Index first = n.number_of(source(halfedge(location.face, mesh), mesh));
+  const Index shift = m.corner_of(nearest.face, first) - m.first_corner[nearest.face];
+  std::rotate(location.coordinates.begin(), location.coordinates.begin() + shift, location.coordinates.end());
+  return location;
+}
+
+// The locations of positions that belong to clusters of the faces of `input`.
+template <class FaceGraph>
+std::vector<Surface_location<FaceGraph> > surface_locations(const FaceGraph& mesh, const Numbering<FaceGraph>& n,
+                                                            const Clustering_input& input,
+                                                            const std::vector<Index>& cluster_of_face,
+                                                            const std::vector<Vector>& positions,
+                                                            const Checkpoint& checkpoint = Checkpoint())
+{
+  const Flat_mesh& m = input.mesh;
+  const Nearest_point_search search(m, cluster_of_face, positions.size());
+  std::vector<Surface_location<FaceGraph> > locations;
+  locations.reserve(positions.size());
+  for (std::size_t x = 0; x < positions.size(); ++x) {
+    checkpoint.pass(64);
+    const Nearest_point nearest = search(positions[x], Index(x));
+    locations.push_back(surface_location(mesh, n, m, nearest, input.parent_of(nearest.face)));
+  }
+  return locations;
+}
+
+} // namespace internal
+/// \endcond
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_SURFACE_LOCATION_H

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_TO_DISTANCE_H
+#define CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_TO_DISTANCE_H
+
+#include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Distance_search.h>
+#include <CGAL/Surface_mesh_coarsening/internal/write_provenance.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// What `coarsen_mesh_to_distance()` found.
+struct Distance_report
+{
+  /// the number of vertices of the output.
+  std::size_t vertices = 0;
+  /// an upper bound of the two-sided Hausdorff distance between the input and the output, at most the distance asked for.
+  double distance_bound = 0;
+  /// the report of the clustering that the output is a level of. Its number of clusters is that of the output.
+  Coarsening_report clustering;
+  /// the number of clusterings that were minimized.
+  std::size_t clusterings = 0;
+  /// the number of results whose distance was estimated.
+  std::size_t estimates = 0;
+  /// the number of results whose distance was bounded.
+  std::size_t bounds = 0;
+};
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// coarsens a polygon mesh as far as a bound of the distance allows.
+///
+/// The output is the coarsest result found whose two-sided Hausdorff distance to the input is at most `maximum_distance`. A
+/// fine clustering is made, and merged down to levels of detail (see `Cluster_levels`). Among these the search brackets the
+/// number of vertices, by distances estimated at points of both surfaces; then it tries to lower it by minimizing a coarser level. The
+/// distance of the result is bounded by `CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance()`,
+/// which looks at all of both surfaces and not at points of them; if the bound is too large, a finer level is taken.
+///
+/// The distance is that between surfaces: polygons of the input are fans of triangles around the corner of the smallest number,
+/// and triangles without area do not count. The output has the other properties that `coarsen_mesh()` promises.
+///
+/// \tparam ConcurrencyTag as in `coarsen_mesh()`
+/// \tparam FaceGraph a model of `FaceListGraph`
+/// \tparam OutputFaceGraph a model of `MutableFaceGraph`
+/// \tparam NamedParametersIn a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam NamedParametersOut a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param input a 2-manifold polygon mesh
+/// \param maximum_distance the distance, in the unit of length of the mesh
+/// \param output is cleared and filled; its `i`-th vertex is that of cluster `i`. It must not be the input.
+/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `coarsen_mesh()` but for
+/// `start_from_face_clusters`, `neighborhood_level` and `vertex_boundary_count_map`
+/// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `coarsen_mesh()`
+///
+/// \return what was found.
+///
+/// \throws Unreachable_distance if there is no such result, even with as many vertices as the input has.
+/// \throws Invalid_input if `maximum_distance` is not positive and finite, and as `coarsen_mesh()` does.
+/// \throws Coarsening_cancelled if the visitor said so. It is not asked while the distance is bounded.
+/// The output is as before the call if one of these is thrown.
+template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph,
+          class NamedParametersIn = parameters::Default_named_parameters,
+          class NamedParametersOut = parameters::Default_named_parameters>
+Distance_report coarsen_mesh_to_distance(const FaceGraph& input, double maximum_distance, OutputFaceGraph& output,
+                                         const NamedParametersIn& np_in = parameters::default_values(),
+                                         const NamedParametersOut& np_out = parameters::default_values())
+{
+  using namespace internal;
+  typedef Parameter_type<internal_np::cluster_weight_t, NamedParametersIn, Maximum_density_weight> Weight;
+  typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Centroid_placement> Placement;
+  typedef Mwcvd_clustering<FaceGraph, Weight, ConcurrencyTag> Clustering;
+  typedef typename GetGeomTraits<OutputFaceGraph, NamedParametersOut>::type Traits;
+  if (!(maximum_distance > 0 && std::isfinite(maximum_distance)))
+    throw Invalid_input("the maximum distance is " + std::to_string(maximum_distance));
+
+  Distance_report report;
+  const auto make_clustering = [&] { return std::make_unique<Clustering>(input, np_in); };
+  const std::size_t iterations = choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
+                                                  Clustering::default_number_of_iterations);
+  Distance_search<Clustering, Placement, Traits> search(
+    make_clustering(), choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p)), maximum_distance,
+    iterations, num_vertices(input), report);
+  search.run(make_clustering);
+
+  const Clustering& clustering = search.clustering();
+  report.clustering = clustering.report();
+  report.clustering.clusters = report.vertices;
+  const auto source_map = get_parameter(np_out, internal_np::vertex_source);
+  Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
+  Face_graph_filler<OutputFaceGraph, NamedParametersOut> filler(search.positions(), Clustering_access::frame(clustering),
+                                                                search.triangles(), output, np_out);
+  Clustering_access::visitor(clustering).throw_if_cancelled();
+  const std::vector<Index> clusters = search.clusters_of_faces();
+  sources.find(input, clustering, clusters, search.positions());
+  write_face_clusters(clustering, clusters, report.vertices, get_parameter(np_in, internal_np::face_cluster));
+  write_vertex_clusters(clustering, clusters, report.vertices, get_parameter(np_in, internal_np::vertex_to_cluster));
+  filler.commit();
+  sources.write(output);
+  return report;
+}
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_TO_DISTANCE_H

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERING_ACCESS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERING_ACCESS_H
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// What a clustering is made of, for the functions of the package that go on from it.
+struct Clustering_access
+{
+  // The faces of the mesh, without the components that were left out.
+  template <class Clustering>
+  static const auto& input(const Clustering& c) { return c.input_; }
+  // The faces that the clusters are made of: those, or pieces of them.
+  template <class Clustering>
+  static const auto& working_input(const Clustering& c) { return c.working_input(); }
+  template <class Clustering>
+  static const auto& labels(const Clustering& c) { return c.labels(); }
+  template <class Clustering>
+  static auto& mutable_labels(Clustering& c)
+  {
+    labels(c);
+    return *c.labels_;
+  }
+  // Clusters have been added or removed.
+  template <class Clustering>
+  static void have_changed(Clustering& c, std::size_t clusters)
+  {
+    c.minimization_.reset();
+    c.report_.clusters = clusters;
+    c.report_.converged = false;
+  }
+  template <class Clustering>
+  static const auto& numbering(const Clustering& c) { return c.numbering_; }
+  template <class Clustering>
+  static const auto& frame(const Clustering& c) { return c.frame_; }
+  template <class Clustering>
+  static const auto& weight(const Clustering& c) { return c.weight_; }
+  template <class Clustering>
+  static const auto& visitor(const Clustering& c) { return c.visitor_; }
+  template <class Clustering>
+  static bool repairs(const Clustering& c) { return c.repair_; }
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERING_ACCESS_H

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_ESTIMATE_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_ESTIMATE_H
+
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Nearest_point_search.h>
+
+#include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// About how far a mesh and its coarse mesh are from each other: the largest distance, both ways, at the vertices of the mesh
+// and at vertices, middles of edges and centers of triangles of the coarse mesh. Fast, and no bound.
+class Distance_estimate
+{
+public:
+  Distance_estimate(const Cluster_labels& labels, const std::vector<Vector>& positions,
+                    const std::vector<Triangle>& triangles, const Checkpoint& checkpoint)
+    : labels_(labels), mesh_(labels.mesh()), positions_(positions), coarse_(triangles, positions.size()),
+      checkpoint_(checkpoint)
+  {}
+
+  double distance() const { return std::sqrt((std::max)(to_coarse(), from_coarse())); }
+
+private:
+  double to_coarse() const
+  {
+    double largest = 0;
+    std::vector<Index> around;
+    for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v) {
+      checkpoint_.pass(16);
+      around.clear();
+      for (Index i = mesh_.first_in_star[v]; i != mesh_.first_in_star[v + 1]; ++i)
+        if (around.empty() || around.back() != labels_[mesh_.star[i]])
+          around.push_back(labels_[mesh_.star[i]]);
+      double least = around.empty() ? 0 : -1;
+      for (const Index x : around)
+        for (const Index t : coarse_.around(x))
+          if (least < 0 || least > largest) // the rest would not change the result
+            least = least < 0 ? squared_distance(mesh_.points[v], t)
+                              : (std::min)(least, squared_distance(mesh_.points[v], t));
+      largest = (std::max)(largest, least);
+    }
+    return largest;
+  }
+
+  double squared_distance(const Vector& p, Index t) const
+  {
+    const Triangle& c = coarse_.triangles()[t];
+    return closest_on_triangle(p, positions_[c[0]], positions_[c[1]], positions_[c[2]]).squared_distance;
+  }
+
+  double from_coarse() const
+  {
+    const Nearest_point_search search(mesh_, labels_.labels(), positions_.size());
+    double largest = 0;
+    const auto look_at = [&](const Vector& p, Index x) {
+      checkpoint_.pass(64);
+      largest = (std::max)(largest, search(p, x).squared_distance);
+    };
+    for (std::size_t x = 0; x < positions_.size(); ++x)
+      look_at(positions_[x], Index(x));
+    for (const Triangle& t : coarse_.triangles()) {
+      look_at((1. / 3) * (positions_[t[0]] + positions_[t[1]] + positions_[t[2]]), t[0]);
+      for (int i = 0; i < 3; ++i)
+        if (t[i] < t[(i + 1) % 3])
+          look_at(0.5 * (positions_[t[i]] + positions_[t[(i + 1) % 3]]), t[i]);
+    }
+    return largest;
+  }
+
+  const Cluster_labels& labels_;
+  const Flat_mesh& mesh_;
+  const std::vector<Vector>& positions_;
+  Coarse_surface coarse_;
+  Checkpoint checkpoint_;
+};
+
+// Triangles whose distance is to be bounded. Those without area are left out.
+class Distance_mesh
+{
+  typedef CGAL::Simple_cartesian<double>::Point_3 Point;
+
+public:
+  typedef CGAL::Surface_mesh<Point> Mesh;
+
+  explicit Distance_mesh(const std::vector<Vector>& points)
+  {
+    for (const Vector& p : points)
+      mesh_.add_vertex(to_point(p));
+    points_ = &points;
+  }
+
+  void add(Index a, Index b, Index c)
+  {
+    const std::vector<Vector>& p = *points_;
+    const Vector n = cross(p[b] - p[a], p[c] - p[a]);
+    if (!(dot(n, n) > 0))
+      return;
+    typedef Mesh::Vertex_index Vertex;
+    // What cannot hang together with the others, as where fans of polygons have a diagonal in common, lies apart.
+    if (mesh_.add_face(Vertex(a), Vertex(b), Vertex(c)) == Mesh::null_face()) {
+      const Vertex x = mesh_.add_vertex(to_point(p[a])), y = mesh_.add_vertex(to_point(p[b])),
+                   z = mesh_.add_vertex(to_point(p[c]));
+      mesh_.add_face(x, y, z);
+    }
+  }
+
+  const Mesh& mesh() const
+  {
+    if (mesh_.number_of_faces() == 0)
+      throw Invalid_input("the distance of a surface without area cannot be bounded");
+    return mesh_;
+  }
+
+private:
+  static Point to_point(const Vector& p) { return Point(p[0], p[1], p[2]); }
+
+  Mesh mesh_;
+  const std::vector<Vector>* points_;
+};
+
+inline Distance_mesh triangles_of(const Flat_mesh& m)
+{
+  Distance_mesh mesh(m.points);
+  for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+    for (Index c = m.first_corner[f] + 2; c != m.first_corner[f + 1]; ++c)
+      mesh.add(m.corner_vertex[m.first_corner[f]], m.corner_vertex[c - 1], m.corner_vertex[c]);
+  return mesh;
+}
+
+// An upper bound of the Hausdorff distance, larger than it by `error` at the most.
+inline double hausdorff_bound(const Distance_mesh& a, const std::vector<Vector>& positions,
+                              const std::vector<Triangle>& triangles, double error)
+{
+  Distance_mesh b(positions);
+  for (const Triangle& t : triangles)
+    b.add(t[0], t[1], t[2]);
+  const auto np = CGAL::parameters::match_faces(false);
+  // What comes back deviates from the distance by half the error at the most, in either direction.
+  return Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance<CGAL::Sequential_tag>(
+           a.mesh(), b.mesh(), error / 2, np, np) +
+         error / 2;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_ESTIMATE_H

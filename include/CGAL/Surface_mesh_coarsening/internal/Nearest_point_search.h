@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_NEAREST_POINT_SEARCH_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_NEAREST_POINT_SEARCH_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The point of a mesh that is nearest to another one, in a triangle of the fan around the first corner of its face. Of faces
+// at the same distance it is that of the smallest number.
+struct Nearest_point
+{
+  Index face = NONE;
+  Index corner = NONE; // the second of the triangle
+  Vector barycentric{{1, 0, 0}};
+  double squared_distance = (std::numeric_limits<double>::infinity)();
+};
+
+inline void improve(const Flat_mesh& m, const Vector& p, Index f, Nearest_point& nearest)
+{
+  const Vector& a = m.points[m.corner_vertex[m.first_corner[f]]];
+  for (Index c = m.first_corner[f] + 2; c != m.first_corner[f + 1]; ++c) {
+    const Foot_point foot =
+      closest_on_triangle(p, a, m.points[m.corner_vertex[c - 1]], m.points[m.corner_vertex[c]]);
+    if (foot.squared_distance < nearest.squared_distance ||
+        (foot.squared_distance == nearest.squared_distance && f < nearest.face))
+      nearest = {f, c - 1, foot.barycentric, foot.squared_distance};
+  }
+}
+
+// Looks for nearest points in a mesh whose faces are in groups that are small patches, such as clusters: in a tree over the
+// bounding boxes of the groups, beginning with a group that is near.
+class Nearest_point_search
+{
+public:
+  // Faces of group NONE are left out.
+  Nearest_point_search(const Flat_mesh& mesh, const std::vector<Index>& group_of_face, std::size_t groups)
+    : mesh_(mesh), first_(groups + 1, 0), box_(groups)
+  {
+    for (const Index x : group_of_face)
+      if (x != NONE)
+        ++first_[x + 1];
+    for (std::size_t x = 0; x < groups; ++x)
+      first_[x + 1] += first_[x];
+    faces_.resize(first_.back());
+    std::vector<Index> at(first_.begin(), first_.end() - 1);
+    for (std::size_t f = 0; f < group_of_face.size(); ++f)
+      if (group_of_face[f] != NONE)
+        faces_[at[group_of_face[f]]++] = Index(f);
+    for (std::size_t x = 0; x < groups; ++x)
+      for (Index i = first_[x]; i != first_[x + 1]; ++i)
+        for (Index c = mesh.first_corner[faces_[i]]; c != mesh.first_corner[faces_[i] + 1]; ++c)
+          box_[x].add(mesh.points[mesh.corner_vertex[c]]);
+    std::vector<Index> all;
+    for (std::size_t x = 0; x < groups; ++x)
+      if (first_[x] != first_[x + 1])
+        all.push_back(Index(x));
+    if (!all.empty())
+      build(all, 0, all.size());
+  }
+
+  struct Faces
+  {
+    const Index *first, *last;
+    const Index* begin() const { return first; }
+    const Index* end() const { return last; }
+  };
+  Faces faces(Index group) const { return {faces_.data() + first_[group], faces_.data() + first_[group + 1]}; }
+
+  Nearest_point operator()(const Vector& p, Index first_group) const
+  {
+    Nearest_point nearest;
+    improve_in(p, first_group, nearest);
+    std::vector<Index> stack(node_.empty() ? 0 : 1, 0);
+    while (!stack.empty()) {
+      const Node& n = node_[stack.back()];
+      stack.pop_back();
+      // A foot point may come out nearer than the box by a rounding.
+      if (n.box.squared_distance(p) > (1 + 1e-12) * nearest.squared_distance)
+        continue;
+      if (n.group != NONE) {
+        if (n.group != first_group)
+          improve_in(p, n.group, nearest);
+        continue;
+      }
+      const bool left_first = node_[n.left].box.squared_distance(p) < node_[n.right].box.squared_distance(p);
+      stack.push_back(left_first ? n.right : n.left);
+      stack.push_back(left_first ? n.left : n.right);
+    }
+    return nearest;
+  }
+
+  void improve_in(const Vector& p, Index group, Nearest_point& nearest) const
+  {
+    for (Index i = first_[group]; i != first_[group + 1]; ++i)
+      improve(mesh_, p, faces_[i], nearest);
+  }
+
+private:
+  struct Box
+  {
+    Vector low{{infinity(), infinity(), infinity()}}, high{{-infinity(), -infinity(), -infinity()}};
+
+    static double infinity() { return (std::numeric_limits<double>::infinity)(); }
+    void add(const Vector& p)
+    {
+      for (int i = 0; i < 3; ++i) {
+        low[i] = (std::min)(low[i], p[i]);
+        high[i] = (std::max)(high[i], p[i]);
+      }
+    }
+    double squared_distance(const Vector& p) const
+    {
+      double sum = 0;
+      for (int i = 0; i < 3; ++i) {
+        const double d = (std::max)((std::max)(low[i] - p[i], p[i] - high[i]), 0.);
+        sum += d * d;
+      }
+      return sum;
+    }
+  };
+
+  struct Node
+  {
+    Box box;
+    Index left = NONE, right = NONE, group = NONE;
+  };
+
+  Index build(std::vector<Index>& groups, std::size_t begin, std::size_t end)
+  {
+    const Index number = Index(node_.size());
+    node_.emplace_back();
+    Box box, centers;
+    for (std::size_t i = begin; i < end; ++i) {
+      box.add(box_[groups[i]].low);
+      box.add(box_[groups[i]].high);
+      centers.add(center(groups[i]));
+    }
+    node_[number].box = box;
+    if (end - begin == 1) {
+      node_[number].group = groups[begin];
+      return number;
+    }
+    int axis = 0;
+    for (int i = 1; i < 3; ++i)
+      if (centers.high[i] - centers.low[i] > centers.high[axis] - centers.low[axis])
+        axis = i;
+    const std::size_t middle = begin + (end - begin) / 2;
+    std::nth_element(groups.begin() + begin, groups.begin() + middle, groups.begin() + end, [&](Index x, Index y) {
+      const double a = center(x)[axis], b = center(y)[axis];
+      return a < b || (a == b && x < y);
+    });
+    const Index left = build(groups, begin, middle), right = build(groups, middle, end);
+    node_[number].left = left;
+    node_[number].right = right;
+    return number;
+  }
+
+  Vector center(Index group) const { return 0.5 * (box_[group].low + box_[group].high); }
+
+  const Flat_mesh& mesh_;
+  std::vector<Index> first_, faces_;
+  std::vector<Box> box_; // of each group
+  std::vector<Node> node_;
+};
+
+// Coordinates of a point of a face, one for each corner in the order of the corners: barycentric ones in a triangle. In a
+// polygon they are mean value coordinates, in the plane it spans, if these are not negative, as in every convex polygon; if
+// they are, or if the polygon is bent so that they would give another point, they are those in the triangle of the fan.
+inline std::vector<double> coordinates_in_face(const Flat_mesh& m, const Nearest_point& nearest, const Vector& normal)
+{
+  const Index begin = m.first_corner[nearest.face], degree = m.degree(nearest.face);
+  std::vector<double> fan(degree, 0);
+  const Index corners[3] = {0, nearest.corner - begin, nearest.corner + 1 - begin};
+  Vector p{{0, 0, 0}};
+  for (int i = 0; i < 3; ++i) {
+    fan[corners[i]] += nearest.barycentric[i];
+    p = p + nearest.barycentric[i] * m.points[m.corner_vertex[begin + corners[i]]];
+  }
+  const double normal_length = std::sqrt(dot(normal, normal));
+  if (degree == 3 || !(normal_length > 0))
+    return fan;
+  // With r_i the distance of corner i and t_i the tangent of half the angle under which side i is seen, the weight of corner
+  // i is (t_{i-1} + t_i) / r_i.
+  std::vector<Vector> to_corner(degree);
+  std::vector<double> r(degree), tangent(degree), weight(degree);
+  double extent = 0;
+  for (Index i = 0; i < degree; ++i) {
+    to_corner[i] = m.points[m.corner_vertex[begin + i]] - p;
+    r[i] = std::sqrt(dot(to_corner[i], to_corner[i]));
+    extent = (std::max)(extent, r[i]);
+  }
+  for (Index i = 0; i < degree; ++i) {
+    const Index j = (i + 1) % degree;
+    const double sine = dot(cross(to_corner[i], to_corner[j]), normal) / normal_length;
+    const double cosine = dot(to_corner[i], to_corner[j]);
+    // On a side or a corner the fan's coordinates are the same.
+    if (r[i] * r[j] + cosine <= 1e-12 * extent * extent)
+      return fan;
+    tangent[i] = sine / (r[i] * r[j] + cosine);
+  }
+  double sum = 0;
+  for (Index i = 0; i < degree; ++i) {
+    if (!(r[i] > 1e-12 * extent))
+      return fan;
+    weight[i] = (tangent[(i + degree - 1) % degree] + tangent[i]) / r[i];
+    if (!(weight[i] >= 0))
+      return fan;
+    sum += weight[i];
+  }
+  Vector offset{{0, 0, 0}};
+  for (Index i = 0; i < degree; ++i) {
+    weight[i] /= sum;
+    offset = offset + weight[i] * to_corner[i];
+  }
+  return dot(offset, offset) <= 1e-24 * extent * extent ? weight : fan;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_NEAREST_POINT_SEARCH_H

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_TRANSFER_PROPERTIES_H
+#define CGAL_SURFACE_MESH_COARSENING_TRANSFER_PROPERTIES_H
+
+#include <CGAL/Surface_mesh_coarsening/Property_transfer.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+template <class... Types>
+struct Type_list
+{};
+
+// The property maps of a `Surface_mesh`, carried over one by one by their names.
+template <class P, class Q>
+class Surface_mesh_transfer
+{
+  typedef Surface_mesh<P> Mesh;
+  typedef Surface_mesh<Q> Coarse;
+  typedef Type_list<double, float, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t,
+                    std::int64_t, std::uint64_t, bool, std::size_t, char, std::string, CGAL::IO::Color,
+                    std::array<double, 2>, std::array<double, 3>, std::array<double, 4>, std::array<float, 2>,
+                    std::array<float, 3>, std::array<float, 4>>
+    Common_types;
+
+public:
+  typedef std::map<std::string, Transfer_policy> Policies;
+
+  template <class FaceClusterMap, class NamedParameters1, class NamedParameters2>
+  Surface_mesh_transfer(const Mesh& mesh, const FaceClusterMap& clusters, Coarse& coarse, const Policies& policies,
+                        const NamedParameters1& np1, const NamedParameters2& np2)
+    : mesh_(mesh), coarse_(coarse), policies_(policies), transfer_(mesh, clusters, coarse, np1, np2)
+  {}
+
+  // Returns the names of what is of none of the types.
+  std::vector<std::string> run()
+  {
+    check();
+    run_all<typename Mesh::Vertex_index>([this](auto from, auto to, Transfer_policy policy) {
+      transfer_.transfer_vertex_property(from, to, policy);
+    });
+    run_all<typename Mesh::Face_index>([this](auto from, auto to, Transfer_policy policy) {
+      transfer_.transfer_face_property(from, to, policy);
+    });
+    run_all<typename Mesh::Edge_index>([this](auto from, auto to, Transfer_policy) {
+      transfer_.transfer_edge_property(from, to);
+    });
+    run_all<typename Mesh::Halfedge_index>([this](auto from, auto to, Transfer_policy) {
+      transfer_.transfer_corner_property(from, to);
+    });
+    return left_;
+  }
+
+private:
+  // Throws what there is to throw before the coarse mesh changes.
+  void check()
+  {
+    const auto nothing = [](auto, auto, Transfer_policy) {};
+    is_check_ = true;
+    run_all<typename Mesh::Vertex_index>(nothing);
+    run_all<typename Mesh::Face_index>(nothing);
+    run_all<typename Mesh::Edge_index>(nothing);
+    run_all<typename Mesh::Halfedge_index>(nothing);
+    left_.clear();
+    is_check_ = false;
+  }
+
+  static bool is_of_mesh(const std::string& name)
+  {
+    const std::string rest = name.substr((std::min)(name.size(), std::size_t(2)));
+    return rest == "connectivity" || rest == "removed" || name == "v:point";
+  }
+
+  template <class Element, class Transfer>
+  void run_all(const Transfer& transfer)
+  {
+    typedef typename Kernel_traits<P>::Kernel Kernel;
+    typedef Type_list<typename Kernel::Point_2, typename Kernel::Point_3, typename Kernel::Vector_2,
+                      typename Kernel::Vector_3>
+      Kernel_types;
+    for (const std::string& name : mesh_.template properties<Element>())
+      if (!is_of_mesh(name) && !run_as<Element>(name, transfer, Common_types()) &&
+          !run_as<Element>(name, transfer, Kernel_types()))
+        left_.push_back(name);
+  }
+
+  template <class Element, class Transfer, class... Types>
+  bool run_as(const std::string& name, const Transfer& transfer, Type_list<Types...>)
+  {
+    return (run_one<Element, Types>(name, transfer) || ...);
+  }
+
+  template <class Element, class Type, class Transfer>
+  bool run_one(const std::string& name, const Transfer& transfer)
+  {
+    typename Mesh::template Property_map<Element, Type> from;
+    if (!find(mesh_, name, from))
+      return false;
+    const auto given = policies_.find(name);
+    const Transfer_policy usual = has_means<Type> && !std::is_integral<Type>::value ? Transfer_policy::INTERPOLATED
+                                                                                     : Transfer_policy::MAJORITY;
+    const Transfer_policy policy = given == policies_.end() ? usual : given->second;
+    if (is_check_)
+      check_one<Element, Type>(name, policy);
+    else
+      transfer(from, coarse_.template add_property_map<Element, Type>(name).first, policy);
+    return true;
+  }
+
+  template <class Element, class Type>
+  void check_one(const std::string& name, Transfer_policy policy) const
+  {
+    if (policy == Transfer_policy::CONSERVATIVE && !has_means<Type>)
+      throw Invalid_input("the values of '" + name + "' have no means and cannot be transferred conservatively");
+    const std::vector<std::string> names = coarse_.template properties<Element>();
+    typename Coarse::template Property_map<Element, Type> to;
+    if (std::find(names.begin(), names.end(), name) != names.end() && !find(coarse_, name, to))
+      throw Invalid_input("the coarse mesh has values '" + name + "' of another type");
+  }
+
+  template <class SurfaceMesh, class Map>
+  static bool find(const SurfaceMesh& mesh, const std::string& name, Map& map)
+  {
+    typedef typename Map::key_type Element;
+    typedef typename Map::value_type Type;
+    const auto found = mesh.template property_map<Element, Type>(name);
+    if constexpr (std::is_same<std::decay_t<decltype(found)>, std::pair<Map, bool> >::value) {
+      map = found.first;
+      return found.second;
+    } else { // from CGAL 6 on
+      if (found)
+        map = *found;
+      return bool(found);
+    }
+  }
+
+  const Mesh& mesh_;
+  Coarse& coarse_;
+  const Policies& policies_;
+  Property_transfer<Mesh, Coarse> transfer_;
+  std::vector<std::string> left_;
+  bool is_check_ = false;
+};
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// carries all property maps of a `CGAL::Surface_mesh` over to its coarse mesh, which gets property maps of the same names and
+/// types. Those that it has already are overwritten.
+///
+/// Types known are the numbers, `bool`, `std::string`, `CGAL::IO::Color`, `std::array` of 2, 3 or 4 `float` or `double`, and the
+/// points and vectors of the kernel in two and three dimensions. Numbers with fractions, colors, points, vectors and arrays
+/// are interpolated if `policies` does not say otherwise; whole numbers, `bool` and strings go by majority. Values of edges and
+/// halfedges are carried over as `Property_transfer` describes it, seams being where the values of halfedges say so. Points
+/// are not carried over; neither are properties whose names begin with `v:connectivity` and the like, which belong to the mesh.
+///
+/// \tparam P a point type
+/// \tparam Q a point type
+/// \tparam FaceClusterMap a model of `ReadablePropertyMap` with the faces as keys and an integral value type
+/// \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param mesh the input of `coarsen_mesh()`
+/// \param clusters the `face_cluster_map` that it wrote
+/// \param coarse its output
+/// \param policies the policies of properties of vertices and faces, by name
+/// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of `mesh`
+/// \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
+/// `coarse`
+///
+/// \return the names of the property maps whose type is not known, which are left out.
+/// \throws Invalid_input as the constructor of `Property_transfer` does, before `coarse` changes, and if values without means
+/// are to be transferred conservatively.
+template <class P, class Q, class FaceClusterMap, class NamedParameters1 = parameters::Default_named_parameters,
+          class NamedParameters2 = parameters::Default_named_parameters>
+std::vector<std::string> transfer_properties(const Surface_mesh<P>& mesh, const FaceClusterMap& clusters,
+                                             Surface_mesh<Q>& coarse,
+                                             const std::map<std::string, Transfer_policy>& policies = {},
+                                             const NamedParameters1& np1 = parameters::default_values(),
+                                             const NamedParameters2& np2 = parameters::default_values())
+{
+  return internal::Surface_mesh_transfer<P, Q>(mesh, clusters, coarse, policies, np1, np2).run();
+}
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_TRANSFER_PROPERTIES_H

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Results within a distance: the bound holds, and is at most what was asked for.
+
+#define BOOST_TEST_MODULE distance
+#include "support/face_graphs.h"
+#include "support/generate_meshes.h"
+
+#include <CGAL/Surface_mesh_coarsening/Surface_location.h>
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh_to_distance.h>
+#include <CGAL/Surface_mesh_coarsening/is_valid_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <vector>
+
+namespace SMC = CGAL::Surface_mesh_coarsening;
+using test::Mesh;
+
+BOOST_AUTO_TEST_CASE(bounds_hold)
+{
+  using namespace generated;
+  const Soup torus = with_noise(generated::torus(40, 30), 0.01);
+  const std::vector<Soup> soups = {triangle_sphere(5), torus, triangulated(torus), with_holes(triangle_sphere(5), 3),
+                                   with_noise(triangulated(grid(30, 20)), 0.05)};
+  for (const Soup& soup : soups) {
+    Mesh mesh = test::to_mesh(soup);
+    const auto cluster = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:cluster").first;
+    Mesh first;
+    const double diagonal = SMC::measure_coarsening(mesh, mesh, 10).diagonal;
+    std::size_t last = 0;
+    for (const double part : {0.05, 0.02}) {
+      Mesh output;
+      const SMC::Distance_report report =
+        SMC::coarsen_mesh_to_distance(mesh, part * diagonal, output, SMC::parameters::face_cluster_map(cluster));
+      BOOST_CHECK_EQUAL(report.vertices, output.number_of_vertices());
+      BOOST_CHECK(CGAL::is_valid_polygon_mesh(output));
+      BOOST_CHECK(SMC::is_valid_clustering(mesh, cluster));
+      BOOST_CHECK_LE(report.distance_bound, part * diagonal);
+      BOOST_CHECK_LE(SMC::measure_coarsening(mesh, output, 20000).maximum_distance, report.distance_bound);
+      BOOST_CHECK_GE(report.vertices, last);
+      BOOST_CHECK_LT(report.vertices, mesh.number_of_vertices());
+      last = report.vertices;
+      for (const auto f : mesh.faces())
+        BOOST_REQUIRE_LT(cluster[f], report.vertices);
+      Mesh again;
+      SMC::coarsen_mesh_to_distance(mesh, part * diagonal, again);
+      BOOST_CHECK(test::to_soup(again).points == test::to_soup(output).points);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(distances_out_of_reach_are_refused)
+{
+  const Mesh mesh = test::to_mesh(generated::triangle_sphere(3));
+  Mesh output = test::to_mesh(generated::tetrahedron());
+  for (const double wrong : {0., -1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    BOOST_CHECK_THROW(SMC::coarsen_mesh_to_distance(mesh, wrong, output), SMC::Invalid_input);
+  try {
+    SMC::coarsen_mesh_to_distance(mesh, 1e-9, output);
+    BOOST_ERROR("no exception");
+  } catch (const SMC::Unreachable_distance& e) {
+    BOOST_CHECK_GT(e.nearest(), 1e-9);
+    BOOST_CHECK_LT(e.nearest(), 0.1);
+  }
+  BOOST_CHECK_EQUAL(output.number_of_vertices(), 4u);
+}
+
+BOOST_AUTO_TEST_CASE(a_plane_needs_what_its_topology_needs)
+{
+  const Mesh mesh = test::to_mesh(generated::triangulated(generated::grid(30, 30)));
+  Mesh output;
+  const auto source = output.add_property_map<Mesh::Vertex_index, SMC::Surface_location<Mesh> >("v:source").first;
+  const SMC::Distance_report report = SMC::coarsen_mesh_to_distance(mesh, 40., output, SMC::parameters::default_values(),
+                                                                    SMC::parameters::vertex_source_map(source));
+  BOOST_CHECK_LE(report.vertices, 4u);
+  for (const auto v : output.vertices())
+    BOOST_CHECK(mesh.is_valid(source[v].face));
+}

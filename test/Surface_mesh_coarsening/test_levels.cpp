@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Levels of detail: each is valid and a union of clusters of the finer ones, and what is stored gives the triangles of each.
+
+#define BOOST_TEST_MODULE levels
+#include "support/face_graphs.h"
+#include "support/generate_meshes.h"
+
+#include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
+#include <CGAL/Surface_mesh_coarsening/extract_dual_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/is_valid_clustering.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace SMC = CGAL::Surface_mesh_coarsening;
+using test::Mesh;
+
+namespace {
+
+typedef SMC::Mwcvd_clustering<Mesh> Clustering;
+typedef SMC::Cluster_levels<Clustering> Levels;
+typedef std::array<std::size_t, 3> Triangle;
+
+std::set<Triangle> normalized(std::vector<Triangle> triangles)
+{
+  for (Triangle& t : triangles)
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  return std::set<Triangle>(triangles.begin(), triangles.end());
+}
+
+std::set<Triangle> triangles_of(const Mesh& mesh)
+{
+  std::vector<Triangle> triangles;
+  for (const auto f : mesh.faces()) {
+    Triangle t;
+    std::size_t i = 0;
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      t[i++] = std::size_t(v);
+    triangles.push_back(t);
+  }
+  return normalized(triangles);
+}
+
+std::vector<generated::Soup> surfaces()
+{
+  using namespace generated;
+  const Soup torus = with_noise(generated::torus(30, 20), 0.05);
+  return {triangulated(torus),
+          torus,
+          triangle_sphere(4),
+          with_noise(triangulated(grid(24, 18)), 0.1),
+          with_holes(triangle_sphere(4), 5),
+          plate_with_windows(3, 3),
+          joined(triangulated(torus), translated(tube(24, 12), 5, 0, 0)),
+          dual(triangulated(torus))};
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(each_level_is_valid_and_a_union_of_finer_clusters)
+{
+  for (const generated::Soup& soup : surfaces()) {
+    const Mesh mesh = test::to_mesh(soup);
+    Mesh finest;
+    Clustering clustering(mesh, SMC::parameters::repair_output(false));
+    clustering.seed(mesh.number_of_vertices() / 3);
+    clustering.grow();
+    clustering.minimize();
+    clustering.extract_dual_mesh(finest);
+    const Levels levels(clustering);
+    BOOST_REQUIRE_EQUAL(levels.finest(), clustering.number_of_clusters());
+    BOOST_REQUIRE_LT(levels.coarsest(), 40u);
+    Mesh copy = mesh;
+    auto label = copy.add_property_map<Mesh::Face_index, std::size_t>("f:label").first;
+    auto fine = copy.add_property_map<Mesh::Face_index, std::size_t>("f:fine").first;
+    levels.write_clusters(levels.finest(), fine);
+    std::size_t last = levels.finest();
+    for (std::size_t n = levels.finest(); n >= levels.coarsest(); n = n > levels.coarsest() + 40 ? n * 4 / 5 : n - 1) {
+      levels.write_clusters(n, label);
+      BOOST_REQUIRE_EQUAL(SMC::clustering_fault(mesh, label), "");
+      std::set<std::size_t> names;
+      for (const auto f : mesh.faces())
+        names.insert(label[f]);
+      BOOST_REQUIRE_EQUAL(names.size(), n);
+      BOOST_REQUIRE_EQUAL(*names.rbegin(), n - 1);
+      std::vector<std::size_t> parents;
+      levels.parents(last, n, std::back_inserter(parents));
+      BOOST_REQUIRE_EQUAL(parents.size(), last);
+      for (const auto f : mesh.faces())
+        BOOST_REQUIRE_EQUAL(label[f], parents[fine[f]]);
+      for (const auto f : mesh.faces())
+        fine[f] = label[f];
+      last = n;
+
+      std::vector<Triangle> triangles;
+      Mesh output, from_labels;
+      levels.triangles(n, std::back_inserter(triangles));
+      levels.extract_dual_mesh(n, output);
+      SMC::extract_dual_mesh(mesh, label, from_labels, SMC::parameters::repair_output(false));
+      BOOST_REQUIRE(CGAL::is_valid_polygon_mesh(output));
+      BOOST_REQUIRE_EQUAL(output.number_of_vertices(), n);
+      BOOST_REQUIRE(normalized(triangles) == triangles_of(output));
+      BOOST_REQUIRE(normalized(triangles) == triangles_of(from_labels));
+      const auto euler = [](const Mesh& m) {
+        return long(m.number_of_vertices()) - long(m.number_of_edges()) + long(m.number_of_faces());
+      };
+      BOOST_REQUIRE_EQUAL(euler(output), euler(finest));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(parents_have_smaller_numbers_and_levels_out_of_range_are_refused)
+{
+  const Mesh mesh = test::to_mesh(generated::triangle_sphere(4));
+  Clustering clustering(mesh);
+  BOOST_CHECK_THROW(Levels{clustering}, std::logic_error);
+  clustering.seed(100);
+  clustering.grow();
+  const Levels levels(clustering);
+  BOOST_CHECK_EQUAL(levels.coarsest(), 4u);
+  for (std::size_t k = levels.coarsest(); k < levels.finest(); ++k)
+    BOOST_CHECK_LT(levels.parent(k), k);
+  BOOST_CHECK_THROW(levels.parent(3), SMC::Invalid_input);
+  BOOST_CHECK_THROW(levels.parent(100), SMC::Invalid_input);
+  Mesh output = test::to_mesh(generated::tetrahedron());
+  for (const std::size_t wrong : {3, 101}) {
+    try {
+      levels.extract_dual_mesh(wrong, output);
+      BOOST_ERROR("no exception");
+    } catch (const SMC::Unreachable_number_of_vertices& e) {
+      BOOST_CHECK_EQUAL(e.nearest(), wrong == 3 ? 4 : 100);
+    }
+  }
+  std::vector<std::size_t> parents;
+  BOOST_CHECK_THROW(levels.parents(50, 60, std::back_inserter(parents)), SMC::Invalid_input);
+  BOOST_CHECK_EQUAL(output.number_of_vertices(), 4u);
+}
+
+BOOST_AUTO_TEST_CASE(other_face_graphs_and_components_that_are_left_out)
+{
+  typedef CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel> Polyhedron;
+  Polyhedron mesh, output;
+  test::to_face_graph(generated::joined(generated::triangle_sphere(3), generated::translated(generated::scaled(generated::tetrahedron(), 0.1), 9, 0, 0)),
+                      mesh);
+  SMC::Mwcvd_clustering<Polyhedron> clustering(mesh, SMC::parameters::minimum_component_area(10.));
+  clustering.seed(60);
+  clustering.grow();
+  clustering.minimize();
+  const SMC::Cluster_levels<SMC::Mwcvd_clustering<Polyhedron> > levels(clustering);
+  levels.extract_dual_mesh(20, output);
+  BOOST_CHECK_EQUAL(output.size_of_vertices(), 20u);
+  std::map<boost::graph_traits<Polyhedron>::face_descriptor, std::size_t> clusters;
+  levels.write_clusters(20, boost::make_assoc_property_map(clusters));
+  BOOST_CHECK_EQUAL(std::count_if(clusters.begin(), clusters.end(), [](const auto& c) { return c.second == 20; }), 4);
+}
