@@ -43,8 +43,9 @@ public:
   };
 
   /// \cond SKIP_IN_MANUAL
-  Clustered_surface(const internal::Clustering_input& input, const internal::Cluster_labels& labels, std::size_t clusters)
-    : input_(input), labels_(labels), first_(clusters + 1, 0), faces_(input.mesh.number_of_faces())
+  Clustered_surface(const internal::Clustering_input& input, const internal::Cluster_labels& labels, std::size_t clusters,
+                    internal::Execution execution = internal::Execution::SEQUENTIAL)
+    : input_(input), labels_(labels), execution_(execution), first_(clusters + 1, 0), faces_(input.mesh.number_of_faces())
   {
     for (const internal::Index x : labels.labels())
       ++first_[x + 1];
@@ -56,6 +57,7 @@ public:
   }
   const internal::Clustering_input& input() const { return input_; }
   const internal::Cluster_labels& labels() const { return labels_; }
+  internal::Execution execution() const { return execution_; }
   /// \endcond
 
   /// returns the number of clusters.
@@ -99,6 +101,7 @@ public:
 private:
   const internal::Clustering_input& input_;
   const internal::Cluster_labels& labels_;
+  const internal::Execution execution_;
   std::vector<std::uint32_t> first_, faces_;
 };
 

@@ -75,7 +75,7 @@ public:
     visitor_.stage_begins(Coarsening_stage::PREPARATION);
     const internal::Checkpoint checkpoint(visitor_);
     numbering_ = internal::numbering(mesh, np, checkpoint);
-    input_ = internal::clustering_input(mesh, np, numbering_, frame_, checkpoint);
+    input_ = internal::clustering_input(mesh, np, numbering_, frame_, checkpoint, execution_);
     subdivide_ = internal::choose_parameter(internal::get_parameter(np, internal_np::subdivide_input_p), false);
     repair_ = internal::choose_parameter(internal::get_parameter(np, internal_np::repair_output_p), true);
     dropped_components_ = internal::drop_small_components(np, frame_, input_, checkpoint);
@@ -273,8 +273,8 @@ public:
   {
     visitor_.stage_begins(Coarsening_stage::TRIANGULATION);
     const internal::Checkpoint checkpoint(visitor_);
-    const Clustered_surface surface(working_input(), labels(), report_.clusters);
-    std::vector<internal::Triangle> triangles = internal::dual_triangles(labels(), checkpoint);
+    const Clustered_surface surface(working_input(), labels(), report_.clusters, execution_);
+    std::vector<internal::Triangle> triangles = internal::dual_triangles(labels(), checkpoint, execution_);
     internal::Repair_counts counts;
     const std::vector<internal::Vector> positions = internal::place_vertices(
       surface, placement, repair_,

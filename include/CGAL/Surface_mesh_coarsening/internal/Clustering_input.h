@@ -32,7 +32,10 @@ struct Clustering_input
   }
   Index parent_of(Index f) const { return parent.empty() ? f : parent[f]; }
 
-  void complete(const Checkpoint& checkpoint = Checkpoint()) { measure(checkpoint); }
+  void complete(const Checkpoint& checkpoint = Checkpoint(), Execution execution = Execution::SEQUENTIAL)
+  {
+    measure(checkpoint, execution);
+  }
 
   // Cuts the faces of the chosen components into one piece per corner.
   void subdivide(const std::vector<bool>& chosen_component, const Checkpoint& checkpoint = Checkpoint())
@@ -101,13 +104,10 @@ private:
     measure(checkpoint);
   }
 
-  void measure(const Checkpoint& checkpoint)
+  void measure(const Checkpoint& checkpoint, Execution execution = Execution::SEQUENTIAL)
   {
     area.resize(mesh.number_of_faces());
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-      checkpoint.pass();
-      area[f] = face_area(mesh, Index(f));
-    }
+    for_each_number(execution, area.size(), checkpoint, [this](Index f) { area[f] = face_area(mesh, f); });
   }
 };
 

@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/parallel.h>
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,6 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-typedef std::uint32_t Index;
 constexpr Index NONE = (std::numeric_limits<Index>::max)();
 
 typedef std::array<double, 3> Vector;
@@ -149,33 +149,48 @@ struct Flat_mesh
 class Flat_mesh_topology
 {
 public:
-  static void complete(Flat_mesh& m, std::size_t number_of_vertices, const Checkpoint& checkpoint = Checkpoint())
+  static void complete(Flat_mesh& m, std::size_t number_of_vertices, const Checkpoint& checkpoint = Checkpoint(),
+                       Execution execution = Execution::SEQUENTIAL)
   {
-    check_faces(m, checkpoint);
+    check_faces(m, checkpoint, execution);
     count_stars(m, number_of_vertices);
     std::vector<Index> start = first_corners_of_stars(m, number_of_vertices, checkpoint);
-    for (std::size_t v = 0; v < number_of_vertices; ++v)
-      walk_star(m, Index(v), start[v], checkpoint);
+    const std::size_t wrong = first_of(execution, number_of_vertices, checkpoint,
+                                       [&](Index v) { return !walk_star(m, v, start[v]); });
+    if (wrong < number_of_vertices)
+      throw Invalid_input("vertex " + std::to_string(wrong) +
+                          " is not a manifold vertex: the faces around it form more than one fan");
     number_components(m, checkpoint);
     number_loops(m, checkpoint);
   }
 
 private:
-  static void check_faces(const Flat_mesh& m, const Checkpoint& checkpoint)
+  static void check_faces(const Flat_mesh& m, const Checkpoint& checkpoint, Execution execution)
   {
-    for (std::size_t f = 0; f < m.number_of_faces(); ++f) {
-      checkpoint.pass();
-      const Index begin = m.first_corner[f], end = m.first_corner[f + 1];
-      if (end - begin < 3)
-        throw Invalid_input("face " + std::to_string(f) + " has " + std::to_string(end - begin) + " sides");
-      for (Index c = begin; c != end; ++c)
-        if (m.face_across[c] == f)
-          throw Invalid_input("face " + std::to_string(f) + " is its own neighbor across an edge");
-      check_distinct_vertices(m, Index(f));
-    }
+    const std::size_t wrong = first_of(execution, m.number_of_faces(), checkpoint, [&](Index f) {
+      return m.degree(f) < 3 || is_own_neighbor(m, f) || vertex_visited_twice(m, f) != NONE;
+    });
+    if (wrong == m.number_of_faces())
+      return;
+    const Index f = Index(wrong);
+    const std::string name = "face " + std::to_string(f);
+    if (m.degree(f) < 3)
+      throw Invalid_input(name + " has " + std::to_string(m.degree(f)) + " sides");
+    if (is_own_neighbor(m, f))
+      throw Invalid_input(name + " is its own neighbor across an edge");
+    throw Invalid_input(name + " visits vertex " + std::to_string(vertex_visited_twice(m, f)) + " twice");
   }
 
-  static void check_distinct_vertices(const Flat_mesh& m, Index f)
+  static bool is_own_neighbor(const Flat_mesh& m, Index f)
+  {
+    for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
+      if (m.face_across[c] == f)
+        return true;
+    return false;
+  }
+
+  // NONE if there is none.
+  static Index vertex_visited_twice(const Flat_mesh& m, Index f)
   {
     const auto begin = m.corner_vertex.begin() + m.first_corner[f], end = m.corner_vertex.begin() + m.first_corner[f + 1];
     auto twice = end;
@@ -183,17 +198,13 @@ private:
       for (auto i = begin; i != end && twice == end; ++i)
         if (std::find(i + 1, end, *i) != end)
           twice = i;
-      if (twice == end)
-        return;
+      return twice == end ? NONE : *twice;
     } else {
       std::vector<Index> sorted(begin, end);
       std::sort(sorted.begin(), sorted.end());
       const auto pair = std::adjacent_find(sorted.begin(), sorted.end());
-      if (pair == sorted.end())
-        return;
-      twice = std::find(begin, end, *pair);
+      return pair == sorted.end() ? NONE : *std::find(begin, end, *pair);
     }
-    throw Invalid_input("face " + std::to_string(f) + " visits vertex " + std::to_string(*twice) + " twice");
   }
 
   static void count_stars(Flat_mesh& m, std::size_t number_of_vertices)
@@ -229,21 +240,20 @@ private:
     return start;
   }
 
-  static void walk_star(Flat_mesh& m, Index v, Index f, const Checkpoint& checkpoint)
+  // Returns whether the faces around the vertex form one fan, closed or from border to border.
+  static bool walk_star(Flat_mesh& m, Index v, Index f)
   {
     const Index begin = m.first_in_star[v], end = m.first_in_star[v + 1];
     if (begin == end)
-      return;
+      return true;
     const Index first = f;
     Index i = begin;
     do {
-      checkpoint.pass();
       m.star[i++] = f;
       f = m.face_across[m.previous_corner(f, m.corner_of(f, v))];
     } while (f != NONE && f != first && i != end);
     const bool closed = m.loop[v] == NONE;
-    if (i != end || (closed ? f != first : f != NONE))
-      throw Invalid_input("vertex " + std::to_string(v) + " is not a manifold vertex: the faces around it form more than one fan");
+    return i == end && (closed ? f == first : f == NONE);
   }
 
   static void number_components(Flat_mesh& m, const Checkpoint& checkpoint)

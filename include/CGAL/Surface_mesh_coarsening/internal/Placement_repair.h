@@ -39,9 +39,8 @@ public:
   typedef std::function<Vector(const Vector&)> Output_coordinates;
 
   Placement_repair(const Clustered_surface& surface, const Border_arcs& border, const Output_coordinates& output,
-                   std::vector<Triangle>& triangles, std::vector<Vector>& positions, const Checkpoint& checkpoint,
-                   Execution execution = Execution::SEQUENTIAL)
-    : checkpoint_(checkpoint), execution_(execution), surface_(surface), border_(border), output_(output), result_(triangles), positions_(positions),
+                   std::vector<Triangle>& triangles, std::vector<Vector>& positions, const Checkpoint& checkpoint)
+    : checkpoint_(checkpoint), execution_(surface.execution()), surface_(surface), border_(border), output_(output), result_(triangles), positions_(positions),
       coarse_(triangles, positions.size()), reference_(surface)
   {
     points_.reserve(positions.size());
@@ -130,8 +129,13 @@ private:
     for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), points_, execution_))
       if (!is_in_input(pair))
         pairs_.push_back(pair);
-    for (std::size_t t = 0; t < coarse_.triangles().size(); ++t)
-      if (is_reversed(Index(t)))
+    std::vector<char> reversed(coarse_.triangles().size());
+    for_each_chunk(execution_, reversed.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t)
+        reversed[t] = is_reversed(Index(t));
+    });
+    for (std::size_t t = 0; t < reversed.size(); ++t)
+      if (reversed[t])
         reversed_.push_back(Index(t));
   }
 

@@ -27,15 +27,10 @@ public:
   explicit Reference_surface(const Clustered_surface& surface)
     : surface_(surface), input_(surface.input().mesh), normals_(surface.number_of_clusters(), Vector{{0, 0, 0}})
   {
-    for (std::size_t x = 0; x < normals_.size(); ++x) {
-      double area = 0;
-      for (const Index f : surface.faces(x)) {
-        normals_[x] = normals_[x] + vector_area(surface.input().mesh, f);
-        area += surface.area(f);
-      }
-      if (area > 0)
-        normals_[x] = (1 / area) * normals_[x];
-    }
+    for_each_chunk(surface.execution(), normals_.size(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t x = begin; x < end; ++x)
+        normals_[x] = mean_normal(x);
+    });
   }
 
   // The mean normal of the faces of a cluster, the shorter the more they are bent.
@@ -98,6 +93,17 @@ public:
   }
 
 private:
+  Vector mean_normal(std::size_t cluster) const
+  {
+    Vector sum{{0, 0, 0}};
+    double area = 0;
+    for (const Index f : surface_.faces(cluster)) {
+      sum = sum + vector_area(surface_.input().mesh, f);
+      area += surface_.area(f);
+    }
+    return area > 0 ? (1 / area) * sum : sum;
+  }
+
   struct Ball
   {
     Vector center;

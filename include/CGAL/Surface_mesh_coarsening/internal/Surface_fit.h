@@ -29,7 +29,7 @@ class Surface_fit
 public:
   Surface_fit(const Clustered_surface& surface, const Border_arcs& border, Coarse_surface& coarse,
               std::vector<Vector>& positions)
-    : input_(surface.input().mesh), border_(border), coarse_(coarse), positions_(positions),
+    : input_(surface.input().mesh), execution_(surface.execution()), border_(border), coarse_(coarse), positions_(positions),
       of_triangle_(coarse.triangles().size()), back_(coarse.triangles().size())
   {
     const std::vector<Input_point> points = input_.samples(samples_per_triangle * of_triangle_.size(), area_);
@@ -44,12 +44,16 @@ public:
   {
     for (std::vector<Index>& list : of_triangle_)
       list.clear();
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-      find_foot(samples_[i]);
+    for_each_chunk(execution_, samples_.size(), 256, [this](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        find_foot(samples_[i]);
+    });
+    for (std::size_t i = 0; i < samples_.size(); ++i)
       of_triangle_[samples_[i].triangle].push_back(Index(i));
-    }
-    for (std::size_t t = 0; t < back_.size(); ++t)
-      back_[t] = feet_of(coarse_.triangles()[t], lists_around(Index(t)), most_steps);
+    for_each_chunk(execution_, back_.size(), 64, [this](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t)
+        back_[t] = feet_of(coarse_.triangles()[t], lists_around(Index(t)), most_steps);
+    });
   }
 
   // Moves the vertices, but for those on the border, to where the sum of the squared distances is smallest as far as it can
@@ -367,6 +371,7 @@ private:
   }
 
   Input_surface input_;
+  Execution execution_;
   const Border_arcs& border_;
   Coarse_surface& coarse_;
   std::vector<Vector>& positions_;

@@ -18,32 +18,42 @@ namespace internal {
 
 typedef std::array<Index, 3> Triangle;
 
-// Calls `visit(v, clusters)` for each vertex where three clusters or more meet, with them in counterclockwise order.
+// Calls `visit(v, clusters)` for each vertex from `begin` to `end` where three clusters or more meet, with them in
+// counterclockwise order.
 template <class Visit>
-void for_each_meeting_point(const Cluster_labels& labels, const Visit& visit, const Checkpoint& checkpoint = Checkpoint())
+void for_each_meeting_point(const Cluster_labels& labels, Index begin, Index end, const Visit& visit)
 {
   std::vector<Index> runs;
-  for (std::size_t v = 0; v < labels.mesh().number_of_vertices(); ++v) {
-    checkpoint.pass();
-    if (labels.boundary_count(Index(v)) < 3)
+  for (Index v = begin; v != end; ++v) {
+    if (labels.boundary_count(v) < 3)
       continue;
-    runs_around(labels, Index(v), runs);
+    runs_around(labels, v, runs);
     if (Cluster_labels::is_beyond_border(runs.back()))
       runs.pop_back();
     if (runs.size() > 2)
-      visit(Index(v), runs);
+      visit(v, runs);
   }
 }
 
 // Section 8.3 of the paper: a triangle of cluster numbers for each vertex where three clusters meet, a fan of them where
 // more do, in the orientation of the mesh.
-inline std::vector<Triangle> dual_triangles(const Cluster_labels& labels, const Checkpoint& checkpoint = Checkpoint())
+inline std::vector<Triangle> dual_triangles(const Cluster_labels& labels, const Checkpoint& checkpoint = Checkpoint(),
+                                            Execution execution = Execution::SEQUENTIAL)
 {
+  constexpr std::size_t chunk = 4096;
+  const std::size_t vertices = labels.mesh().number_of_vertices();
+  std::vector<std::vector<Triangle> > parts((vertices + chunk - 1) / chunk);
+  for_each_chunk(execution, vertices, chunk, checkpoint, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    for_each_meeting_point(labels, Index(begin), Index(end), [&](Index, const std::vector<Index>& runs) {
+      for (std::size_t i = 2; i < runs.size(); ++i)
+        parts[part].push_back({runs[0], runs[i - 1], runs[i]});
+    });
+  });
   std::vector<Triangle> triangles;
-  for_each_meeting_point(labels, [&](Index, const std::vector<Index>& runs) {
-    for (std::size_t i = 2; i < runs.size(); ++i)
-      triangles.push_back({runs[0], runs[i - 1], runs[i]});
-  }, checkpoint);
+  for (std::vector<Triangle>& part : parts) {
+    triangles.insert(triangles.end(), part.begin(), part.end());
+    part = std::vector<Triangle>();
+  }
   return triangles;
 }
 
@@ -57,11 +67,11 @@ public:
 
   std::vector<Triangle> triangles()
   {
-    for_each_meeting_point(labels_, [&](Index, const std::vector<Index>& runs) {
+    for_each_meeting_point(labels_, 0, Index(labels_.mesh().number_of_vertices()), [&](Index, const std::vector<Index>& runs) {
       for (std::size_t i = 0; i < runs.size(); ++i)
         edges_.insert(key(runs[i], runs[(i + 1) % runs.size()]));
     });
-    for_each_meeting_point(labels_, [&](Index v, const std::vector<Index>& runs) { add_fan(v, runs); });
+    for_each_meeting_point(labels_, 0, Index(labels_.mesh().number_of_vertices()), [&](Index v, const std::vector<Index>& runs) { add_fan(v, runs); });
     check_edges();
     return triangles_;
   }

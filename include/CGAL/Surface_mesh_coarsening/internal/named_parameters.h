@@ -42,11 +42,11 @@ Numbering<FaceGraph> numbering(const FaceGraph& mesh, const NamedParameters& np,
 
 template <class FaceGraph>
 Flat_mesh flat_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n,
-                            const Checkpoint& checkpoint = Checkpoint())
+                            const Checkpoint& checkpoint = Checkpoint(), Execution execution = Execution::SEQUENTIAL)
 {
   Flat_mesh m;
   copy_connectivity(mesh, n, m, checkpoint);
-  Flat_mesh_topology::complete(m, n.vertices.size(), checkpoint);
+  Flat_mesh_topology::complete(m, n.vertices.size(), checkpoint, execution);
   return m;
 }
 
@@ -80,7 +80,8 @@ Density_choice density_choice(const NamedParameters& np)
 // The caller's densities, checked.
 template <class FaceGraph, class DensityMap>
 std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&, const Density_choice&,
-                                 const DensityMap& map, const Checkpoint& checkpoint = Checkpoint())
+                                 const DensityMap& map, const Checkpoint& checkpoint = Checkpoint(),
+                                 Execution = Execution::SEQUENTIAL)
 {
   std::vector<double> densities;
   densities.reserve(n.faces.size());
@@ -99,9 +100,9 @@ std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&
 template <class FaceGraph>
 std::vector<double> densities_of(const Numbering<FaceGraph>&, const Flat_mesh& m, const Density_choice& choice,
                                  const CGAL::internal_np::Param_not_found&,
-                                 const Checkpoint& checkpoint = Checkpoint())
+                                 const Checkpoint& checkpoint = Checkpoint(), Execution execution = Execution::SEQUENTIAL)
 {
-  std::vector<double> densities = mean_normal_deviations(m, checkpoint);
+  std::vector<double> densities = mean_normal_deviations(m, checkpoint, execution);
   const double largest = largest_of(densities);
   if (choice.at_borders)
     Border_deviations(m, checkpoint).raise(densities);
@@ -111,16 +112,16 @@ std::vector<double> densities_of(const Numbering<FaceGraph>&, const Flat_mesh& m
 
 template <class FaceGraph, class NamedParameters>
 Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
-                                  Frame& frame, const Checkpoint& checkpoint)
+                                  Frame& frame, const Checkpoint& checkpoint, Execution execution = Execution::SEQUENTIAL)
 {
   Clustering_input input;
   const Density_choice choice = density_choice(np);
-  input.mesh = flat_connectivity(mesh, n, checkpoint);
+  input.mesh = flat_connectivity(mesh, n, checkpoint, execution);
   if (n.faces.empty())
     throw Invalid_input("the input has no faces");
   frame = copy_points(mesh, np, n, input.mesh, checkpoint);
-  input.density = densities_of(n, input.mesh, choice, get_parameter(np, internal_np::face_density), checkpoint);
-  input.complete(checkpoint);
+  input.density = densities_of(n, input.mesh, choice, get_parameter(np, internal_np::face_density), checkpoint, execution);
+  input.complete(checkpoint, execution);
   return input;
 }
 

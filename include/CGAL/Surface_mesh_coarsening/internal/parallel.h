@@ -12,6 +12,7 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -74,6 +75,21 @@ void for_each_number(Execution execution, std::size_t n, const Checkpoint& check
     for (std::size_t i = begin; i < end; ++i)
       work(Index(i));
   });
+}
+
+// The smallest of the numbers from 0 to `n` of which `is_found` holds; `n` if there is none.
+template <class Predicate>
+std::size_t first_of(Execution execution, std::size_t n, const Checkpoint& checkpoint, const Predicate& is_found)
+{
+  std::atomic<std::size_t> first(n);
+  for_each_number(execution, n, checkpoint, [&](Index i) {
+    if (!is_found(i))
+      return;
+    std::size_t before = first;
+    while (i < before && !first.compare_exchange_weak(before, i))
+      ;
+  });
+  return first;
 }
 
 } // namespace internal

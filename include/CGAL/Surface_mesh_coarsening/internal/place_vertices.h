@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Closest_vertex_placement.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Placement_repair.h>
 #include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
@@ -16,11 +17,20 @@
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
+
+class Quadric_placement;
+
 namespace internal {
 
 template <class Placement>
 constexpr bool is_local_placement =
   std::is_invocable_r<Vector, const Placement&, const Clustered_surface&, std::size_t>::value;
+
+// Placements of the package can be called by several threads at a time; those of others may not be made for it.
+template <class Placement>
+constexpr bool is_own_placement = std::is_same<Placement, Centroid_placement>::value ||
+                                  std::is_same<Placement, Closest_vertex_placement>::value ||
+                                  std::is_same<Placement, Quadric_placement>::value;
 
 // Whether a placement puts vertices at vertices of the input, and repairs have to keep to that.
 template <class Placement>
@@ -35,11 +45,15 @@ std::vector<Vector> place_vertices(const Clustered_surface& surface, const Borde
   std::vector<Vector> positions(surface.number_of_clusters());
   border.place(positions);
   if constexpr (is_local_placement<Placement>) {
-    for (std::size_t x = 0; x < positions.size(); ++x) {
-      checkpoint.pass(surface.faces(x).size());
-      if (!border.is_on_border(x))
-        positions[x] = placement(surface, x);
-    }
+    const Execution execution = is_own_placement<Placement> ? surface.execution() : Execution::SEQUENTIAL;
+    for_each_chunk(execution, positions.size(), 16, checkpoint, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t x = begin; x < end; ++x) {
+        if (execution == Execution::SEQUENTIAL)
+          checkpoint.pass(surface.faces(x).size());
+        if (!border.is_on_border(x))
+          positions[x] = placement(surface, x);
+      }
+    });
     (void)triangles;
   } else {
     placement(surface, border, triangles, positions);
