@@ -24,7 +24,7 @@ _coarsen_mesh()
     --minimum-component-area | --threads) return ;;
     *)
       if [[ $word == -* ]]; then
-        values="--vertices --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --weight --maximum-density --placement --clusters --picture
+        values="--vertices --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --weight --maximum-density --placement --features --clusters --picture
           --view --up --report --repair --fill-holes --minimum-component-area --subdivide --measure --threads --quiet
           --version --help -n -k -w"
       else

@@ -159,8 +159,8 @@ BOOST_AUTO_TEST_CASE(questions)
   const Outcome help = shop.run("--help");
   BOOST_TEST(help.status == 0);
   for (const char* option :
-       {"--vertices", "--neighborhood-level", "--rounds", "--weight", "--maximum-density", "--placement", "--clusters",
-        "--picture", "--view", "--report", "--repair", "--fill-holes", "--minimum-component-area",
+       {"--vertices", "--neighborhood-level", "--rounds", "--weight", "--maximum-density", "--placement", "--features",
+        "--clusters", "--picture", "--view", "--report", "--repair", "--fill-holes", "--minimum-component-area",
         "--subdivide", "--measure", "--threads", "--quiet", "--version", "--help"})
     BOOST_TEST(help.out.find(option) != std::string::npos, option);
   for (const std::string& weight : weights)
@@ -192,6 +192,9 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
                                 "in.off out.off --maximum-density nan",
                                 "in.off out.off --maximum-density 1e400",
                                 "in.off out.off --placement nowhere",
+                                "in.off out.off --features=sharp",
+                                "in.off out.off --features -1",
+                                "in.off out.off --features 181",
                                 "in.off out.off --view 1,2",
                                 "in.off out.off --view 0,0,0",
                                 "in.off out.off --view 1,2,x",
@@ -559,6 +562,28 @@ BOOST_AUTO_TEST_CASE(subdivision)
   BOOST_TEST(report["certificate"]["kept"] == true);
   BOOST_TEST(shop.mesh("out.off").number_of_vertices() == 200u);
   BOOST_TEST(shop.mesh("out.off").number_of_faces() == 396u);
+}
+
+BOOST_AUTO_TEST_CASE(features)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::cube_grid(6));
+  for (const char* arguments : {"in.off out.off -n 40 --report r.json --features", "--features in.off out.off -n 40 --report r.json",
+                                "--features 30 in.off out.off -n 40 --report r.json",
+                                "in.off out.off --features=30 -n 40 --report r.json"}) {
+    shop.run_well(arguments);
+    const Json report = shop.report("r.json");
+    BOOST_TEST(report["parameters"]["features"] == 30);
+    BOOST_TEST(report["clustering"]["feature_lines"] == 12);
+    BOOST_TEST(report["clustering"]["feature_corners"] == 8);
+    BOOST_TEST(report["certificate"]["kept"] == true);
+  }
+  shop.run_well("in.off out.off -n 40 --report r.json");
+  BOOST_TEST(shop.report("r.json")["parameters"]["features"].is_null());
+  BOOST_TEST(shop.report("r.json")["clustering"]["feature_lines"] == 0);
+  const Outcome few = shop.run("in.off out.off -n 7 --features");
+  BOOST_TEST(few.status == 1);
+  BOOST_TEST(few.names("8"), few.err);
 }
 
 BOOST_AUTO_TEST_CASE(measuring)

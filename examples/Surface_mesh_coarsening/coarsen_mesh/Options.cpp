@@ -107,6 +107,9 @@ po::options_description described_options()
     ("maximum-density", text()->value_name("R")->default_value("10"),
      "densities run from 1 on flat parts to R on the sharpest ones, and to 2 R on borders; the weight variance does well with 3")
     ("placement", text()->value_name("P")->default_value(default_placement()), joined(placement_names()).c_str())
+    ("features", text()->value_name("ANGLE")->implicit_value("30"),
+     "keep sharp edges, those at which normals are ANGLE degrees or more apart: they become lines of edges, and their corners "
+     "stay where they are")
     ("clusters", text()->value_name("FILE"), "write the input with a color and a label for each face (.ply)")
     ("picture", text()->value_name("FILE"), "write a picture of the result and of the clusters (.png)")
     ("view", text()->value_name("X,Y,Z"), "direction from which the picture is taken (default 1,0.5,0.8)")
@@ -214,6 +217,11 @@ Options checked_options(const po::variables_map& values)
   options.maximum_density = to_number(density_text).value_or(0);
   if (!(options.maximum_density >= 1 && options.maximum_density <= 1e20))
     throw Wrong_usage("--maximum-density takes a number from 1 to 1e20, not '" + density_text + "'");
+  if (const auto text = given(values, "features")) {
+    options.features = to_number(*text);
+    if (!options.features || !(*options.features >= 0 && *options.features <= 180))
+      throw Wrong_usage("--features takes an angle from 0 to 180 degrees, not '" + *text + "'");
+  }
   options.clusters = given(values, "clusters").value_or("");
   options.picture = given(values, "picture").value_or("");
   options.report = given(values, "report").value_or("");
@@ -234,6 +242,18 @@ Options checked_options(const po::variables_map& values)
   return options;
 }
 
+// The arguments, with the angle of --features, which need not be given, tied to the option if a number follows.
+std::vector<std::string> arguments(int argc, char* argv[])
+{
+  std::vector<std::string> result;
+  for (int i = 1; i < argc; ++i) {
+    result.push_back(argv[i]);
+    if (result.back() == "--features" && i + 1 < argc && to_number(argv[i + 1]))
+      result.back() += std::string("=") + argv[++i];
+  }
+  return result;
+}
+
 } // namespace
 
 std::optional<Options> read_options(int argc, char* argv[])
@@ -246,7 +266,7 @@ std::optional<Options> read_options(int argc, char* argv[])
   po::variables_map values;
   try {
     const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(), values);
+    po::store(po::command_line_parser(arguments(argc, argv)).options(all).positional(positional).style(style).run(), values);
   } catch (const po::error& e) {
     throw Wrong_usage(e.what());
   }

@@ -32,6 +32,7 @@ struct Options
   std::optional<std::size_t> rounds; // as many as it takes when not given
   std::string weight, placement;     // names out of the lists in Choices.h
   double maximum_density = 10;
+  std::optional<double> features; // the angle in degrees from which edges are kept
   std::string clusters, picture, report;
   Vector view = Vector(1, 0.5, 0.8), up = Vector(0, 1, 0);
   double minimum_component_area = 0; // of the mesh's units squared; 0 keeps every component

@@ -136,7 +136,8 @@ std::string run(const Options& options)
   if (findings.fault)
     throw Failure(options.input, "the result is not a valid mesh and is not written: " + *findings.fault);
   findings.certificate = certify(input.mesh, result.labels, result.mesh, result.report.dropped_components,
-                                result.report.subdivided_components == 0);
+                                result.report.subdivided_components == 0 && result.report.feature_lines == 0 &&
+                                  result.report.feature_corners == 0);
   if (options.measure) {
     times.begin("measuring");
     progress.say("measuring");

@@ -130,6 +130,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
                     .number_of_iterations(options.rounds.value_or(default_rounds))
                     .minimum_component_area(options.minimum_component_area)
                     .subdivide_input(options.subdivide)
+                    .feature_angle(options.features.value_or(180))
                     .visitor(std::ref(visitor));
   if (options.maximum_distance) {
     coarsen_to_distance(input, options, np, result);

@@ -60,6 +60,7 @@ Json parameters_of(const Options& options)
   result["weight"] = options.weight;
   result["maximum_density"] = options.maximum_density;
   result["placement"] = options.placement;
+  result["features"] = options.features ? Json(*options.features) : Json();
   result["minimum_component_area"] = options.minimum_component_area;
   result["fill_holes"] = options.fill_holes;
   result["subdivide"] = options.subdivide;
@@ -85,7 +86,9 @@ Json clustering_of(const CGAL::Surface_mesh_coarsening::Coarsening_report& repor
           {"self_intersections_found", report.intersections_found},
           {"self_intersections_left", report.intersections_left},
           {"reversed_triangles_found", report.reversals_found},
-          {"reversed_triangles_left", report.reversals_left}};
+          {"reversed_triangles_left", report.reversals_left},
+          {"feature_lines", report.feature_lines},
+          {"feature_corners", report.feature_corners}};
 }
 
 Json certificate_of(const Certificate& certificate)

@@ -16,12 +16,15 @@ namespace Surface_mesh_coarsening {
 /// cluster lies on its arc, and so the border of the coarse mesh is inscribed in that of the mesh. Where on the arcs the
 /// vertices lie is chosen so that the two borders are as close together as they can be; that is in sharp corners where an arc
 /// has one.
+///
+/// Where features are kept, the parts of feature lines are arcs just like those of the border, and clusters with a feature
+/// corner have their vertex at that corner.
 class Border_arcs
 {
 public:
   /// \cond SKIP_IN_MANUAL
   explicit Border_arcs(const Clustered_surface& surface)
-    : mesh_(surface.input().mesh), labels_(surface.labels()), place_of_(surface.number_of_clusters(), internal::NONE)
+    : mesh_(surface.input().mesh), labels_(surface.labels()), features_(surface.features()), place_of_(surface.number_of_clusters(), internal::NONE)
   {
     std::vector<bool> done(mesh_.number_of_vertices(), false);
     for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v)
@@ -31,13 +34,15 @@ public:
         for (const Index w : loop)
           done[w] = true;
       }
+    if (surface.features())
+      place_on_features(*surface.features());
   }
   /// \endcond
 
-  /// returns whether a cluster has a part of the border.
+  /// returns whether a cluster has a part of the border, or of a feature.
   bool is_on_border(std::size_t cluster) const { return place_of_[cluster] != internal::NONE; }
 
-  /// places the vertices of the clusters on the border. Other positions are not touched.
+  /// places the vertices of the clusters on the border, or on features. Other positions are not touched.
   void place(std::vector<Clustered_surface::Point>& positions) const
   {
     for (std::size_t x = 0; x < place_of_.size(); ++x)
@@ -45,7 +50,7 @@ public:
         positions[x] = places_[place_of_[x]];
   }
 
-  /// moves the vertices of the clusters on the border back to it. Other positions are not touched.
+  /// moves the vertices of the clusters on the border, or on features, back to it. Other positions are not touched.
   void pull_back(std::vector<Clustered_surface::Point>& positions) const { place(positions); }
 
 private:
@@ -74,23 +79,56 @@ private:
     std::vector<Index> clusters;
     for (std::size_t i = 0; i < n;) {
       clusters.push_back(label_after(loop[(begin + i) % n]));
-      std::vector<Vector> points;
+      std::vector<Index> vertices;
       do
-        points.push_back(mesh_.points[loop[(begin + i++) % n]]);
+        vertices.push_back(loop[(begin + i++) % n]);
       while (i < n && label_after(loop[(begin + i) % n]) == clusters.back());
-      points.push_back(mesh_.points[loop[(begin + i) % n]]);
-      arcs.emplace_back(points);
+      vertices.push_back(loop[(begin + i) % n]);
+      arcs.push_back(arc(vertices, clusters.back()));
     }
     const std::vector<std::size_t> chosen = internal::Border_fit(arcs).run();
-    for (std::size_t k = 0; k < arcs.size(); ++k) {
-      place_of_[clusters[k]] = Index(places_.size());
-      places_.push_back(arcs[k][chosen[k]]);
+    for (std::size_t k = 0; k < arcs.size(); ++k)
+      set_place(clusters[k], arcs[k][chosen[k]]);
+  }
+
+  void place_on_features(const internal::Coarse_features& features)
+  {
+    for (const internal::Coarse_features::Line& line : features.lines()) {
+      std::vector<internal::Border_arc> arcs;
+      for (const internal::Coarse_features::Arc& a : line.arcs)
+        arcs.push_back(arc(a.vertices, a.cluster));
+      const std::vector<std::size_t> chosen = internal::Border_fit(arcs, line.is_loop).run();
+      for (std::size_t k = 0; k < arcs.size(); ++k)
+        set_place(line.arcs[k].cluster, arcs[k][chosen[k]]);
     }
+    for (std::size_t x = 0; x < features.corners().size(); ++x)
+      if (features.corners()[x] != internal::NONE)
+        set_place(Index(x), mesh_.points[features.corners()[x]]);
+  }
+
+  // The part of a polyline that belongs to a cluster. If there is a feature corner on it, that is where the vertex is.
+  internal::Border_arc arc(const std::vector<Index>& vertices, Index cluster) const
+  {
+    std::vector<Vector> points;
+    std::size_t fixed = internal::Border_arc::none;
+    for (const Index v : vertices) {
+      if (features_ && features_->corners()[cluster] == v)
+        fixed = points.size();
+      points.push_back(mesh_.points[v]);
+    }
+    return internal::Border_arc(points, fixed);
+  }
+
+  void set_place(Index cluster, const Vector& place)
+  {
+    place_of_[cluster] = Index(places_.size());
+    places_.push_back(place);
   }
 
   const internal::Flat_mesh& mesh_;
   const internal::Cluster_labels& labels_;
-  std::vector<Index> place_of_; // of each cluster; NONE inside
+  const internal::Coarse_features* features_;
+  std::vector<Index> place_of_; // of each cluster; NONE inside and off features
   std::vector<Vector> places_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Coarse_features.h>
 
 #include <array>
 #include <cstddef>
@@ -44,8 +45,10 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   Clustered_surface(const internal::Clustering_input& input, const internal::Cluster_labels& labels, std::size_t clusters,
-                    internal::Execution execution = internal::Execution::SEQUENTIAL)
-    : input_(input), labels_(labels), execution_(execution), first_(clusters + 1, 0), faces_(input.mesh.number_of_faces())
+                    internal::Execution execution = internal::Execution::SEQUENTIAL,
+                    const internal::Coarse_features* features = nullptr)
+    : input_(input), labels_(labels), execution_(execution), features_(features), first_(clusters + 1, 0),
+      faces_(input.mesh.number_of_faces())
   {
     for (const internal::Index x : labels.labels())
       ++first_[x + 1];
@@ -58,6 +61,7 @@ public:
   const internal::Clustering_input& input() const { return input_; }
   const internal::Cluster_labels& labels() const { return labels_; }
   internal::Execution execution() const { return execution_; }
+  const internal::Coarse_features* features() const { return features_; }
   /// \endcond
 
   /// returns the number of clusters.
@@ -102,6 +106,7 @@ private:
   const internal::Clustering_input& input_;
   const internal::Cluster_labels& labels_;
   const internal::Execution execution_;
+  const internal::Coarse_features* features_; // null without features
   std::vector<std::uint32_t> first_, faces_;
 };
 

@@ -48,6 +48,10 @@ struct Coarsening_report
   std::size_t reversals_found = 0;
   /// the number of such triangles that the repair left.
   std::size_t reversals_left = 0;
+  /// the number of feature lines that are kept, each from corner to corner, or closed.
+  std::size_t feature_lines = 0;
+  /// the number of feature corners that are kept.
+  std::size_t feature_corners = 0;
 };
 
 } // namespace Surface_mesh_coarsening

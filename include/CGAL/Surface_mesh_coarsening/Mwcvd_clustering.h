@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_access.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Energy_minimization.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Initial_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Labelled_pieces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clustering_fault.h>
 #include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
@@ -17,6 +18,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/named_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/place_vertices.h>
+#include <CGAL/Surface_mesh_coarsening/internal/read_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/write_features.h>
 
 #include <algorithm>
 #include <map>
@@ -63,7 +66,8 @@ public:
   /// \param mesh a 2-manifold polygon mesh
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `face_density_map`,
   /// `maximum_density`, `border_densities`, `cluster_weight`, `minimum_component_area`, `subdivide_input`,
-  /// `repair_output`, `vertex_point_map`, `face_index_map`, `geom_traits` and `visitor`, as `coarsen_mesh()` describes them
+  /// `repair_output`, `feature_angle`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `face_patch_map`,
+  /// `vertex_point_map`, `face_index_map`, `geom_traits` and `visitor`, as `coarsen_mesh()` describes them
   /// \throws Invalid_input if the mesh has no faces, is not a 2-manifold, has a coordinate that is not finite, or if a
   /// parameter is out of range.
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -79,6 +83,7 @@ public:
     subdivide_ = internal::choose_parameter(internal::get_parameter(np, internal_np::subdivide_input_p), false);
     repair_ = internal::choose_parameter(internal::get_parameter(np, internal_np::repair_output_p), true);
     dropped_components_ = internal::drop_small_components(np, frame_, input_, checkpoint);
+    internal::read_features(mesh, np, numbering_, input_, frame_, patches_, checkpoint);
     visitor_.stage_ends(Coarsening_stage::PREPARATION);
   }
 
@@ -138,10 +143,12 @@ public:
   /// \tparam FaceClusterMap a model of `ReadablePropertyMap` with the faces as keys and an integral value type
   /// \param clusters the clusters, numbered from 0 without gaps
   /// \throws Invalid_input if a label is missing or out of range, or if the clustering is not valid in the sense of
-  /// `is_valid_clustering()`.
+  /// `is_valid_clustering()`, or if there are features to be kept.
   template <class FaceClusterMap>
   void set_clusters(const FaceClusterMap& clusters)
   {
+    if (input_.cells)
+      throw Invalid_input("clusters cannot be taken over where features are kept");
     forget();
     std::size_t number = 0;
     auto labels = std::make_unique<internal::Cluster_labels>(input_.mesh);
@@ -253,9 +260,9 @@ public:
   /// \tparam VertexPlacement a model of `VertexPlacement` or `GlobalVertexPlacement`
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \param output is cleared and filled
-  /// \param placement gives each cluster in the interior its position; those on the border get theirs on the border
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits`
-  /// of `output`
+  /// \param placement gives each cluster in the interior its position; those on the border, or on features, get theirs there
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `geom_traits`,
+  /// `edge_is_constrained_map`, `vertex_is_constrained_map` and `face_patch_map` of `output`
   template <class Output, class VertexPlacement = Centroid_placement,
             class NamedParameters = parameters::Default_named_parameters>
   void extract_dual_mesh(Output& output, const VertexPlacement& placement = VertexPlacement(),
@@ -273,7 +280,8 @@ public:
   {
     visitor_.stage_begins(Coarsening_stage::TRIANGULATION);
     const internal::Checkpoint checkpoint(visitor_);
-    const Clustered_surface surface(working_input(), labels(), report_.clusters, execution_);
+    const internal::Labelled_pieces pieces(working_input(), labels(), report_.clusters);
+    const Clustered_surface surface(pieces.input(), pieces.labels(), report_.clusters, execution_, pieces.features());
     std::vector<internal::Triangle> triangles = internal::dual_triangles(labels(), checkpoint, execution_);
     internal::Repair_counts counts;
     const std::vector<internal::Vector> positions = internal::place_vertices(
@@ -288,6 +296,7 @@ public:
     visitor_.stage_ends(Coarsening_stage::TRIANGULATION);
     before(positions);
     filler.commit();
+    internal::write_features(output, np, triangles, pieces.features(), working_input(), labels(), patches_);
   }
 
   // Gives back what only the minimization needs.
@@ -314,6 +323,7 @@ private:
   {
     report_ = Coarsening_report();
     report_.dropped_components = dropped_components_;
+    internal::count_features(input_, report_);
   }
 
   // A step that fails, or is cancelled, leaves nothing to go on from: that begins with seeds or labels again.
@@ -347,6 +357,8 @@ private:
   // The pieces of a face follow each other in the order of the faces.
   std::size_t cluster_of_face(Index f) const
   {
+    if (working_input().cells)
+      return internal::cluster_with_features(working_input(), labels(), report_.clusters, f);
     const internal::Clustering_input& input = working_input();
     if (input.parent.empty())
       return labels()[f];
@@ -385,6 +397,7 @@ private:
   internal::Frame frame_;
   internal::Clustering_input input_;
   bool subdivide_ = false, repair_ = true;
+  std::vector<long long> patches_; // of the faces of the mesh, where they are given
   std::size_t dropped_components_ = 0;
   mutable Coarsening_report report_; // making the output adds to it, and so do energies that are asked for
   std::unique_ptr<internal::Initial_clustering> initial_;

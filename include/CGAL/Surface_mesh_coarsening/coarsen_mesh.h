@@ -142,6 +142,27 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{feature_angle}
+///     \cgalParamDescription{edges at which the normals of the two faces are so many degrees or more apart are kept as lines of
+///                           edges of the output, and the corners where they end or meet as vertices; in \f$ [0, 180] \f$}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`180`: no edge is kept for its angle}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{edges that are kept likewise; those of the border need no mark}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the edges as keys and `bool` as value type}
+///     \cgalParamDefault{no edge is marked}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_is_constrained_map}
+///     \cgalParamDescription{vertices that are kept, at their points, as corners are}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertices as keys and `bool` as value type}
+///     \cgalParamDefault{no vertex is marked}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_patch_map}
+///     \cgalParamDescription{regions: edges between faces of different numbers are kept}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the faces as keys and an integral value type}
+///     \cgalParamDefault{there are no regions}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{subdivide_input}
 ///     \cgalParamDescription{whether the faces, in an internal copy, are cut into one quadrilateral per corner, again and again,
 ///                           until there are 20 of them for each vertex of the output. Clusters of few faces are then
@@ -173,7 +194,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///                           minimization shall start from}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{the number of clusters has to be `number_of_vertices`}
+///     \cgalParamExtra{the number of clusters has to be `number_of_vertices`; not possible where features are kept}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_boundary_count_map}
 ///     \cgalParamDescription{receives the boundary-edge count of each vertex of `input`: the number of edges at it between two
@@ -224,6 +245,22 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{the sources are not looked for}
 ///     \cgalParamExtra{the surface is that without components that are left out; faces of more than three sides are
 ///                     fans of triangles}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{receives for each edge whether it is one of a feature line}
+///     \cgalParamType{a model of `WritablePropertyMap` with the edges as keys and `bool` as value type}
+///     \cgalParamDefault{not written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_is_constrained_map}
+///     \cgalParamDescription{receives for each vertex whether it is a feature corner}
+///     \cgalParamType{a model of `WritablePropertyMap` with the vertices as keys and `bool` as value type}
+///     \cgalParamDefault{not written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_patch_map}
+///     \cgalParamDescription{receives for each face the number of its region, as in the `face_patch_map` of the input; without
+///                           one, regions between feature lines are numbered from 0}
+///     \cgalParamType{a model of `WritablePropertyMap` with the faces as keys and an integral value type}
+///     \cgalParamDefault{not written}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

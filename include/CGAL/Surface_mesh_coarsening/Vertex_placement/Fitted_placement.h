@@ -26,6 +26,8 @@ namespace Surface_mesh_coarsening {
 /// problem for the movements that bring them together. In between, edges of the coarse mesh are flipped where that lowers the
 /// distance most for what it takes from the angles, until the mean over the triangles of their smallest angle has come down
 /// to a bound.
+///
+/// Where features are kept, polylines are fitted to their lines together with the surface; corners stay where they are.
 class Fitted_placement
 {
 public:
@@ -42,7 +44,7 @@ public:
 
   /// places the vertices of all clusters, and may flip edges of the coarse mesh.
   /// \param surface the clusters
-  /// \param border tells which vertices are on the border, and stay where they are
+  /// \param border tells which vertices are on the border, and stay where they are, but for those on feature lines
   /// \param triangles the triangles of the coarse mesh
   /// \param positions the positions of the vertices; those on the border are placed already
   void operator()(const Clustered_surface& surface, const Border_arcs& border,
@@ -54,7 +56,7 @@ public:
     for (std::size_t x = 0; x < positions.size(); ++x)
       if (!border.is_on_border(x))
         positions[x] = start(surface, x);
-    Coarse_surface coarse(triangles, positions.size());
+    Coarse_surface coarse(triangles, positions.size(), surface.features());
     Surface_fit fit(surface, border, coarse, positions);
     Edge_flips flips(coarse, positions, fit);
     for (std::size_t i = 0; i < rounds_; ++i) {

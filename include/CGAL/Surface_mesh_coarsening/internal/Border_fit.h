@@ -14,13 +14,16 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A part of a border loop as a polyline with few points: the corners and ends that matter, and the point half way.
+// A part of a border loop, or of a feature line, as a polyline with few points: the corners and ends that matter, and the
+// point half way.
 class Border_arc
 {
 public:
   static constexpr std::size_t most_pieces = 16;
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  explicit Border_arc(const std::vector<Vector>& points)
+  // `fixed`: the only point that may be chosen, if it is given.
+  explicit Border_arc(const std::vector<Vector>& points, std::size_t fixed = none)
   {
     std::vector<double> length(1, 0);
     for (std::size_t i = 1; i < points.size(); ++i)
@@ -32,7 +35,7 @@ public:
       const std::size_t on = points.size() - 2 <= most_pieces ? i
                              : whole > 0 ? std::size_t(double(most_pieces) * (length[i] / whole)) + 1
                                          : 1;
-      if (on != piece)
+      if (on != piece || i == fixed || kept.back() == fixed)
         kept.push_back(i);
       else if (turn(points, i) > turn(points, kept.back()))
         kept.back() = i;
@@ -43,6 +46,8 @@ public:
       const std::size_t i = kept[k];
       if (k > 0 && length[kept[k - 1]] < 0.5 * whole && 0.5 * whole < length[i])
         add_half_way(points, length);
+      if (i == fixed)
+        fixed_ = points_.size();
       points_.push_back(points[i]);
       part_.push_back(whole > 0 ? length[i] / whole : 0.5);
     }
@@ -56,6 +61,7 @@ public:
   // Where the point lies: 0 at the begin, 1 at the end.
   double part(std::size_t i) const { return part_[i]; }
   double length() const { return length_; }
+  bool may_be_chosen(std::size_t i) const { return fixed_ == none || fixed_ == i; }
 
 private:
   static double distance(const Vector& a, const Vector& b)
@@ -86,18 +92,22 @@ private:
   std::vector<Vector> points_;
   std::vector<double> part_;
   double length_ = 0;
+  std::size_t fixed_ = none;
 };
 
 // Chooses a point on each arc of a border loop, so that the polygon of these points is as close to the loop as it can be:
 // the integral along the loop of the squared distance from the side that stands for it is smallest. Dynamic programming
 // over the points of the arcs. A small part of the squared distance from the middle of the arc decides where much the same
 // can be had, as on a straight border, and keeps the points apart.
+//
+// Lines that are no loops have arcs at their ends of which one point may be chosen alone.
 class Border_fit
 {
 public:
-  explicit Border_fit(const std::vector<Border_arc>& arcs) : arcs_(arcs)
+  explicit Border_fit(const std::vector<Border_arc>& arcs, bool is_loop = true) : arcs_(arcs)
   {
-    for (std::size_t i = 0; i < arcs.size(); ++i)
+    const std::size_t sides = is_loop ? arcs.size() : arcs.size() - 1;
+    for (std::size_t i = 0; i < sides; ++i)
       sides_.push_back(side_costs(arcs[i], arcs[(i + 1) % arcs.size()]));
   }
 
@@ -107,6 +117,8 @@ public:
     std::vector<std::size_t> best;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t first = 0; first < arcs_[0].size(); ++first) {
+      if (!arcs_[0].may_be_chosen(first))
+        continue;
       const Chain chain = cheapest_chain(first);
       if (best.empty() || chain.cost < least) {
         least = chain.cost;
@@ -153,15 +165,17 @@ private:
           cost += integral(next[k], next[k + 1], arc[i], next[j]);
         const double off = next.part(j) - 0.5, length = next.length();
         cost += middling * off * off * length * length * length;
+        if (!next.may_be_chosen(j))
+          cost = std::numeric_limits<double>::infinity();
       }
     costs[arc.size() - 1][0] = std::numeric_limits<double>::infinity(); // the same point
     return costs;
   }
 
-  // From point `first` of the first arc around to it again.
+  // From point `first` of the first arc around to it again, or to the last arc.
   Chain cheapest_chain(std::size_t first) const
   {
-    const std::size_t n = arcs_.size();
+    const std::size_t n = sides_.size();
     std::vector<std::vector<std::size_t> > from(n);
     std::vector<double> cost(arcs_[0].size(), std::numeric_limits<double>::infinity());
     cost[first] = 0;
@@ -177,8 +191,11 @@ private:
           }
       cost.swap(after);
     }
-    Chain chain{cost[first], std::vector<std::size_t>(n, first)};
-    std::size_t at = first;
+    const bool is_loop = n == arcs_.size();
+    std::size_t at = is_loop ? first : std::size_t(std::min_element(cost.begin(), cost.end()) - cost.begin());
+    Chain chain{cost[at], std::vector<std::size_t>(arcs_.size(), first)};
+    if (!is_loop)
+      chain.points[n] = at;
     for (std::size_t k = n; k-- > 1;)
       chain.points[k] = at = from[k][at];
     return chain;

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/subdivide_flat_mesh.h>
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -14,6 +15,8 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+class Feature_cells;
 
 // What the clustering works on: the mesh in arrays, and of each face its area A and density r. Centroids g are computed when
 // they are needed, which takes less time than the memory would. Faces may be pieces of faces of the caller's mesh, then
@@ -24,10 +27,15 @@ struct Clustering_input
   std::vector<double> area;
   std::vector<double> density;
   std::vector<Index> parent; // empty if the faces are those of the caller's mesh
+  // Where there are features: what the faces are made of, and the centroids of that.
+  std::shared_ptr<const Feature_cells> cells;
+  std::vector<Vector> joined_centroid;
 
   double mass(Index f) const { return density[f] * area[f]; }
   Vector centroid(Index f) const
   {
+    if (!joined_centroid.empty())
+      return joined_centroid[f];
     return mesh.degree(f) == 3 ? mean_of_corners(mesh, f) : face_geometry(mesh, f).centroid;
   }
   Index parent_of(Index f) const { return parent.empty() ? f : parent[f]; }

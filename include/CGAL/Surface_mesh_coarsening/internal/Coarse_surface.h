@@ -75,12 +75,13 @@ inline double sharpest_of(const std::vector<Vector>& positions, const Triangle& 
   return largest;
 }
 
-// The triangles of the dual, with those around each vertex and across each edge. Edges may be flipped.
+// The triangles of the dual, with those around each vertex and across each edge. Edges may be flipped, but for those of
+// features: nothing is across these, as on the border.
 class Coarse_surface
 {
 public:
-  Coarse_surface(const std::vector<Triangle>& triangles, std::size_t vertices)
-    : triangles_(triangles), around_(vertices)
+  Coarse_surface(const std::vector<Triangle>& triangles, std::size_t vertices, const Coarse_features* features = nullptr)
+    : triangles_(triangles), around_(vertices), features_(features)
   {
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       for (const Index v : triangles_[t])
@@ -90,10 +91,13 @@ public:
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<Index>& around(Index vertex) const { return around_[vertex]; }
 
-  // The triangle on the other side of the edge from corner `i` to the next of triangle `t`; NONE on the border.
+  // The triangle on the other side of the edge from corner `i` to the next of triangle `t`; NONE on the border and on
+  // features.
   Index across(Index t, int i) const
   {
     const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3];
+    if (features_ && features_->is_edge(a, b))
+      return NONE;
     for (const Index u : around_[a])
       if (u != t && corner(u, b) >= 0)
         return u;
@@ -155,6 +159,7 @@ private:
 
   std::vector<Triangle> triangles_;
   std::vector<std::vector<Index> > around_;
+  const Coarse_features* features_;
 };
 
 } // namespace internal

@@ -9,7 +9,9 @@
 #include <CGAL/Surface_mesh_coarsening/internal/seed_walk.h>
 #include <CGAL/Surface_mesh_coarsening/internal/split_clusters.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,6 +30,7 @@ struct Component_seeds
 {
   std::vector<Index> faces;
   Index level = 0;
+  std::size_t corners = 0; // how many of them are cells of feature corners, seeds of every level
 };
 
 // Makes clusters of the faces of one connected component as its plan says: seeds, growth, splitting, merging.
@@ -52,16 +55,22 @@ public:
       labels.set(f, NONE);
     if (std::size_t(faces.last - faces.first) == input_.mesh.number_of_faces())
       walk_.release();
+    std::optional<Feature_rules> rules;
+    if (input_.cells) {
+      rules.emplace(*input_.cells, labels);
+      rules->begin(faces);
+    }
+    Feature_rules* const rules_or_none = rules ? &*rules : nullptr;
     Index clusters = 0;
     {
-      Cluster_growth growth(labels, checkpoint_);
+      Cluster_growth growth(labels, checkpoint_, rules_or_none);
       for (const Index f : seeds.faces)
         growth.plant(f, clusters++);
       growth.run();
       clusters = growth.cover(faces, clusters);
     }
 
-    Cluster_splitting<Face_range> splitting(labels, faces, clusters, checkpoint_);
+    Cluster_splitting<Face_range> splitting(labels, faces, clusters, checkpoint_, rules_or_none);
     if (!splitting.run() || !plan.may_begin_with(splitting.number_of_clusters()))
       return 0;
     splits_ = splitting.number_of_splits();
@@ -70,7 +79,9 @@ public:
     if (splitting.number_of_clusters() <= plan.wanted())
       return splitting.number_of_clusters();
     Cluster_merging merging(labels, faces, splitting.number_of_clusters(), input_.area, !plan.is_on_ladder(),
-                            plan.from_pieces() && plan.is_on_ladder());
+                            plan.from_pieces() && plan.is_on_ladder() && !input_.cells);
+    if (input_.cells)
+      merging.keep_features(*input_.cells, labels, faces);
     merges_ = merging.run(plan.wanted(), checkpoint_);
     is_pinched_ = merging.has_joined_at_vertices();
     merging.relabel(labels, faces);
@@ -89,8 +100,27 @@ private:
     Component_seeds seeds;
     seeds.level = level;
     walk_.forget(faces);
+    if (input_.cells)
+      take_seeds_on_features(faces, seeds);
     walk_.run(faces, level, seeds.faces);
     return seeds;
+  }
+
+  // All corners, and then those on lines.
+  void take_seeds_on_features(const Face_range& faces, Component_seeds& seeds)
+  {
+    std::vector<Index> on_lines;
+    for (const Index f : faces) {
+      const Index node = input_.cells->node(f);
+      if (node == NONE)
+        continue;
+      if (input_.cells->graph().is_corner(node))
+        walk_.take(f, seeds.level, seeds.faces);
+      else
+        on_lines.push_back(f);
+    }
+    seeds.corners = seeds.faces.size();
+    walk_.run(on_lines, seeds.level, seeds.faces);
   }
 
   // The seeds of the largest level, near the one expected, that gives `wanted` of them.
@@ -105,7 +135,7 @@ private:
         seeds = seeds_of_level(faces, seeds.level - 1);
       return seeds;
     }
-    while (seeds.faces.size() > 1) {
+    while (seeds.faces.size() > (std::max)(seeds.corners, std::size_t(1))) {
       Component_seeds fewer = seeds_of_level(faces, seeds.level + 1);
       if (fewer.faces.size() < wanted)
         break;

@@ -32,7 +32,11 @@ public:
   // have at most 26 g - 4 vertices (Joret and Wood: Irreducible triangulations are small, 2010); with b border loops their
   // number is linear in g and b, too (Boulch, Colin de Verdiere, Nakamoto: Irreducible triangulations of surfaces with
   // boundary, 2013).
-  static std::size_t always_enough(const Component& c) { return 8 + 26 * c.genus() + 8 * c.loops; }
+  // Features keep clusters apart; how many more there have to be, they do not tell.
+  static std::size_t always_enough(const Component& c)
+  {
+    return 8 + 26 * c.genus() + 8 * c.loops + 4 * c.feature_clusters;
+  }
 
   // Begins anew for `wanted` clusters.
   void begin(const Component& component, std::size_t wanted)

@@ -46,6 +46,8 @@ public:
     : input_(input), mesh_(input.mesh), labels_(labels), weight_(weight), energy_(weight), checkpoint_(checkpoint), execution_(execution),
       moves_(labels, number_of_clusters), clusters_(number_of_clusters), round_of_change_(number_of_clusters, 0)
   {
+    if (input.cells)
+      moves_.keep_features(*input.cells);
     sum_up();
     list_boundary_edges();
   }

@@ -31,7 +31,12 @@ public:
   void add_stiffness(Index t, const Eigen::Matrix3d& products, const Vector& normal, double damping)
   {
     const Eigen::Vector3d n(normal[0], normal[1], normal[2]);
-    const Block metric = damping * Block::Identity() + (1 - damping) * n * n.transpose();
+    add_stiffness(t, products, damping * Block::Identity() + (1 - damping) * n * n.transpose());
+  }
+
+  // The same with other weights of directions.
+  void add_stiffness(Index t, const Eigen::Matrix3d& products, const Block& metric)
+  {
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b)
         if (products(a, b) != 0)

@@ -91,7 +91,10 @@ struct Component
   std::size_t vertices = 0;
   std::size_t edges = 0;
   std::size_t loops = 0;
+  // Where there are features: the vertices before faces were cut at them, the clusters that they need, and their corners.
+  std::size_t original_vertices = 0, feature_clusters = 0, feature_corners = 0;
 
+  std::size_t most_clusters() const { return original_vertices > 0 ? original_vertices : vertices; }
   long euler_characteristic() const { return long(vertices) - long(edges) + long(faces); }
   std::size_t genus() const { return std::size_t(2 - euler_characteristic() - long(loops)) / 2; }
 };

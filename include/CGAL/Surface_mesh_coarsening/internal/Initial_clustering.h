@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Component_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Feature_cells.h>
 #include <CGAL/Surface_mesh_coarsening/internal/join_at_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/share_out_vertices.h>
 
@@ -53,7 +54,7 @@ public:
     while (uncut_input_->mesh.number_of_faces() < faces) {
       if (!subdivided_input_)
         subdivided_input_ = *uncut_input_;
-      subdivided_input_->subdivide(std::vector<bool>(cut_.size(), true), checkpoint_);
+      cut_faces(*subdivided_input_, std::vector<bool>(cut_.size(), true));
       input_ = uncut_input_ = &*subdivided_input_;
     }
     bound_by_vertices();
@@ -141,6 +142,14 @@ private:
     faces_ = std::vector<Index>();
   }
 
+  void cut_faces(Clustering_input& input, const std::vector<bool>& chosen_component) const
+  {
+    if (input.cells)
+      input = input.cells->subdivided(chosen_component, checkpoint_);
+    else
+      input.subdivide(chosen_component, checkpoint_);
+  }
+
   void grow_again()
   {
     joined_input_.reset();
@@ -152,7 +161,7 @@ private:
   {
     most_.clear();
     for (std::size_t i = 0; i < least_.size(); ++i)
-      most_.push_back((std::max)(uncut_input_->mesh.components[i].vertices, least_[i]));
+      most_.push_back((std::max)(uncut_input_->mesh.components[i].most_clusters(), least_[i]));
   }
 
   void share_out_number()
@@ -179,7 +188,7 @@ private:
   {
     const std::vector<Component>& components = uncut_input_->mesh.components;
     return std::any_of(components.begin(), components.end(), [](const Component& c) {
-      return c.vertices < Component_plan::always_enough(c);
+      return c.most_clusters() < Component_plan::always_enough(c);
     });
   }
 
@@ -223,7 +232,7 @@ private:
       labels_.reset();
       clustering_.reset();
       cut_input_ = *uncut_input_;
-      cut_input_->subdivide(cut_, checkpoint_);
+      cut_faces(*cut_input_, cut_);
       input_ = &*cut_input_;
     }
     const Flat_mesh& m = input_->mesh;
@@ -286,7 +295,7 @@ private:
         is_pinched_[i] = clustering_->is_pinched();
         return true;
       }
-      if (!plan_[i].revise(seeds_[i].level, seeds_[i].faces.size(), reached)) {
+      if (!plan_[i].revise(seeds_[i].level, seeds_[i].faces.size() - seeds_[i].corners, reached)) {
         raise_minimum(i);
         return false;
       }

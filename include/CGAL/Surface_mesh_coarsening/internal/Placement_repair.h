@@ -41,7 +41,7 @@ public:
   Placement_repair(const Clustered_surface& surface, const Border_arcs& border, const Output_coordinates& output,
                    std::vector<Triangle>& triangles, std::vector<Vector>& positions, const Checkpoint& checkpoint)
     : checkpoint_(checkpoint), execution_(surface.execution()), surface_(surface), border_(border), output_(output), result_(triangles), positions_(positions),
-      coarse_(triangles, positions.size()), reference_(surface)
+      coarse_(triangles, positions.size(), surface.features()), reference_(surface)
   {
     points_.reserve(positions.size());
     for (const Vector& p : positions)
@@ -468,7 +468,7 @@ private:
 
   void count_what_is_left(Repair_counts& counts)
   {
-    coarse_ = Coarse_surface(result_, positions_.size());
+    coarse_ = Coarse_surface(result_, positions_.size(), surface_.features());
     for (std::size_t v = 0; v < positions_.size(); ++v)
       points_[v] = point(positions_[v]);
     find_faults();

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Fit_equations.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Input_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Line_fits.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -30,6 +31,7 @@ public:
   Surface_fit(const Clustered_surface& surface, const Border_arcs& border, Coarse_surface& coarse,
               std::vector<Vector>& positions)
     : input_(surface.input().mesh), execution_(surface.execution()), border_(border), coarse_(coarse), positions_(positions),
+      lines_(surface, positions),
       of_triangle_(coarse.triangles().size()), back_(coarse.triangles().size())
   {
     const std::vector<Input_point> points = input_.samples(samples_per_triangle * of_triangle_.size(), area_);
@@ -54,9 +56,10 @@ public:
       for (std::size_t t = begin; t < end; ++t)
         back_[t] = feet_of(coarse_.triangles()[t], lists_around(Index(t)), most_steps);
     });
+    lines_.find_feet();
   }
 
-  // Moves the vertices, but for those on the border, to where the sum of the squared distances is smallest as far as it can
+  // Moves the vertices, but for those on the border and at corners, to where the sum of the squared distances is smallest as far as it can
   // be told from the closest points. Where that leaves a vertex free to slide, it does so towards the middle of its neighbors.
   void move_vertices()
   {
@@ -65,13 +68,15 @@ public:
     std::vector<Hold> holds(positions_.size());
     for (std::size_t t = 0; t < triangles.size(); ++t)
       add_triangle(Index(t), equations, holds);
+    lines_.add_to(equations, coarse_, line_width * std::sqrt(area_ / double(positions_.size())), damping);
     const double mean_size = 2 * area_ / double(triangles.size());
     const double shape = area_ > 0 ? shape_part * sum_of_squared_distances() / area_ / mean_size : 0;
     const double inertia = least_inertia * area_ / double(positions_.size());
     for (std::size_t v = 0; v < positions_.size(); ++v) {
       equations.add_vertex(Index(v), {{0, 0, 0}}, inertia);
       if (border_.is_on_border(v)) {
-        equations.fix(Index(v));
+        if (!lines_.is_on_line(Index(v)))
+          equations.fix(Index(v));
         continue;
       }
       const Vector d = way_to_middle(Index(v));
@@ -146,6 +151,8 @@ private:
   // Eigenvalues of the normals around a vertex that are smaller than this part of the largest leave it free to slide.
   static constexpr double free_part_below = 0.01;
   static constexpr double least_inertia = 0.001;
+  // Lines count as strips of this width, where 1 is about the length of an edge.
+  static constexpr double line_width = 1;
 
   struct Sample
   {
@@ -375,6 +382,7 @@ private:
   const Border_arcs& border_;
   Coarse_surface& coarse_;
   std::vector<Vector>& positions_;
+  Line_fits lines_;
   double area_ = 0, sample_weight_ = 0;
   std::vector<Sample> samples_;
   std::vector<std::vector<Index> > of_triangle_; // samples whose foot lies on each triangle

@@ -4,7 +4,9 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_VALID_MOVES_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/Dual_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Feature_rules.h>
 
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -19,11 +21,18 @@ public:
   Valid_moves(Cluster_labels& labels, std::size_t number_of_clusters)
     : mesh_(labels.mesh()), labels_(labels), walk_(labels), stamp_of_cluster_(number_of_clusters, 0) {}
 
-  // Whether both clusters remain discs, and are free to change.
+  // From now on follows the rules for features.
+  void keep_features(const Feature_cells& cells)
+  {
+    rules_.emplace(cells, labels_);
+    rules_->count(stamp_of_cluster_.size());
+  }
+
+  // Whether both clusters remain discs, features what they are, and the clusters are free to change.
   bool keeps_discs(Index f, Index to) const
   {
     return labels_.stays_disc_without(f) && labels_.stays_disc_with(f, to) && !labels_.is_frozen(labels_[f]) &&
-           !labels_.is_frozen(to);
+           !labels_.is_frozen(to) && (!rules_ || rules_->may_take(f, to));
   }
 
   // Moves face `f` if it may move. Returns whether it did.
@@ -33,8 +42,12 @@ public:
     if (!keeps_discs(f, to))
       return false;
     const bool dual_may_change = !only_slides(f, to);
+    if (rules_)
+      rules_->change(f, to);
     labels_.move(f, to);
     if (dual_may_change && !dual_stays_simplicial(f, from)) {
+      if (rules_)
+        rules_->change(f, from);
       labels_.move(f, from);
       return false;
     }
@@ -77,6 +90,7 @@ private:
   const Flat_mesh& mesh_;
   Cluster_labels& labels_;
   Dual_walk walk_;
+  std::optional<Feature_rules> rules_;
   std::vector<Index> stamp_of_cluster_;
   Index stamp_ = 0;
 };

@@ -12,8 +12,10 @@
 #include <CGAL/property_map.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -211,11 +213,16 @@ void copy_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, Fla
   check_countable(m.corner_vertex.size(), "face corners");
 }
 
-// The place of the arrays' coordinates in those of the mesh: point = origin + 2^exponent * coordinates.
+// Points in the coordinates of the arrays, in order, and in those of the mesh.
+typedef std::vector<std::pair<Vector, Vector> > Exact_points;
+
+// The place of the arrays' coordinates in those of the mesh: point = origin + 2^exponent * coordinates, without rounding for
+// the points in the list.
 struct Frame
 {
   Vector origin{{0, 0, 0}};
   int exponent = 0;
+  std::shared_ptr<const Exact_points> exact;
 };
 
 // Moves the coordinates to the center of their bounding box, where energies keep their digits however far away the

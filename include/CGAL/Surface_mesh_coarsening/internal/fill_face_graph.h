@@ -25,6 +25,12 @@ namespace internal {
 // mesh may have none; they get the largest number.
 inline Vector to_mesh_coordinates(const Frame& frame, const Vector& p)
 {
+  if (frame.exact) {
+    const auto is_before = [](const Exact_points::value_type& known, const Vector& v) { return known.first < v; };
+    const auto known = std::lower_bound(frame.exact->begin(), frame.exact->end(), p, is_before);
+    if (known != frame.exact->end() && known->first == p)
+      return known->second;
+  }
   constexpr double largest = (std::numeric_limits<double>::max)();
   Vector q;
   for (int i = 0; i < 3; ++i) {

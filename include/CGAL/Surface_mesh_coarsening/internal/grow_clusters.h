@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GROW_CLUSTERS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Feature_rules.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
 
 #include <vector>
@@ -18,8 +19,9 @@ namespace internal {
 class Cluster_growth
 {
 public:
-  explicit Cluster_growth(Cluster_labels& labels, const Checkpoint& checkpoint = Checkpoint())
-    : labels_(labels), mesh_(labels.mesh()), checkpoint_(checkpoint) {}
+  // `rules`: those for features, where there are some.
+  explicit Cluster_growth(Cluster_labels& labels, const Checkpoint& checkpoint = Checkpoint(), Feature_rules* rules = nullptr)
+    : labels_(labels), mesh_(labels.mesh()), checkpoint_(checkpoint), rules_(rules) {}
 
   // Makes free face `f` the seed of cluster `label`.
   void plant(Index f, Index label) { take(f, label); }
@@ -33,7 +35,8 @@ public:
         checkpoint_.pass();
         for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
           const Index g = mesh_.face_across[c];
-          if (g != NONE && labels_[g] == NONE && labels_.stays_disc_with(g, labels_[f]))
+          if (g != NONE && labels_[g] == NONE && labels_.stays_disc_with(g, labels_[f]) &&
+              (!rules_ || rules_->may_take(g, labels_[f])))
             take(g, labels_[f]);
         }
       }
@@ -56,6 +59,8 @@ public:
 private:
   void take(Index f, Index label)
   {
+    if (rules_)
+      rules_->change(f, label);
     labels_.set(f, label);
     next_layer_.push_back(f);
   }
@@ -63,6 +68,7 @@ private:
   Cluster_labels& labels_;
   const Flat_mesh& mesh_;
   Checkpoint checkpoint_;
+  Feature_rules* rules_;
   std::vector<Index> layer_, next_layer_; // faces taken whose neighbors have not been looked at
 };
 

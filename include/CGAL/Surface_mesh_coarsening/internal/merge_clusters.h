@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MERGE_CLUSTERS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/Dual_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Feature_merging.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -49,6 +51,13 @@ public:
       area_[labels[f]] += areas[f];
       area_of_all_ += areas[f];
     }
+  }
+
+  // From now on follows the rules for features.
+  template <class FaceRange>
+  void keep_features(const Feature_cells& cells, const Cluster_labels& labels, const FaceRange& faces)
+  {
+    features_.emplace(cells, labels, faces, Index(merged_into_.size()));
   }
 
   // Merges until no more than `wanted` clusters are left, if the topology allows it. Returns the number of merges of two.
@@ -104,7 +113,7 @@ private:
 
   std::size_t excess() const { return count_ - (std::min)(count_, wanted_); }
 
-  Index cluster(Index x)
+  Index cluster(Index x) const
   {
     while (merged_into_[x] != x)
       x = merged_into_[x] = merged_into_[merged_into_[x]];
@@ -146,7 +155,8 @@ private:
 
   bool is_candidate(Edge e) const
   {
-    return (dual_.is_arc(e) || joins_at_vertices_) && !dual_.is_loop(dual_.source(e)) && !dual_.is_loop(dual_.target(e));
+    return (dual_.is_arc(e) || joins_at_vertices_) && !dual_.is_loop(dual_.source(e)) && !dual_.is_loop(dual_.target(e)) &&
+           (!features_ || features_->may_merge(dual_.source(e), dual_.target(e), [this](Index x) { return cluster(x); }));
   }
   double area_of(Edge e) const { return rounded_for_comparison(area_[dual_.source(e)] + area_[dual_.target(e)]); }
 
@@ -201,6 +211,8 @@ private:
   {
     const Index kept = dual_.source(e), gone = dual_.target(e);
     dual_.contract(e);
+    if (features_)
+      features_->merge(kept, gone, [this](Index x) { return cluster(x); });
     merged_into_[gone] = kept;
     area_[kept] += area_[gone];
     --count_;
@@ -210,10 +222,11 @@ private:
   typedef std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > Queue;
 
   Dual_surface dual_;
+  std::optional<Feature_merging> features_;
   Checkpoint checkpoint_;
   bool by_threes_, may_join_at_vertices_, joins_at_vertices_ = false;
   std::size_t count_, wanted_ = 0;
-  std::vector<Index> merged_into_;
+  mutable std::vector<Index> merged_into_; // ways get shorter when they are gone
   std::vector<double> area_;
   double area_of_all_ = 0;
   Queue queue_;

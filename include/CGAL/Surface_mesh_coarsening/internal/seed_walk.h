@@ -40,6 +40,14 @@ public:
     }
   }
 
+  // Takes face `f` as a seed whatever other seeds are near.
+  void take(Index f, Index level, std::vector<Index>& seeds)
+  {
+    steps_.resize(mesh_.number_of_faces(), NONE);
+    seeds.push_back(f);
+    mark(f, level);
+  }
+
   // Forgets the marks on the faces `candidates`.
   template <class FaceRange>
   void forget(const FaceRange& candidates)

@@ -27,7 +27,7 @@ inline std::size_t fewest_vertices(const Component& c)
     ++n;
   if (g == 2)
     n = 10;
-  return (std::max)(3 * c.loops, n - (std::min)(n, c.loops));
+  return (std::max)({3 * c.loops, n - (std::min)(n, c.loops), c.feature_clusters});
 }
 
 // Shares `total` out in proportion to `shares`, with `least[i] <= result[i] <= most[i]`. Needs that the sums of

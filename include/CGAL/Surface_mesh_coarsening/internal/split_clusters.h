@@ -20,8 +20,9 @@ class Cluster_splitting
 {
 public:
   Cluster_splitting(Cluster_labels& labels, const FaceRange& faces, Index number_of_clusters,
-                    const Checkpoint& checkpoint = Checkpoint())
-    : labels_(labels), mesh_(labels.mesh()), walk_(labels), growth_(labels, checkpoint), faces_(faces), clusters_(number_of_clusters) {}
+                    const Checkpoint& checkpoint = Checkpoint(), Feature_rules* rules = nullptr)
+    : labels_(labels), mesh_(labels.mesh()), walk_(labels), growth_(labels, checkpoint, rules), rules_(rules), faces_(faces),
+      clusters_(number_of_clusters) {}
 
   // Returns whether the clusters are valid now. They are not if clusters of one face are at fault.
   bool run()
@@ -94,13 +95,17 @@ private:
     return size_[largest] == 1 ? NONE : largest;
   }
 
-  // Grows the cluster anew from two faces far apart.
+  // Grows the cluster anew from two faces far apart, of which one is at the corner if it has a feature corner.
   void split(Index x)
   {
-    const std::vector<Index> faces = faces_outward(face_[x]);
-    const std::vector<Index> back = faces_outward(faces.back());
-    for (const Index f : faces)
+    const Index corner = rules_ ? rules_->corner_cell(x) : NONE;
+    const std::vector<Index> faces = faces_outward(corner == NONE ? face_[x] : corner);
+    const std::vector<Index> back = corner == NONE ? faces_outward(faces.back()) : faces;
+    for (const Index f : faces) {
+      if (rules_)
+        rules_->change(f, NONE);
       labels_.set(f, NONE);
+    }
     growth_.plant(back.front(), x);
     growth_.plant(back.back(), clusters_++);
     growth_.run();
@@ -130,6 +135,7 @@ private:
   const Flat_mesh& mesh_;
   Dual_walk walk_;
   Cluster_growth growth_;
+  Feature_rules* rules_;
   FaceRange faces_;
   Index clusters_;
   std::size_t splits_ = 0;

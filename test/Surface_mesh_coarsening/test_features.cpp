@@ -1,0 +1,592 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Feature lines and corners: what becomes of them in the output, and the rules that the clusters follow, from scratch.
+
+#define BOOST_TEST_MODULE features
+#include "support/face_graphs.h"
+
+#include "models.h"
+
+#include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
+#include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace utf = boost::unit_test;
+namespace SMC = CGAL::Surface_mesh_coarsening;
+namespace PMP = CGAL::Polygon_mesh_processing;
+using generated::Soup;
+using SMC::internal::Index;
+using SMC::internal::NONE;
+using test::Mesh;
+using test::Point;
+
+namespace {
+
+typedef Mesh::Edge_index Edge;
+typedef Mesh::Vertex_index Vertex;
+typedef Mesh::Face_index Face;
+
+// A mesh with all that may be told about features; by default nothing is.
+struct Model
+{
+  Mesh mesh;
+  Mesh::Property_map<Edge, bool> is_line;
+  Mesh::Property_map<Vertex, bool> is_corner;
+  Mesh::Property_map<Face, int> patch;
+  double angle = 180;
+
+  explicit Model(const Soup& soup, double angle = 180) : mesh(test::to_mesh(soup)), angle(angle)
+  {
+    is_line = mesh.add_property_map<Edge, bool>("e:line", false).first;
+    is_corner = mesh.add_property_map<Vertex, bool>("v:corner", false).first;
+    patch = mesh.add_property_map<Face, int>("f:patch", 0).first;
+  }
+
+  auto parameters() const
+  {
+    return SMC::parameters::feature_angle(angle).edge_is_constrained_map(is_line).vertex_is_constrained_map(is_corner)
+      .face_patch_map(patch);
+  }
+};
+
+struct Output
+{
+  Mesh mesh;
+  Mesh::Property_map<Edge, bool> is_line;
+  Mesh::Property_map<Vertex, bool> is_corner;
+  Mesh::Property_map<Face, int> patch;
+  SMC::Coarsening_report report;
+  std::vector<std::size_t> labels;
+
+  Output()
+  {
+    is_line = mesh.add_property_map<Edge, bool>("e:line", true).first;
+    is_corner = mesh.add_property_map<Vertex, bool>("v:corner", true).first;
+    patch = mesh.add_property_map<Face, int>("f:patch", -1).first;
+  }
+  auto parameters() const
+  {
+    return SMC::parameters::edge_is_constrained_map(is_line).vertex_is_constrained_map(is_corner).face_patch_map(patch);
+  }
+};
+
+Output coarsened(const Model& model, std::size_t number, bool fitted = false)
+{
+  Output output;
+  SMC::Mwcvd_clustering<Mesh> c(model.mesh, model.parameters());
+  c.seed(number);
+  c.grow();
+  c.minimize();
+  if (fitted)
+    c.extract_dual_mesh(output.mesh, SMC::Fitted_placement(), output.parameters());
+  else
+    c.extract_dual_mesh(output.mesh, SMC::Centroid_placement(), output.parameters());
+  output.report = c.report();
+  output.labels = test::labels_in(c, model.mesh);
+  return output;
+}
+
+// Lines by the points at their ends, loops, and corners, of edges and vertices that are marked.
+struct Graph
+{
+  std::set<Point> corners;
+  std::multiset<std::pair<Point, Point> > lines;
+  std::size_t loops = 0;
+  bool operator==(const Graph& g) const { return corners == g.corners && lines == g.lines && loops == g.loops; }
+};
+
+template <class IsLine, class IsCorner>
+Graph graph_of(const Mesh& m, const IsLine& is_line, const IsCorner& is_corner)
+{
+  std::map<Vertex, std::vector<Edge> > around;
+  for (const Edge e : m.edges())
+    if (is_line(e))
+      for (int i = 0; i < 2; ++i)
+        around[m.vertex(e, i)].push_back(e);
+  Graph graph;
+  for (const Vertex v : m.vertices())
+    if (is_corner(v))
+      graph.corners.insert(m.point(v));
+  std::set<Edge> done;
+  const auto follow = [&](Vertex v, Edge e) {
+    while (done.insert(e).second) {
+      v = m.vertex(e, 0) == v ? m.vertex(e, 1) : m.vertex(e, 0);
+      if (is_corner(v))
+        break;
+      BOOST_REQUIRE_EQUAL(around[v].size(), 2u);
+      e = around[v][0] == e ? around[v][1] : around[v][0];
+    }
+    return v;
+  };
+  for (const auto& star : around)
+    for (const Edge e : star.second)
+      if (is_corner(star.first) && !done.count(e))
+        graph.lines.insert(std::minmax(m.point(star.first), m.point(follow(star.first, e))));
+  for (const auto& star : around)
+    for (const Edge e : star.second)
+      if (!done.count(e)) {
+        ++graph.loops;
+        follow(star.first, e);
+      }
+  return graph;
+}
+
+// The input prepared as the clustering does.
+struct Prepared
+{
+  SMC::internal::Numbering<Mesh> numbering;
+  SMC::internal::Frame frame;
+  SMC::internal::Clustering_input input;
+  std::vector<long long> patches;
+
+  explicit Prepared(const Model& model)
+  {
+    using namespace SMC::internal;
+    const auto np = model.parameters();
+    numbering = SMC::internal::numbering(model.mesh, np);
+    input = clustering_input(model.mesh, np, numbering, frame, Checkpoint());
+    read_features(model.mesh, np, numbering, input, frame, patches, Checkpoint());
+  }
+};
+
+Graph graph_of(const Model& model)
+{
+  const Prepared p(model);
+  if (!p.input.cells)
+    return Graph();
+  std::set<Edge> lines;
+  std::set<Vertex> corners;
+  p.input.cells->edges().for_each_edge(p.input.cells->base().mesh, [&](Index v, Index w, Index, Index) {
+    lines.insert(model.mesh.edge(model.mesh.halfedge(p.numbering.vertices[v], p.numbering.vertices[w])));
+  });
+  for (std::size_t v = 0; v < p.numbering.vertices.size(); ++v)
+    if (p.input.cells->edges().is_corner[v])
+      corners.insert(p.numbering.vertices[v]);
+  return graph_of(model.mesh, [&](Edge e) { return lines.count(e) != 0; }, [&](Vertex v) { return corners.count(v) != 0; });
+}
+
+template <class IsLine>
+std::size_t number_of_regions(Mesh m, const IsLine& is_line)
+{
+  auto line = m.add_property_map<Edge, bool>("e:border", false).first;
+  for (const Edge e : m.edges())
+    line[e] = is_line(e);
+  auto region = m.add_property_map<Face, std::size_t>("f:region", 0).first;
+  return PMP::connected_components(m, region, CGAL::parameters::edge_is_constrained_map(line));
+}
+
+// The rules, by brute force, for clusters after growth and minimization.
+void check_rules(const Model& model, std::size_t number)
+{
+  using namespace SMC::internal;
+  const Prepared p(model);
+  SMC::Coarsening_report report;
+  Initial_clustering initial(p.input, report, Checkpoint());
+  initial.seed(number);
+  Cluster_labels labels = initial.grow();
+  Energy_minimization<SMC::Maximum_density_weight> minimization(initial.input(), labels, report.clusters,
+                                                                SMC::Maximum_density_weight(), Checkpoint(), Execution());
+  for (int round = 0; round < 3; ++round) {
+    BOOST_TEST(Clustering_check(labels, report.clusters).fault([](std::size_t x) { return std::to_string(x); }) == "");
+    const Labelled_pieces pieces(initial.input(), labels, report.clusters);
+    const Feature_cells& cells = *initial.input().cells;
+    const Flat_mesh& m = pieces.input().mesh;
+    const auto label = [&](Index v) { return pieces.labels()[m.star[m.first_in_star[v]]]; };
+    std::map<Index, long> trees; // nodes without edges between them
+    std::map<Index, std::set<Index> > lines;
+    std::set<Index> with_corner, at_border, at_border_by_right;
+    std::set<std::pair<Index, Index> > crossings;
+    for (Index i = 0; i < cells.graph().number_of_nodes(); ++i) {
+      const Index v = cells.graph().vertex(i), x = label(v);
+      for (Index k = m.first_in_star[v]; k != m.first_in_star[v + 1]; ++k)
+        BOOST_TEST(pieces.labels()[m.star[k]] == x); // the star of a node, and the faces at each half of an edge
+      ++trees[x];
+      if (cells.graph().is_corner(i))
+        BOOST_TEST(with_corner.insert(x).second);
+      else
+        lines[x].insert(cells.graph().line(i));
+      if (m.is_on_border(v))
+        at_border_by_right.insert(x);
+    }
+    for (const Feature_line& line : cells.graph().lines())
+      for (std::size_t i = line.is_loop ? 0 : 1; i < line.nodes.size(); ++i) {
+        const Index previous = line.nodes[(i + line.nodes.size() - 1) % line.nodes.size()];
+        const Index x = label(cells.graph().vertex(previous)), y = label(cells.graph().vertex(line.nodes[i]));
+        if (x == y)
+          --trees[x];
+        else
+          BOOST_TEST(crossings.insert(std::minmax(x, y)).second);
+      }
+    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
+        if (m.face_across[c] == NONE)
+          at_border.insert(pieces.labels()[Index(f)]);
+    for (const auto& tree : trees) {
+      BOOST_TEST(tree.second == 1);
+      BOOST_TEST((with_corner.count(tree.first) || lines[tree.first].size() == 1));
+      BOOST_TEST((!at_border.count(tree.first) || at_border_by_right.count(tree.first)));
+    }
+    while (minimization.round() && round == 0)
+      ;
+  }
+}
+
+void check(const Model& model, std::size_t number, bool fitted = false)
+{
+  const Output output = coarsened(model, number, fitted);
+  BOOST_TEST_CONTEXT(number << (fitted ? " vertices, fitted" : " vertices"))
+  {
+    BOOST_TEST(output.mesh.number_of_vertices() == number);
+    BOOST_TEST(output.mesh.is_valid());
+    BOOST_TEST(CGAL::is_triangle_mesh(output.mesh));
+    BOOST_TEST((reference::fault_of_surface(reference::Reference_mesh(test::to_soup(model.mesh)),
+                                            test::triangles_of(test::to_soup(output.mesh)),
+                                            std::vector<std::size_t>(number, 0)) == ""));
+    const Graph before = graph_of(model);
+    const Graph after = graph_of(output.mesh, [&](Edge e) { return output.is_line[e]; },
+                                 [&](Vertex v) { return output.is_corner[v]; });
+    BOOST_TEST((before == after));
+    BOOST_TEST(output.report.feature_corners == before.corners.size());
+    BOOST_TEST(output.report.feature_lines == before.lines.size() + before.loops);
+    // Patches are those of the input, and change at lines only.
+    std::set<int> patches, given;
+    for (const Face f : model.mesh.faces())
+      given.insert(model.patch[f]);
+    for (const Face f : output.mesh.faces())
+      patches.insert(output.patch[f]);
+    BOOST_TEST((patches == given));
+    for (const Edge e : output.mesh.edges()) {
+      const Face f = output.mesh.face(e.halfedge()), g = output.mesh.face(output.mesh.opposite(e.halfedge()));
+      if (f != Mesh::null_face() && g != Mesh::null_face() && !output.is_line[e])
+        BOOST_TEST(output.patch[f] == output.patch[g]);
+    }
+  }
+}
+
+// Checks numbers of vertices from the smallest, which is refused by one less.
+void check_all(const Model& model, std::size_t least, std::size_t lines, std::size_t loops, std::size_t corners,
+               std::size_t regions)
+{
+  const Graph graph = graph_of(model);
+  BOOST_TEST(graph.lines.size() == lines);
+  BOOST_TEST(graph.loops == loops);
+  BOOST_TEST(graph.corners.size() == corners);
+  std::size_t nearest = 0;
+  try {
+    coarsened(model, 1);
+  } catch (const SMC::Unreachable_number_of_vertices& e) {
+    nearest = e.nearest();
+  }
+  BOOST_TEST(nearest == least);
+  BOOST_CHECK_THROW(coarsened(model, nearest - 1), SMC::Unreachable_number_of_vertices);
+  for (const std::size_t number : {nearest, nearest + 1, nearest + 7, 2 * nearest, 4 * nearest})
+    if (number <= model.mesh.number_of_vertices()) {
+      check(model, number);
+      check_rules(model, number);
+    }
+  const std::size_t some = (std::min)(2 * nearest, std::size_t(model.mesh.number_of_vertices()));
+  check(model, some, true);
+  const Output output = coarsened(model, some);
+  BOOST_TEST(number_of_regions(output.mesh, [&](Edge e) { return output.is_line[e]; }) == regions);
+}
+
+// The surface of cubes of a grid, each side of them cut into `n` x `n` squares.
+Soup voxels(const std::set<std::array<int, 3> >& cubes, int n)
+{
+  Soup s;
+  std::map<std::array<int, 3>, std::size_t> number;
+  const auto vertex = [&](const std::array<int, 3>& at) {
+    const auto inserted = number.insert({at, s.points.size()});
+    if (inserted.second)
+      s.points.push_back({double(at[0]) / n, double(at[1]) / n, double(at[2]) / n});
+    return inserted.first->second;
+  };
+  for (const std::array<int, 3>& cube : cubes)
+    for (int axis = 0; axis < 3; ++axis)
+      for (int far = 0; far < 2; ++far) {
+        std::array<int, 3> beside = cube;
+        beside[axis] += far ? 1 : -1;
+        if (cubes.count(beside))
+          continue;
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; j < n; ++j) {
+            generated::Polygon p;
+            for (const std::pair<int, int>& d : {std::make_pair(0, 0), std::make_pair(1, 0), std::make_pair(1, 1), std::make_pair(0, 1)}) {
+              std::array<int, 3> at;
+              at[axis] = n * (cube[axis] + far);
+              at[(axis + 1) % 3] = n * cube[(axis + 1) % 3] + i + d.first;
+              at[(axis + 2) % 3] = n * cube[(axis + 2) % 3] + j + d.second;
+              p.push_back(vertex(at));
+            }
+            if (far == 0)
+              std::reverse(p.begin(), p.end());
+            s.polygons.push_back(p);
+          }
+      }
+  return s;
+}
+
+// A tube with flat ends, one or both of them closed by a fan.
+Soup cylinder(std::size_t m, std::size_t n, bool both)
+{
+  Soup s = generated::tube(m, n);
+  const auto at = [&](std::size_t i, std::size_t j) { return (i % m) * (n + 1) + j; };
+  for (const std::size_t j : {std::size_t(0), n}) {
+    if (j == n && !both)
+      break;
+    s.points.push_back({0, 0, s.points[j][2]});
+    for (std::size_t i = 0; i < m; ++i) {
+      generated::Polygon p{at(i + 1, j), at(i, j), s.points.size() - 1};
+      if (j == n)
+        std::swap(p[0], p[1]);
+      s.polygons.push_back(p);
+    }
+  }
+  return s;
+}
+
+double length(const Mesh& m, Edge e) { return std::sqrt(CGAL::squared_distance(m.point(m.vertex(e, 0)), m.point(m.vertex(e, 1)))); }
+
+// The root mean square distance of the marked edges of a mesh from those of another.
+template <class IsLine, class IsOther>
+double line_distance(const Mesh& m, const IsLine& is_line, const Mesh& other, const IsOther& is_other)
+{
+  std::vector<test::Kernel::Segment_3> segments;
+  for (const Edge e : other.edges())
+    if (is_other(e))
+      segments.emplace_back(other.point(other.vertex(e, 0)), other.point(other.vertex(e, 1)));
+  double sum = 0, total = 0;
+  for (const Edge e : m.edges()) {
+    if (!is_line(e))
+      continue;
+    for (int i = 0; i < 10; ++i) {
+      const Point p = m.point(m.vertex(e, 0)) + (i + 0.5) / 10 * (m.point(m.vertex(e, 1)) - m.point(m.vertex(e, 0)));
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const auto& s : segments)
+        nearest = (std::min)(nearest, CGAL::squared_distance(p, s));
+      sum += length(m, e) * nearest;
+      total += length(m, e);
+    }
+  }
+  return std::sqrt(sum / total);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(cubes)
+{
+  check_all(Model(generated::cube_grid(7), 30), 8, 12, 0, 8, 6);
+  check_all(Model(generated::triangulated(generated::cube_grid(6)), 30), 8, 12, 0, 8, 6);
+  check_all(Model(generated::cube_grid(1), 30), 8, 12, 0, 8, 6);
+}
+
+BOOST_AUTO_TEST_CASE(l_shape)
+{
+  check_all(Model(voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 5), 30), 12, 18, 0, 12, 8);
+}
+
+BOOST_AUTO_TEST_CASE(closed_lines)
+{
+  check_all(Model(cylinder(24, 10, true), 30), 6, 0, 2, 0, 3);
+}
+
+BOOST_AUTO_TEST_CASE(closed_line_beside_a_border)
+{
+  const Model model(cylinder(24, 10, false), 30);
+  check_all(model, 6, 0, 1, 0, 2);
+}
+
+BOOST_AUTO_TEST_CASE(line_that_ends_on_the_border)
+{
+  Soup folded = generated::triangulated(generated::grid(12, 9));
+  for (generated::Point& p : folded.points)
+    p[2] = std::abs(p[0] - 6);
+  // Two corners at the ends of the line, one vertex more on the border of each side, and one on the line: without it, the
+  // line and the border between its ends would be the same edge.
+  const Model model(folded, 30);
+  const Graph graph = graph_of(model);
+  BOOST_TEST(graph.lines.size() == 1u);
+  BOOST_TEST(graph.corners.size() == 2u);
+  for (const std::size_t number : {8u, 20u, 40u}) {
+    check(model, number);
+    check(model, number, true);
+    check_rules(model, number);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(line_that_ends_inside)
+{
+  Model model(generated::triangulated(generated::grid(12, 12)));
+  for (const Edge e : model.mesh.edges()) {
+    const Point p = model.mesh.point(model.mesh.vertex(e, 0)), q = model.mesh.point(model.mesh.vertex(e, 1));
+    model.is_line[e] = p.x() == 6 && q.x() == 6 && p.y() > 3 && q.y() > 3 && p.y() < 9 && q.y() < 9;
+  }
+  BOOST_TEST(graph_of(model).lines.size() == 1u);
+  for (const std::size_t number : {12u, 30u, 60u}) {
+    check(model, number);
+    check_rules(model, number);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(patches_on_a_sphere)
+{
+  Model model(generated::triangle_sphere(4));
+  for (const Face f : model.mesh.faces()) {
+    double x = 0, y = 0, z = 0;
+    for (const Vertex v : CGAL::vertices_around_face(model.mesh.halfedge(f), model.mesh)) {
+      x += model.mesh.point(v).x();
+      y += model.mesh.point(v).y();
+      z += model.mesh.point(v).z();
+    }
+    model.patch[f] = 10 + (x > 0) + 2 * (y > 0) + 4 * (z > 0);
+  }
+  check_all(model, 6, 12, 0, 6, 8);
+}
+
+BOOST_AUTO_TEST_CASE(constrained_vertices_and_edges)
+{
+  Model model(generated::with_noise(generated::triangulated(generated::torus(30, 20)), 0.001));
+  std::size_t i = 0;
+  for (const Vertex v : model.mesh.vertices())
+    model.is_corner[v] = ++i % 97 == 0;
+  const std::size_t corners = graph_of(model).corners.size();
+  BOOST_TEST(corners == 6u);
+  check(model, 40);
+  check_rules(model, 40);
+  // And a closed line around.
+  for (const Edge e : model.mesh.edges())
+    model.is_line[e] = model.mesh.vertex(e, 0) < Vertex(20) && model.mesh.vertex(e, 1) < Vertex(20) &&
+                       std::abs(int(model.mesh.vertex(e, 0)) - int(model.mesh.vertex(e, 1))) % 18 == 1;
+  BOOST_TEST(graph_of(model).loops == 1u);
+  check(model, 40);
+  check(model, 80, true);
+  check_rules(model, 80);
+}
+
+BOOST_AUTO_TEST_CASE(corners_keep_their_points)
+{
+  // Far from the origin, differences round.
+  for (const double factor : {1., 1e-3, 0.7e9}) {
+    Soup soup = generated::translated(generated::rotated(generated::scaled(generated::cube_grid(8), 0.3), 0.7, 0.4), 100.1, -3.3, 17.7);
+    Model model(generated::scaled(soup, factor), 30);
+    const Output output = coarsened(model, 60, true);
+    std::set<Point> points(model.mesh.points().begin(), model.mesh.points().end());
+    std::size_t corners = 0;
+    for (const Vertex v : output.mesh.vertices())
+      if (output.is_corner[v]) {
+        ++corners;
+        BOOST_TEST(points.count(output.mesh.point(v)) == 1u);
+      }
+    BOOST_TEST(corners == 8u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(vertices_lie_on_lines)
+{
+  const Model model(cylinder(40, 12, true), 30);
+  const Output output = coarsened(model, 60);
+  for (const Edge e : output.mesh.edges())
+    if (output.is_line[e])
+      for (int i = 0; i < 2; ++i) {
+        const Point p = output.mesh.point(output.mesh.vertex(e, i));
+        double nearest = 1;
+        for (const Edge f : model.mesh.edges())
+          nearest = (std::min)(nearest, CGAL::squared_distance(p, test::Kernel::Segment_3(
+            model.mesh.point(model.mesh.vertex(f, 0)), model.mesh.point(model.mesh.vertex(f, 1)))));
+        BOOST_TEST(nearest < 1e-24);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(labels_of_faces_at_features)
+{
+  const Model model(generated::triangulated(generated::cube_grid(12)), 30);
+  const Output output = coarsened(model, 100);
+  const Prepared p(model);
+  for (const Vertex v : model.mesh.vertices()) {
+    const Point& q = model.mesh.point(v);
+    if (std::abs(q.x()) + std::abs(q.y()) + std::abs(q.z()) != 3)
+      continue;
+    std::set<std::size_t> around;
+    for (const Face f : CGAL::faces_around_target(model.mesh.halfedge(v), model.mesh))
+      around.insert(output.labels[f]);
+    BOOST_TEST(around.size() == 1u);
+  }
+  p.input.cells->edges().for_each_edge(p.input.cells->base().mesh, [&](Index v, Index w, Index, Index) {
+    const auto h = model.mesh.halfedge(p.numbering.vertices[v], p.numbering.vertices[w]);
+    BOOST_TEST(output.labels[model.mesh.face(h)] == output.labels[model.mesh.face(model.mesh.opposite(h))]);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(detection)
+{
+  for (const double angle : {0., 20., 60., 90., 120., 180.}) {
+    Soup soup = generated::with_noise(generated::triangulated(generated::torus(16, 12)), 0.1, 3);
+    Model model(soup, angle);
+    Mesh mesh = test::to_mesh(soup);
+    auto sharp = mesh.add_property_map<Edge, bool>("e:sharp", false).first;
+    PMP::detect_sharp_edges(mesh, angle, sharp);
+    std::size_t found = 0;
+    const Prepared p(model);
+    if (p.input.cells)
+      p.input.cells->edges().for_each_edge(p.input.cells->base().mesh, [&](Index v, Index w, Index, Index) {
+        ++found;
+        BOOST_TEST(sharp[mesh.edge(mesh.halfedge(Vertex(v), Vertex(w)))]);
+      });
+    BOOST_TEST(found == std::size_t(std::count(sharp.begin(), sharp.end(), true)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(without_features)
+{
+  const Soup soup = generated::triangle_sphere(4);
+  const Output output = coarsened(Model(soup, 170), 50), same = coarsened(Model(soup), 50);
+  BOOST_TEST((test::to_soup(output.mesh).points == test::to_soup(same.mesh).points));
+  for (const Edge e : output.mesh.edges())
+    BOOST_TEST(!output.is_line[e]);
+  for (const Face f : output.mesh.faces())
+    BOOST_TEST(output.patch[f] == 0);
+}
+
+BOOST_AUTO_TEST_CASE(refusals)
+{
+  for (const double angle : {-1., 181., std::numeric_limits<double>::quiet_NaN()})
+    BOOST_CHECK_THROW(coarsened(Model(generated::cube_grid(3), angle), 20), SMC::Invalid_input);
+  const Model model(generated::cube_grid(4), 30);
+  SMC::Mwcvd_clustering<Mesh> c(model.mesh, model.parameters());
+  std::vector<std::size_t> labels(model.mesh.number_of_faces(), 0);
+  const auto map = boost::make_function_property_map<Face>([&](Face f) { return labels[f]; });
+  BOOST_CHECK_THROW(c.set_clusters(map), SMC::Invalid_input);
+}
+
+BOOST_AUTO_TEST_CASE(fandisk, *utf::precondition(test::If_found{models::fandisk}))
+{
+  Model model(test::read_soup(models::fandisk), 30);
+  const Output with = coarsened(model, 527, true);
+  check(model, 527, true);
+  PMP::detect_sharp_edges(model.mesh, 30, model.is_line);
+  const auto is_line = [&](Edge e) { return model.is_line[e]; };
+  const auto is_coarse_line = [&](Edge e) { return with.is_line[e]; };
+  const SMC::Coarsening_quality quality = SMC::measure_coarsening(model.mesh, with.mesh);
+  BOOST_TEST(line_distance(model.mesh, is_line, with.mesh, is_coarse_line) < 0.0002 * quality.diagonal);
+  BOOST_TEST(line_distance(with.mesh, is_coarse_line, model.mesh, is_line) < 0.0002 * quality.diagonal);
+  BOOST_TEST(!PMP::does_self_intersect(with.mesh));
+  Model plain(test::read_soup(models::fandisk));
+  BOOST_TEST(quality.rms_distance <= SMC::measure_coarsening(plain.mesh, coarsened(plain, 527, true).mesh).rms_distance);
+}
