@@ -7,6 +7,7 @@
 
 #include "models.h"
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
@@ -573,6 +574,11 @@ BOOST_AUTO_TEST_CASE(refusals)
   std::vector<std::size_t> labels(model.mesh.number_of_faces(), 0);
   const auto map = boost::make_function_property_map<Face>([&](Face f) { return labels[f]; });
   BOOST_CHECK_THROW(c.set_clusters(map), SMC::Invalid_input);
+  c.seed(20);
+  c.grow();
+  BOOST_CHECK_THROW(c.split_cluster(0), SMC::Invalid_input);
+  BOOST_CHECK_THROW(c.remove_cluster(0), SMC::Invalid_input);
+  BOOST_CHECK_THROW(SMC::Cluster_levels<SMC::Mwcvd_clustering<Mesh> >{c}, SMC::Invalid_input);
 }
 
 BOOST_AUTO_TEST_CASE(fandisk, *utf::precondition(test::If_found{models::fandisk}))

@@ -238,6 +238,8 @@ Options checked_options(const po::variables_map& values)
   options.measure = values.count("measure") > 0;
   options.quiet = values.count("quiet") > 0;
   options.threads = static_cast<unsigned>(to_count("threads", *given(values, "threads"), 1, 1000000));
+  if (options.features && (options.levels > 0 || options.maximum_distance))
+    throw Wrong_usage("--features goes with a number of vertices or a level, and without --levels");
   check_files(options);
   return options;
 }

@@ -38,10 +38,11 @@ public:
   ///
   /// \param clustering has clusters, and is not changed as long as the levels are used
   /// \throws std::logic_error if it has none.
+  /// \throws Invalid_input if it keeps features.
   /// \throws Coarsening_cancelled if its visitor said so.
   explicit Cluster_levels(const Clustering& clustering)
     : clustering_(clustering),
-      history_(Access::working_input(clustering), Access::labels(clustering), Index(clustering.number_of_clusters()),
+      history_(Access::input_without_features(clustering), Access::labels(clustering), Index(clustering.number_of_clusters()),
                internal::Checkpoint(Access::visitor(clustering)))
   {}
 

@@ -45,6 +45,7 @@ public:
   }
 
   /// splits a cluster in two of about the same extent. The new one gets the next number.
+  /// \throws Invalid_input if features are kept.
   /// \return the number of the new cluster; nothing if the cluster is frozen, or if no way was found to make two of it, as
   /// where it has only one face
   std::optional<std::size_t> split_cluster(std::size_t cluster)
@@ -58,6 +59,7 @@ public:
 
   /// removes a cluster: its faces join a neighbor, the one for which the sum of the moments about the centers grows least of
   /// those that are not frozen and allow it. The last cluster gets the number of the one that is gone.
+  /// \throws Invalid_input if features are kept.
   /// \return whether it was possible. It is not if the cluster is frozen, or if the topology of the mesh needs it.
   bool remove_cluster(std::size_t cluster)
   {
@@ -94,7 +96,7 @@ private:
   {
     Clustering& c = static_cast<Clustering&>(*this);
     if (!editing_)
-      editing_ = std::make_unique<internal::Cluster_editing>(Access::working_input(c), Access::mutable_labels(c),
+      editing_ = std::make_unique<internal::Cluster_editing>(Access::input_without_features(c), Access::mutable_labels(c),
                                                              Index(c.number_of_clusters()));
     return *editing_;
   }

@@ -3,6 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERING_ACCESS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERING_ACCESS_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/Feature_cells.h>
+
 #include <cstddef>
 
 namespace CGAL {
@@ -14,10 +16,18 @@ struct Clustering_access
 {
   // The faces of the mesh, without the components that were left out.
   template <class Clustering>
-  static const auto& input(const Clustering& c) { return c.input_; }
+  static const Clustering_input& input(const Clustering& c) { return c.input_.cells ? c.input_.cells->base() : c.input_; }
   // The faces that the clusters are made of: those, or pieces of them.
   template <class Clustering>
   static const auto& working_input(const Clustering& c) { return c.working_input(); }
+  // The same for what does not follow the rules for features.
+  template <class Clustering>
+  static const auto& input_without_features(const Clustering& c)
+  {
+    if (working_input(c).cells)
+      throw Invalid_input("clusters cannot be edited, nor merged to levels, where features are kept");
+    return working_input(c);
+  }
   template <class Clustering>
   static const auto& labels(const Clustering& c) { return c.labels(); }
   template <class Clustering>
