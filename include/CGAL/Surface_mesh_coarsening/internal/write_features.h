@@ -56,7 +56,7 @@ inline std::vector<long long> patches_of_triangles(const Clustering_input& input
     return numbered.empty() ? pieces.mesh.component[face] : numbered[input.cells->base_face(face)];
   };
   std::vector<long long> result;
-  for_each_meeting_point(labels, [&](Index v, const std::vector<Index>& runs) {
+  for_each_meeting_point(labels, 0, Index(labels.mesh().number_of_vertices()), [&](Index v, const std::vector<Index>& runs) {
     result.insert(result.end(), runs.size() - 2, patch_of(pieces.mesh.star[pieces.mesh.first_in_star[v]]));
   });
   return result;
