@@ -45,15 +45,33 @@ private:
       for (Index i = mesh_.first_in_star[v]; i != mesh_.first_in_star[v + 1]; ++i)
         if (around.empty() || around.back() != labels_[mesh_.star[i]])
           around.push_back(labels_[mesh_.star[i]]);
-      double least = around.empty() ? 0 : -1;
+      if (around.empty())
+        continue;
+      double least = -1;
       for (const Index x : around)
-        for (const Index t : coarse_.around(x))
-          if (least < 0 || least > largest) // the rest would not change the result
-            least = least < 0 ? squared_distance(mesh_.points[v], t)
-                              : (std::min)(least, squared_distance(mesh_.points[v], t));
+        improve_around(mesh_.points[v], x, largest, least);
+      // Flips of edges may have taken the triangle that lies here away from these vertices.
+      if (least > largest) {
+        const std::vector<Index> first(around);
+        for (const Index x : first)
+          for (const Index t : coarse_.around(x))
+            around.insert(around.end(), coarse_.triangles()[t].begin(), coarse_.triangles()[t].end());
+        std::sort(around.begin(), around.end());
+        around.erase(std::unique(around.begin(), around.end()), around.end());
+        for (const Index x : around)
+          improve_around(mesh_.points[v], x, largest, least);
+      }
       largest = (std::max)(largest, least);
     }
     return largest;
+  }
+
+  // Up to what would not change the result.
+  void improve_around(const Vector& p, Index x, double largest, double& least) const
+  {
+    for (const Index t : coarse_.around(x))
+      if (least < 0 || least > largest)
+        least = least < 0 ? squared_distance(p, t) : (std::min)(least, squared_distance(p, t));
   }
 
   double squared_distance(const Vector& p, Index t) const

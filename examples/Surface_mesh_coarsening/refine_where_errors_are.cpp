@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Solves a Poisson problem on a coarse mesh, and splits clusters where an estimate of the error is large, three times.
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <numeric>
+#include <string>
+#include <vector>
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef Kernel::Vector_3 Vector;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+
+namespace SMC = CGAL::Surface_mesh_coarsening;
+
+// A source that is strong near one point.
+double source(const Kernel::Point_3& p, const Kernel::Point_3& center, double size)
+{
+  return std::exp(-CGAL::squared_distance(p, center) / (0.01 * size * size));
+}
+
+// Solves u - c Laplace(u) = f with the cotangent weights of linear finite elements.
+Eigen::VectorXd solve(const Mesh& mesh, const Eigen::VectorXd& f, double c)
+{
+  std::vector<Eigen::Triplet<double> > entries;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(f.size());
+  for (const auto t : mesh.faces()) {
+    auto h = mesh.halfedge(t);
+    for (int i = 0; i < 3; ++i, h = mesh.next(h)) {
+      const auto a = mesh.source(h), b = mesh.target(h), o = mesh.target(mesh.next(h));
+      const Vector u = mesh.point(a) - mesh.point(o), v = mesh.point(b) - mesh.point(o);
+      const double area = std::sqrt(CGAL::cross_product(u, v).squared_length()) / 2;
+      const double weight = area > 0 ? c * (u * v) / (4 * area) : 0;
+      entries.insert(entries.end(), {{int(a), int(a), weight + area / 3}, {int(b), int(b), weight}, {int(a), int(b), -weight},
+                                     {int(b), int(a), -weight}});
+      right[a] += area / 3 * f[a];
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(f.size(), f.size());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> >(matrix).solve(right);
+}
+
+// For each vertex, the jumps of the gradient across the edges at it, which a linear solution has where the true one bends.
+std::vector<double> estimated_errors(const Mesh& mesh, const Eigen::VectorXd& u)
+{
+  std::vector<Vector> gradient;
+  for (const auto t : mesh.faces()) {
+    const auto h = mesh.halfedge(t);
+    const auto a = mesh.source(h), b = mesh.target(h), c = mesh.target(mesh.next(h));
+    const Vector n = CGAL::cross_product(mesh.point(b) - mesh.point(a), mesh.point(c) - mesh.point(a));
+    const Vector sum = u[a] * (mesh.point(c) - mesh.point(b)) + u[b] * (mesh.point(a) - mesh.point(c)) +
+                       u[c] * (mesh.point(b) - mesh.point(a));
+    gradient.push_back(n.squared_length() > 0 ? CGAL::cross_product(n, sum) / n.squared_length() : sum);
+  }
+  std::vector<double> errors(mesh.number_of_vertices(), 0);
+  for (const auto e : mesh.edges()) {
+    const auto h = mesh.halfedge(e);
+    if (mesh.is_border(e))
+      continue;
+    const Vector jump = gradient[mesh.face(h)] - gradient[mesh.face(mesh.opposite(h))];
+    const double length = CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+    for (const auto v : {mesh.source(h), mesh.target(h)})
+      errors[v] += length * jump.squared_length();
+  }
+  return errors;
+}
+
+int main(int argc, char* argv[])
+{
+  const std::string name = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/fandisk.off");
+  Mesh input;
+  if (!CGAL::IO::read_polygon_mesh(name, input) || input.is_empty()) {
+    std::cerr << "cannot read " << name << std::endl;
+    return EXIT_FAILURE;
+  }
+  const Kernel::Point_3 center = input.point(*input.vertices().begin());
+  double size = 0;
+  for (const auto v : input.vertices())
+    size = (std::max)(size, std::sqrt(CGAL::squared_distance(center, input.point(v))));
+
+  // Uniform densities at first: the solution, not the shape, shall say where vertices are needed.
+  SMC::Mwcvd_clustering<Mesh> clustering(input, SMC::parameters::maximum_density(1.));
+  clustering.seed(200);
+  clustering.grow();
+  clustering.minimize();
+  Mesh coarse;
+  for (int step = 0;; ++step) {
+    clustering.extract_dual_mesh(coarse);
+    Eigen::VectorXd f(coarse.number_of_vertices());
+    for (const auto v : coarse.vertices())
+      f[v] = source(coarse.point(v), center, size);
+    const Eigen::VectorXd u = solve(coarse, f, 0.01 * size * size);
+    const std::vector<double> errors = estimated_errors(coarse, u);
+    std::cout << coarse.number_of_vertices() << " vertices: estimated error "
+              << std::sqrt(std::accumulate(errors.begin(), errors.end(), 0.)) << std::endl;
+    if (step == 3)
+      break;
+
+    //! [refinement]
+    // The clusters of the fifth of the vertices that has the largest errors are split. The others keep their faces while the
+    // new ones find their shape.
+    std::vector<double> sorted = errors;
+    std::sort(sorted.begin(), sorted.end());
+    const double large = sorted[sorted.size() * 4 / 5];
+    for (std::size_t x = 0; x < errors.size(); ++x)
+      if (errors[x] > large)
+        clustering.split_cluster(x);
+      else
+        clustering.freeze_cluster(x);
+    clustering.minimize();
+    for (std::size_t x = 0; x < clustering.number_of_clusters(); ++x)
+      clustering.thaw_cluster(x);
+    //! [refinement]
+  }
+  return CGAL::IO::write_polygon_mesh("coarse.off", coarse) ? EXIT_SUCCESS : EXIT_FAILURE;
+}
