@@ -9,8 +9,9 @@ set logscale xy
 set xlabel "faces of the input"
 set ylabel "processor seconds"
 set key outside right
+set offsets graph 0.1, graph 0.1, 0, 0
 set grid
 methods = "\"ours uniform\" \"ours area\" \"ours maximum quadric\" \"CGAL edge collapse\" \"CGAL ACVD\" meshoptimizer \"OpenMesh decimation\""
 method(i) = word(methods, i)
 plot for [i = 1:words(methods)] "peers.csv" skip 1 \
-  using 2:(strcol(4) eq method(i) && $7 > 0 ? $9 : NaN):11:14 with yerrorlines pointtype i linewidth 1.5 title method(i)
+  using 2:(strcol(4) eq method(i) && $7 > 0 ? $9 : NaN):11:14 with yerrorbars pointtype i linewidth 1.5 title method(i)
