@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
@@ -21,6 +22,11 @@
 #endif
 #ifdef COARSENING_HAS_MESHOPTIMIZER
 #  include <meshoptimizer.h>
+#endif
+#ifdef COARSENING_HAS_OPENMESH
+#  include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#  include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#  include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #endif
 
 #include <algorithm>
@@ -88,14 +94,17 @@ struct Method
   std::function<Seconds(const Mesh&, std::size_t, Result&)> run;
 };
 
-template <class Weight>
-Method our_method(const std::string& name, double maximum_density)
+template <class Weight, class Placement = SMC::Centroid_placement>
+Method our_method(const std::string& name, double maximum_density, bool repair = true)
 {
-  return {name, [maximum_density](const Mesh& mesh, std::size_t number, Result& result) {
+  return {name, [maximum_density, repair](const Mesh& mesh, std::size_t number, Result& result) {
             Mesh output;
             const Stopwatch watch;
             SMC::coarsen_mesh(mesh, number, output,
-                              SMC::parameters::cluster_weight(Weight()).maximum_density(maximum_density));
+                              SMC::parameters::cluster_weight(Weight())
+                                .maximum_density(maximum_density)
+                                .vertex_placement(Placement())
+                                .repair_output(repair));
             const Seconds seconds = watch.seconds();
             result = result_of(output);
             return seconds;
@@ -169,18 +178,59 @@ Seconds run_meshoptimizer(const Mesh& mesh, std::size_t number, Result& result)
 }
 #endif
 
+#ifdef COARSENING_HAS_OPENMESH
+// Collapses halfedges by quadrics. Making the copy in its own data structure is not counted.
+Seconds run_openmesh(const Mesh& mesh, std::size_t number, Result& result)
+{
+  typedef OpenMesh::TriMesh_ArrayKernelT<> Open_mesh;
+  Open_mesh copy;
+  for (Vertex v : mesh.vertices())
+    copy.add_vertex(Open_mesh::Point(float(mesh.point(v)[0]), float(mesh.point(v)[1]), float(mesh.point(v)[2])));
+  for (Face f : mesh.faces()) {
+    std::vector<Open_mesh::VertexHandle> corners;
+    for (Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+      corners.push_back(Open_mesh::VertexHandle(int(v)));
+    copy.add_face(corners);
+  }
+  copy.request_face_normals();
+  copy.update_face_normals();
+  const Stopwatch watch;
+  OpenMesh::Decimater::DecimaterT<Open_mesh> decimater(copy);
+  OpenMesh::Decimater::ModQuadricT<Open_mesh>::Handle quadrics;
+  decimater.add(quadrics);
+  decimater.module(quadrics).unset_max_err();
+  decimater.initialize();
+  decimater.decimate_to(number);
+  copy.garbage_collection();
+  const Seconds seconds = watch.seconds();
+  result.vertices = copy.n_vertices();
+  for (const auto f : copy.faces()) {
+    result.triangles.emplace_back();
+    for (auto v = copy.cfv_iter(f); v.is_valid(); ++v)
+      result.triangles.back().push_back(std::size_t(v->idx()));
+  }
+  return seconds;
+}
+#endif
+
 std::vector<Method> all_methods()
 {
-  std::vector<Method> methods{our_method<SMC::Uniform_weight>("ours, uniform", 1),
-                              our_method<SMC::Weighted_area_weight>("ours, area", 50),
-                              our_method<SMC::Maximum_density_weight>("ours, maximum", 50),
-                              our_method<SMC::Density_variance_weight>("ours, variance", 3),
-                              {"CGAL edge collapse", run_edge_collapse}};
+  std::vector<Method> methods{
+    our_method<SMC::Uniform_weight>("ours uniform", 1),
+    our_method<SMC::Weighted_area_weight>("ours area", 50),
+    our_method<SMC::Maximum_density_weight>("ours maximum", 50),
+    our_method<SMC::Density_variance_weight>("ours variance", 3),
+    our_method<SMC::Maximum_density_weight, SMC::Quadric_placement>("ours maximum quadric", 50),
+    our_method<SMC::Maximum_density_weight, SMC::Quadric_placement>("ours maximum quadric without repair", 50, false),
+    {"CGAL edge collapse", run_edge_collapse}};
 #ifdef COARSENING_HAS_ACVD
   methods.push_back({"CGAL ACVD", run_acvd});
 #endif
 #ifdef COARSENING_HAS_MESHOPTIMIZER
   methods.push_back({"meshoptimizer", run_meshoptimizer});
+#endif
+#ifdef COARSENING_HAS_OPENMESH
+  methods.push_back({"OpenMesh decimation", run_openmesh});
 #endif
   return methods;
 }

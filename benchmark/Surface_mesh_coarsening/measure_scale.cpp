@@ -122,10 +122,11 @@ void measure_cancelling(std::size_t faces)
 {
   const Mesh mesh = bumpy_torus(faces);
   const std::size_t number = mesh.number_of_vertices() / vertices_per_cluster;
+  constexpr std::size_t rounds = 5; // one is as another
   Asking_visitor visitor;
   {
     Mesh output;
-    SMC::coarsen_mesh(mesh, number, output, SMC::parameters::visitor(std::ref(visitor)));
+    SMC::coarsen_mesh(mesh, number, output, SMC::parameters::visitor(std::ref(visitor)).number_of_iterations(rounds));
   }
   std::cout << "faces,stage,longest_without_question_s" << std::endl;
   for (std::size_t i = 0; i < stages.size(); ++i)
@@ -136,7 +137,7 @@ void measure_cancelling(std::size_t faces)
     cancelling.most_questions = (std::max)(std::size_t(1), std::size_t(part * double(visitor.questions)));
     Mesh output;
     try {
-      SMC::coarsen_mesh(mesh, number, output, SMC::parameters::visitor(std::ref(cancelling)));
+      SMC::coarsen_mesh(mesh, number, output, SMC::parameters::visitor(std::ref(cancelling)).number_of_iterations(rounds));
     } catch (const SMC::Coarsening_cancelled&) {
       const double seconds = processor_seconds() - cancelling.last;
       std::cout << mesh.number_of_faces() << ',' << cancelling.most_questions << ',' << visitor.questions << ','

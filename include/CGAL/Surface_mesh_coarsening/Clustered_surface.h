@@ -46,7 +46,8 @@ public:
   /// \cond SKIP_IN_MANUAL
   Clustered_surface(const internal::Clustering_input& input, const internal::Cluster_labels& labels, std::size_t clusters,
                     internal::Execution execution = internal::Execution::SEQUENTIAL,
-                    const internal::Coarse_features* features = nullptr)
+                    const internal::Coarse_features* features = nullptr,
+                    const internal::Checkpoint& checkpoint = internal::Checkpoint())
     : input_(input), labels_(labels), execution_(execution), features_(features), first_(clusters + 1, 0),
       faces_(input.mesh.number_of_faces())
   {
@@ -55,8 +56,10 @@ public:
     for (std::size_t i = 0; i < clusters; ++i)
       first_[i + 1] += first_[i];
     std::vector<std::uint32_t> at(first_.begin(), first_.end() - 1);
-    for (std::size_t f = 0; f < faces_.size(); ++f)
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      checkpoint.pass();
       faces_[at[labels[internal::Index(f)]]++] = internal::Index(f);
+    }
   }
   const internal::Clustering_input& input() const { return input_; }
   const internal::Cluster_labels& labels() const { return labels_; }

@@ -281,7 +281,8 @@ public:
     visitor_.stage_begins(Coarsening_stage::TRIANGULATION);
     const internal::Checkpoint checkpoint(visitor_);
     const internal::Labelled_pieces pieces(working_input(), labels(), report_.clusters);
-    const Clustered_surface surface(pieces.input(), pieces.labels(), report_.clusters, execution_, pieces.features());
+    const Clustered_surface surface(pieces.input(), pieces.labels(), report_.clusters, execution_, pieces.features(),
+                                    checkpoint);
     std::vector<internal::Triangle> triangles = internal::dual_triangles(labels(), checkpoint, execution_);
     internal::Repair_counts counts;
     const std::vector<internal::Vector> positions = internal::place_vertices(

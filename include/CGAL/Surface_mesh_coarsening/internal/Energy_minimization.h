@@ -48,7 +48,7 @@ public:
   {
     if (input.cells)
       moves_.keep_features(*input.cells);
-    sum_up();
+    sum_up(checkpoint_);
     list_boundary_edges();
   }
 
@@ -130,11 +130,12 @@ private:
     double magnitude; // of the energies that these are the difference of
   };
 
-  // All sums from scratch.
-  void sum_up()
+  // All sums from scratch. Without a checkpoint where it must not end half done.
+  void sum_up(const Checkpoint& checkpoint = Checkpoint())
   {
     std::fill(clusters_.begin(), clusters_.end(), Sums());
     for (Index f = 0; f < Index(mesh_.number_of_faces()); ++f) {
+      checkpoint.pass();
       Sums& x = clusters_[labels_[f]];
       const Face face = data_of(f);
       x.mass += face.mass;
@@ -146,6 +147,7 @@ private:
       if (x.mass > 0)
         x.centroid = (1 / x.mass) * x.centroid;
     for (Index f = 0; f < Index(mesh_.number_of_faces()); ++f) {
+      checkpoint.pass();
       Sums& x = clusters_[labels_[f]];
       const Vector d = input_.centroid(f) - x.centroid;
       x.inertia += input_.mass(f) * dot(d, d);

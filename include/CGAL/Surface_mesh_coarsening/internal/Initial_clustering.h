@@ -37,8 +37,10 @@ public:
       least_.push_back(fewest_vertices(c));
     bound_by_vertices();
     share_.assign(components.size(), 0);
-    for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
+    for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f) {
+      checkpoint_.pass();
       share_[input.mesh.component[f]] += input.mass(Index(f));
+    }
     cut_.assign(components.size(), false);
     plan_.resize(components.size());
     state_.assign(components.size(), State::NEW);
@@ -241,8 +243,10 @@ private:
       first_face_[i + 1] = first_face_[i] + m.components[i].faces;
     faces_.resize(m.number_of_faces());
     std::vector<std::size_t> at(first_face_.begin(), first_face_.end() - 1);
-    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+    for (std::size_t f = 0; f < m.number_of_faces(); ++f) {
+      checkpoint_.pass();
       faces_[at[m.component[f]]++] = Index(f);
+    }
     labels_.emplace(m);
     clustering_.emplace(*input_, checkpoint_);
     std::fill(state_.begin(), state_.end(), State::NEW);
@@ -350,8 +354,10 @@ private:
     if (!joined_input_)
       for (const Component_seeds& seeds : seeds_)
         std::for_each(seeds.faces.begin(), seeds.faces.end(), offer);
-    for (std::size_t f = 0; f < labels_->labels().size(); ++f)
+    for (std::size_t f = 0; f < labels_->labels().size(); ++f) {
+      checkpoint_.pass();
       offer(Index(f));
+    }
   }
 
   enum class State { NEW, SEEDED, DONE };

@@ -35,6 +35,12 @@ void for_each_meeting_point(const Cluster_labels& labels, Index begin, Index end
   }
 }
 
+template <class Visit>
+void for_each_meeting_point(const Cluster_labels& labels, const Visit& visit)
+{
+  for_each_meeting_point(labels, 0, Index(labels.mesh().number_of_vertices()), visit);
+}
+
 // Section 8.3 of the paper: a triangle of cluster numbers for each vertex where three clusters meet, a fan of them where
 // more do, in the orientation of the mesh.
 inline std::vector<Triangle> dual_triangles(const Cluster_labels& labels, const Checkpoint& checkpoint = Checkpoint(),
@@ -67,11 +73,11 @@ public:
 
   std::vector<Triangle> triangles()
   {
-    for_each_meeting_point(labels_, 0, Index(labels_.mesh().number_of_vertices()), [&](Index, const std::vector<Index>& runs) {
+    for_each_meeting_point(labels_, [&](Index, const std::vector<Index>& runs) {
       for (std::size_t i = 0; i < runs.size(); ++i)
         edges_.insert(key(runs[i], runs[(i + 1) % runs.size()]));
     });
-    for_each_meeting_point(labels_, 0, Index(labels_.mesh().number_of_vertices()), [&](Index v, const std::vector<Index>& runs) { add_fan(v, runs); });
+    for_each_meeting_point(labels_, [&](Index v, const std::vector<Index>& runs) { add_fan(v, runs); });
     check_edges();
     return triangles_;
   }

@@ -21,7 +21,8 @@ class Cluster_splitting
 public:
   Cluster_splitting(Cluster_labels& labels, const FaceRange& faces, Index number_of_clusters,
                     const Checkpoint& checkpoint = Checkpoint(), Feature_rules* rules = nullptr)
-    : labels_(labels), mesh_(labels.mesh()), walk_(labels), growth_(labels, checkpoint, rules), rules_(rules), faces_(faces),
+    : labels_(labels), mesh_(labels.mesh()), walk_(labels), growth_(labels, checkpoint, rules), checkpoint_(checkpoint),
+      rules_(rules), faces_(faces),
       clusters_(number_of_clusters) {}
 
   // Returns whether the clusters are valid now. They are not if clusters of one face are at fault.
@@ -51,6 +52,7 @@ private:
     edge_.assign(clusters_, Directed_edge());
     stamp_of_cluster_.resize(clusters_, 0);
     for (const Index f : faces_) {
+      checkpoint_.pass();
       const Index x = labels_[f];
       ++size_[x];
       if (face_[x] == NONE)
@@ -135,6 +137,7 @@ private:
   const Flat_mesh& mesh_;
   Dual_walk walk_;
   Cluster_growth growth_;
+  Checkpoint checkpoint_;
   Feature_rules* rules_;
   FaceRange faces_;
   Index clusters_;
