@@ -13,6 +13,15 @@
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// The class below has a function of the name `faces`, which hides that of the mesh.
+template <class FaceGraph>
+auto faces_of(const FaceGraph& mesh) { return faces(mesh); }
+
+} // namespace internal
+/// \endcond
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// The inverse of a face cluster map: gives the faces of each cluster, in two arrays.
@@ -57,7 +66,7 @@ public:
   Cluster_faces(const FaceGraph& mesh, const FaceClusterMap& clusters, std::size_t number_of_clusters)
     : first_(number_of_clusters + 1, 0)
   {
-    for (const face_descriptor f : CGAL::faces(mesh)) {
+    for (const face_descriptor f : internal::faces_of(mesh)) {
       const std::size_t x = std::size_t(get(clusters, f));
       if (x > number_of_clusters)
         throw Invalid_input("a face has cluster " + std::to_string(x) + " of " + std::to_string(number_of_clusters));
@@ -68,7 +77,7 @@ public:
       first_[x + 1] += first_[x];
     faces_.resize(first_.back());
     std::vector<std::size_t> at(first_.begin(), first_.end() - 1);
-    for (const face_descriptor f : CGAL::faces(mesh))
+    for (const face_descriptor f : internal::faces_of(mesh))
       if (std::size_t(get(clusters, f)) < number_of_clusters)
         faces_[at[std::size_t(get(clusters, f))]++] = f;
   }
