@@ -3,11 +3,11 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_COARSE_SURFACE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_COARSE_SURFACE_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/Coarse_features.h>
 #include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
