@@ -273,7 +273,7 @@ BOOST_AUTO_TEST_CASE(choices)
       BOOST_TEST(report["parameters"]["weight"] == weight);
       BOOST_TEST(report["parameters"]["placement"] == placement);
       BOOST_TEST(report["parameters"]["threads"]["allowed"] == 4);
-      BOOST_TEST(report["parameters"]["maximum_density"] == 50.);
+      BOOST_TEST(report["parameters"]["maximum_density"] == 10.);
       BOOST_TEST(report["output"]["valid"] == true);
       BOOST_TEST(report["output"]["vertices"] == 50);
       BOOST_TEST(report["clustering"]["clusters"] == 50);
@@ -605,7 +605,7 @@ BOOST_AUTO_TEST_CASE(measuring)
   BOOST_TEST(quality["self_intersections"] == 0);
 
   shop.write("sphere.off", generated::triangle_sphere(4));
-  const Outcome sphere = shop.run("sphere.off out.off -n 60 --measure --report r.json");
+  const Outcome sphere = shop.run("sphere.off out.off -n 60 --placement centroid --measure --report r.json");
   BOOST_TEST(sphere.out.find("border") == std::string::npos);
   quality = shop.report("r.json")["quality"];
   BOOST_TEST(quality["border_distance_percent"].is_null());

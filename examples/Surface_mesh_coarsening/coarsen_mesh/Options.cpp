@@ -85,6 +85,8 @@ void check_choice(const std::string& option, const std::string& value, const std
     throw Wrong_usage("--" + option + " is one of " + joined(names) + ", not '" + value + "'");
 }
 
+constexpr const char* default_feature_angle = "30";
+
 po::options_description described_options()
 {
   const auto text = [] { return po::value<std::string>(); };
@@ -107,7 +109,7 @@ po::options_description described_options()
     ("maximum-density", text()->value_name("R")->default_value("10"),
      "densities run from 1 on flat parts to R on the sharpest ones, and to 2 R on borders; the weight variance does well with 3")
     ("placement", text()->value_name("P")->default_value(default_placement()), joined(placement_names()).c_str())
-    ("features", text()->value_name("ANGLE")->implicit_value("30"),
+    ("features", text()->value_name("ANGLE")->implicit_value(default_feature_angle),
      "keep sharp edges, those at which normals are ANGLE degrees or more apart: they become lines of edges, and their corners "
      "stay where they are")
     ("clusters", text()->value_name("FILE"), "write the input with a color and a label for each face (.ply)")
@@ -244,14 +246,15 @@ Options checked_options(const po::variables_map& values)
   return options;
 }
 
-// The arguments, with the angle of --features, which need not be given, tied to the option if a number follows.
+// The arguments, with the angle of --features, which need not be given, tied to the option: what follows is taken for it only if
+// it is a number.
 std::vector<std::string> arguments(int argc, char* argv[])
 {
   std::vector<std::string> result;
   for (int i = 1; i < argc; ++i) {
     result.push_back(argv[i]);
-    if (result.back() == "--features" && i + 1 < argc && to_number(argv[i + 1]))
-      result.back() += std::string("=") + argv[++i];
+    if (result.back() == "--features")
+      result.back() += std::string("=") + (i + 1 < argc && to_number(argv[i + 1]) ? argv[++i] : default_feature_angle);
   }
   return result;
 }
