@@ -3,8 +3,9 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTER_EDITING_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTER_EDITING_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Dual_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Moments.h>
+#include <CGAL/Surface_mesh_coarsening/internal/faces_outward.h>
 #include <CGAL/Surface_mesh_coarsening/internal/grow_clusters.h>
 
 #include <algorithm>
@@ -44,14 +45,14 @@ public:
     return false;
   }
 
-  // Its neighbors are tried in the order of what the union adds to the moments. The last cluster gets the number of `x`.
+  // Its neighbors are tried in the order of what the union adds to the inertia. The last cluster gets the number of `x`.
   bool remove(Index x)
   {
     const std::vector<Index> faces = outward(face_of_[x]);
     std::vector<std::pair<double, Index> > candidates;
     for (const Index y : neighbors_in_arcs(faces))
       if (!labels_.is_frozen(y))
-        candidates.emplace_back(added_moment(faces, outward(face_of_[y])), y);
+        candidates.emplace_back(inertia_between(moments_of(faces), moments_of(outward(face_of_[y]))), y);
     std::sort(candidates.begin(), candidates.end());
     for (const auto& candidate : candidates) {
       for (const Index f : faces)
@@ -67,25 +68,7 @@ public:
   }
 
 private:
-  // The faces of the cluster of `f` in the order of a breadth-first walk from there.
-  std::vector<Index> outward(Index f) const
-  {
-    const Index x = labels_[f];
-    std::vector<Index> queue(1, f);
-    is_seen_.resize(mesh_.number_of_faces(), false);
-    is_seen_[f] = true;
-    for (std::size_t i = 0; i < queue.size(); ++i)
-      for_each_side(queue[i], [&](Index c) {
-        const Index g = mesh_.face_across[c];
-        if (g != NONE && labels_[g] == x && !is_seen_[g]) {
-          is_seen_[g] = true;
-          queue.push_back(g);
-        }
-      });
-    for (const Index g : queue)
-      is_seen_[g] = false;
-    return queue;
-  }
+  std::vector<Index> outward(Index f) { return faces_outward(labels_, f); }
 
   template <class Visit>
   void for_each_side(Index f, const Visit& visit) const
@@ -153,27 +136,23 @@ private:
     return neighbors;
   }
 
-  double added_moment(const std::vector<Index>& a, const std::vector<Index>& b) const
+  // Without the inertia.
+  Moments moments_of(const std::vector<Index>& faces) const
   {
-    double mass[2] = {0, 0};
-    Vector center[2] = {{{0, 0, 0}}, {{0, 0, 0}}};
-    for (int i = 0; i < 2; ++i) {
-      for (const Index f : i == 0 ? a : b) {
-        mass[i] += input_.mass(f);
-        center[i] = center[i] + input_.mass(f) * input_.centroid(f);
-      }
-      if (mass[i] > 0)
-        center[i] = (1 / mass[i]) * center[i];
+    Moments result;
+    for (const Index f : faces) {
+      result.mass += input_.mass(f);
+      result.centroid = result.centroid + input_.mass(f) * input_.centroid(f);
     }
-    const Vector d = center[0] - center[1];
-    return mass[0] + mass[1] > 0 ? mass[0] * mass[1] / (mass[0] + mass[1]) * dot(d, d) : 0;
+    if (result.mass > 0)
+      result.centroid = (1 / result.mass) * result.centroid;
+    return result;
   }
 
   // Whether cluster `x` is a disc, and its link and those of the clusters in it are simple.
   bool is_valid_around(Index x)
   {
-    const Index face = x < face_of_.size() ? face_of_[x] : NONE;
-    const std::vector<Index> faces = outward(face);
+    const std::vector<Index> faces = outward(face_of_[x]);
     if (!is_disc(x, faces))
       return false;
     const Directed_edge edge = boundary_edge(faces);
@@ -236,7 +215,6 @@ private:
   std::vector<Index> face_of_; // one of each cluster
   std::vector<Index> stamp_of_cluster_;
   Index stamp_ = 0;
-  mutable std::vector<bool> is_seen_; // no face is, between two walks
 };
 
 } // namespace internal

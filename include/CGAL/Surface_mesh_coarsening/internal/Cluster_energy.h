@@ -3,11 +3,12 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTER_ENERGY_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTER_ENERGY_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Moments.h>
 
 #include <algorithm>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -24,13 +25,10 @@ struct Face_terms
 
 // What the energy (8) of a cluster is made of. It is the weight times the inertia about the centroid (7).
 template <class Weight>
-struct Cluster_sums
+struct Cluster_sums : Moments
 {
-  double mass = 0;               // sum r A
-  Vector centroid{{0, 0, 0}};    // sum r A g / mass
-  double inertia = 0;            // sum r A |g - centroid|^2
   double weight = 0;
-  double energy = 0;              // weight times inertia
+  double energy = 0; // weight times inertia
   Index faces = 0;
   typename Weight::Cluster_data data;
 };
@@ -53,6 +51,27 @@ public:
   typedef Cluster_sums<Weight> Sums;
 
   explicit Cluster_energy(const Weight& weight) : weight_(weight) {}
+
+  Face terms_of(const Clustering_input& input, Index f) const
+  {
+    return {input.mass(f), input.centroid(f), weight_.face_data(input.density[f], input.area[f])};
+  }
+
+  // All sums of the clusters from scratch.
+  void add_up(const Clustering_input& input, const Cluster_labels& labels, std::vector<Sums>& clusters,
+              const Checkpoint& checkpoint) const
+  {
+    std::fill(clusters.begin(), clusters.end(), Sums());
+    add_up_moments(input, labels, clusters, checkpoint);
+    for (Index f = 0; f < Index(input.mesh.number_of_faces()); ++f) {
+      checkpoint.pass();
+      Sums& x = clusters[labels[f]];
+      ++x.faces;
+      weight_.add(x.data, weight_.face_data(input.density[f], input.area[f]));
+    }
+    for (Sums& x : clusters)
+      update_energy(x);
+  }
 
   static double squared_distance(const Face& face, const Sums& x)
   {

@@ -3,12 +3,11 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERING_INPUT_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERING_INPUT_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/cut_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/face_geometry.h>
-#include <CGAL/Surface_mesh_coarsening/internal/subdivide_flat_mesh.h>
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -40,18 +39,22 @@ struct Clustering_input
   }
   Index parent_of(Index f) const { return parent.empty() ? f : parent[f]; }
 
-  void complete(const Checkpoint& checkpoint = Checkpoint(), Execution execution = Execution::SEQUENTIAL)
+  // Computes the areas.
+  void measure(const Checkpoint& checkpoint = Checkpoint(), Execution execution = Execution::SEQUENTIAL)
   {
-    measure(checkpoint, execution);
+    area.resize(mesh.number_of_faces());
+    for_each_number(execution, area.size(), checkpoint, [this](Index f) { area[f] = face_area(mesh, f); });
   }
 
   // Cuts the faces of the chosen components into one piece per corner.
   void subdivide(const std::vector<bool>& chosen_component, const Checkpoint& checkpoint = Checkpoint())
   {
-    std::vector<Index> cut_from(mesh.number_of_faces());
-    std::iota(cut_from.begin(), cut_from.end(), Index(0));
-    mesh = Flat_mesh_subdivision::run(mesh, chosen_component, cut_from, checkpoint);
-    take_from(cut_from, checkpoint);
+    std::vector<char> is_cut(mesh.number_of_faces());
+    for (std::size_t f = 0; f < is_cut.size(); ++f)
+      is_cut[f] = chosen_component[mesh.component[f]];
+    Face_cutting cutting(mesh, is_cut);
+    mesh = cutting.run(checkpoint);
+    take_from(cutting.old_face(), checkpoint);
   }
 
   // Takes densities and parents over from an input of which the faces are pieces.
@@ -110,12 +113,6 @@ private:
     density.swap(densities);
     parent.swap(parents);
     measure(checkpoint);
-  }
-
-  void measure(const Checkpoint& checkpoint, Execution execution = Execution::SEQUENTIAL)
-  {
-    area.resize(mesh.number_of_faces());
-    for_each_number(execution, area.size(), checkpoint, [this](Index f) { area[f] = face_area(mesh, f); });
   }
 };
 

@@ -123,8 +123,14 @@ public:
   // The vertex opposite to the edge of triangle `t` that begins at corner `i`.
   Index opposite(Index t, int i) const { return triangles_[t][(i + 2) % 3]; }
 
-  // Replaces the edge from corner `i` of triangle `t`, with triangle `u` on its other side, by the one between the
-  // vertices opposite to it. That must not be an edge yet.
+  // Whether that edge, with triangle `u` on its other side, may be flipped: whether the edge to come is none yet.
+  bool may_flip(Index t, int i, Index u) const
+  {
+    const Index c = opposite(t, i), d = opposite(u, corner(u, triangles_[t][(i + 1) % 3]));
+    return c != d && !is_edge(c, d);
+  }
+
+  // Replaces that edge by the one between the vertices opposite to it.
   void flip(Index t, int i, Index u)
   {
     const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3], c = opposite(t, i);
@@ -148,6 +154,15 @@ public:
     for (const Index x : {t, u})
       for (const Index v : triangles_[x])
         around_[v].push_back(x);
+  }
+
+  // The mean of the neighbors of an inner vertex.
+  Vector mean_of_neighbors(Index v, const std::vector<Vector>& positions) const
+  {
+    Vector sum{{0, 0, 0}};
+    for (const Index t : around_[v])
+      sum = sum + positions[triangles_[t][(corner(t, v) + 1) % 3]];
+    return (1. / double(around_[v].size())) * sum;
   }
 
 private:

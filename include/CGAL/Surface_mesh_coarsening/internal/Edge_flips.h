@@ -46,15 +46,6 @@ public:
     apply(flips, rate);
   }
 
-  // The mean over the triangles of their smallest angle.
-  double mean_angle() const
-  {
-    double sum = 0;
-    for (const Triangle& t : coarse_.triangles())
-      sum += angle(t);
-    return sum / double(coarse_.triangles().size());
-  }
-
 private:
   struct Flip
   {
@@ -78,9 +69,9 @@ private:
       return flip;
     const Triangle old_t = coarse_.triangles()[t], old_u = coarse_.triangles()[u];
     const Index a = old_t[i], b = old_t[(i + 1) % 3], c = coarse_.opposite(t, i);
-    const Index d = coarse_.opposite(u, coarse_.corner(u, b));
-    if (c == d || coarse_.is_edge(c, d))
+    if (!coarse_.may_flip(t, i, u))
       return flip;
+    const Index d = coarse_.opposite(u, coarse_.corner(u, b));
     const Triangle new_t{c, a, d}, new_u{c, d, b};
     const double before = (std::max)(sharpest_of(positions_, old_t), sharpest_of(positions_, old_u));
     const double after = (std::max)(sharpest_of(positions_, new_t), sharpest_of(positions_, new_u));

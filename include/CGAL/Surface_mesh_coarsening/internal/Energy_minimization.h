@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,12 +42,12 @@ class Energy_minimization
 public:
   Energy_minimization(const Clustering_input& input, Cluster_labels& labels, std::size_t number_of_clusters,
                       const Weight& weight, const Checkpoint& checkpoint, Execution execution)
-    : input_(input), mesh_(input.mesh), labels_(labels), weight_(weight), energy_(weight), checkpoint_(checkpoint), execution_(execution),
-      moves_(labels, number_of_clusters), clusters_(number_of_clusters), round_of_change_(number_of_clusters, 0)
+    : input_(input), mesh_(input.mesh), labels_(labels), energy_(weight), checkpoint_(checkpoint),
+      execution_(execution), moves_(labels, number_of_clusters), clusters_(number_of_clusters), round_of_change_(number_of_clusters, 0)
   {
     if (input.cells)
       moves_.keep_features(*input.cells);
-    sum_up(checkpoint_);
+    energy_.add_up(input_, labels_, clusters_, checkpoint_);
     list_boundary_edges();
   }
 
@@ -58,7 +57,7 @@ public:
     ++round_;
     // Sums that are updated again and again drift by roundings.
     if (round_ % 64 == 0)
-      sum_up();
+      energy_.add_up(input_, labels_, clusters_, Checkpoint()); // must not end half done
     std::size_t moves = run(false);
     // Edges were passed over whose two clusters had not changed. Whether a move is allowed depends on others, too:
     // the end is reached when no edge at all has a move left.
@@ -73,11 +72,11 @@ public:
   {
     if (labels_.recounted() != labels_.boundary_counts())
       return false;
-    Energy_minimization fresh(*this);
-    fresh.sum_up();
+    std::vector<Sums> fresh(clusters_.size());
+    energy_.add_up(input_, labels_, fresh, Checkpoint());
     const auto agree = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); };
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
-      const Sums&x = clusters_[i], &y = fresh.clusters_[i];
+      const Sums &x = clusters_[i], &y = fresh[i];
       if (x.faces != y.faces || !agree(x.mass, y.mass) || !agree(x.inertia, y.inertia) || !agree(x.energy, y.energy))
         return false;
     }
@@ -130,43 +129,12 @@ private:
     double magnitude; // of the energies that these are the difference of
   };
 
-  // All sums from scratch. Without a checkpoint where it must not end half done.
-  void sum_up(const Checkpoint& checkpoint = Checkpoint())
-  {
-    std::fill(clusters_.begin(), clusters_.end(), Sums());
-    for (Index f = 0; f < Index(mesh_.number_of_faces()); ++f) {
-      checkpoint.pass();
-      Sums& x = clusters_[labels_[f]];
-      const Face face = data_of(f);
-      x.mass += face.mass;
-      x.centroid = x.centroid + face.mass * face.centroid;
-      ++x.faces;
-      weight_.add(x.data, face.data);
-    }
-    for (Sums& x : clusters_)
-      if (x.mass > 0)
-        x.centroid = (1 / x.mass) * x.centroid;
-    for (Index f = 0; f < Index(mesh_.number_of_faces()); ++f) {
-      checkpoint.pass();
-      Sums& x = clusters_[labels_[f]];
-      const Vector d = input_.centroid(f) - x.centroid;
-      x.inertia += input_.mass(f) * dot(d, d);
-    }
-    for (Sums& x : clusters_)
-      energy_.update_energy(x);
-  }
-
-  Face data_of(Index f) const
-  {
-    return {input_.mass(f), input_.centroid(f), weight_.face_data(input_.density[f], input_.area[f])};
-  }
-
   Trial trial(const Edge& e, int side, Index to) const
   {
     const Sums& source = clusters_[labels_[e.face[side]]];
     const Sums& target = clusters_[to];
     const Face& face = e.data[side];
-    if (source.faces == 1 || (has_bounds<Weight> && energy_.cannot_gain(source, target, face)))
+    if (source.faces == 1 || energy_.cannot_gain(source, target, face))
       return {side, to, no_gain, 0, 0};
     const double without = energy_.energy_without(source, face), with = energy_.energy_with(target, face);
     const double lost = source.energy - without, won = with - target.energy;
@@ -291,13 +259,12 @@ private:
   void list(const Plain_edge& e)
   {
     is_listed_[e.corner] = true;
-    edges_.push_back(Edge{{{data_of(e.face[0]), data_of(e.face[1])}}, e.face, e.corner});
+    edges_.push_back(Edge{{{energy_.terms_of(input_, e.face[0]), energy_.terms_of(input_, e.face[1])}}, e.face, e.corner});
   }
 
   const Clustering_input& input_;
   const Flat_mesh& mesh_;
   Cluster_labels& labels_;
-  Weight weight_;
   Cluster_energy<Weight> energy_;
   Checkpoint checkpoint_;
   Execution execution_;

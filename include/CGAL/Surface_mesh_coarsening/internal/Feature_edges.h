@@ -39,7 +39,18 @@ struct Feature_edges
           visit(m.corner_vertex[c], m.corner_vertex[m.next_corner(Index(f), c)], Index(f), c);
   }
 
-  // What becomes of them where the faces of the chosen components are cut as Flat_mesh_subdivision does.
+  // The vertices that each vertex has feature edges to.
+  std::vector<std::vector<Index> > neighbors(const Flat_mesh& m) const
+  {
+    std::vector<std::vector<Index> > neighbors(m.number_of_vertices());
+    for_each_edge(m, [&](Index v, Index w, Index, Index) {
+      neighbors[v].push_back(w);
+      neighbors[w].push_back(v);
+    });
+    return neighbors;
+  }
+
+  // What becomes of them where the faces of the chosen components are cut as Face_cutting does.
   Feature_edges subdivided(const Flat_mesh& m, const std::vector<bool>& chosen, const Flat_mesh& subdivision) const
   {
     Feature_edges result(subdivision);
@@ -110,7 +121,7 @@ public:
   // Also takes for corners the vertices where other than two feature edges meet, or lines reach the border or turn sharply.
   Feature_edges result()
   {
-    find_neighbors();
+    neighbors_ = result_.neighbors(m_);
     for (std::size_t v = 0; v < m_.number_of_vertices(); ++v)
       if (!neighbors_[v].empty() && (neighbors_[v].size() != 2 || m_.is_on_border(Index(v))))
         result_.is_corner[v] = true;
@@ -142,15 +153,6 @@ private:
   }
 
   const Vector& point(Index corner) const { return m_.points[m_.corner_vertex[corner]]; }
-
-  void find_neighbors()
-  {
-    neighbors_.assign(m_.number_of_vertices(), {});
-    result_.for_each_edge(m_, [&](Index v, Index w, Index, Index) {
-      neighbors_[v].push_back(w);
-      neighbors_[w].push_back(v);
-    });
-  }
 
   // A line of one edge that a part of the border without corners goes beside from end to end. In the middle of that part a
   // corner keeps the two apart.

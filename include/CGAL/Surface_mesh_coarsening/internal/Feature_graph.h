@@ -33,11 +33,7 @@ public:
   Feature_graph(const Flat_mesh& m, const Feature_edges& edges) : node_of_vertex_(m.number_of_vertices(), NONE)
   {
     add_corners(m, edges);
-    std::vector<std::vector<Index> > neighbors(m.number_of_vertices());
-    edges.for_each_edge(m, [&](Index v, Index w, Index, Index) {
-      neighbors[v].push_back(w);
-      neighbors[w].push_back(v);
-    });
+    const Neighbors neighbors = edges.neighbors(m);
     for (Index i = 0; i < number_of_corners_; ++i)
       for (const Index next : neighbors[vertex_[i]])
         trace_from_corner(vertex_[i], next, neighbors);

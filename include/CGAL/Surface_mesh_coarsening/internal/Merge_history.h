@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MERGE_HISTORY_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MERGE_HISTORY_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Moments.h>
 #include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/merge_clusters.h>
 
@@ -32,7 +32,7 @@ public:
   Merge_history(const Clustering_input& input, const Cluster_labels& labels, Index clusters, const Checkpoint& checkpoint)
     : checkpoint_(checkpoint), dual_(labels, all_faces(input), clusters), finest_(clusters), sums_(clusters), version_(clusters, 0)
   {
-    sum_up(input, labels);
+    add_up_moments(input, labels, sums_, checkpoint);
     merge_all();
     number_clusters();
     list_triangles();
@@ -68,12 +68,6 @@ public:
 private:
   typedef Dual_surface::Edge Edge;
 
-  struct Sums
-  {
-    double mass = 0, inertia = 0;
-    Vector centroid{{0, 0, 0}};
-  };
-
   struct Step
   {
     Index gone, kept;
@@ -99,38 +93,19 @@ private:
     return faces;
   }
 
-  void sum_up(const Clustering_input& input, const Cluster_labels& labels)
+  static Moments joined(const Moments& a, const Moments& b)
   {
-    const std::size_t faces = input.mesh.number_of_faces();
-    for (std::size_t f = 0; f < faces; ++f) {
-      Sums& s = sums_[labels[Index(f)]];
-      s.mass += input.mass(Index(f));
-      s.centroid = s.centroid + input.mass(Index(f)) * input.centroid(Index(f));
-    }
-    for (Sums& s : sums_)
-      if (s.mass > 0)
-        s.centroid = (1 / s.mass) * s.centroid;
-    for (std::size_t f = 0; f < faces; ++f) {
-      Sums& s = sums_[labels[Index(f)]];
-      const Vector d = input.centroid(Index(f)) - s.centroid;
-      s.inertia += input.mass(Index(f)) * dot(d, d);
-    }
-  }
-
-  static Sums joined(const Sums& a, const Sums& b)
-  {
-    Sums s;
+    Moments s;
     s.mass = a.mass + b.mass;
     if (!(s.mass > 0))
       return a;
-    const Vector d = b.centroid - a.centroid;
-    s.centroid = a.centroid + (b.mass / s.mass) * d;
-    s.inertia = a.inertia + b.inertia + a.mass * b.mass / s.mass * dot(d, d);
+    s.centroid = a.centroid + (b.mass / s.mass) * (b.centroid - a.centroid);
+    s.inertia = a.inertia + b.inertia + inertia_between(a, b);
     return s;
   }
 
   // The energy with the weight of formula (9), which is known of a union from the sums of its parts.
-  static double energy(const Sums& s) { return s.mass * s.inertia; }
+  static double energy(const Moments& s) { return s.mass * s.inertia; }
 
   void enqueue(Edge e)
   {
@@ -241,7 +216,7 @@ private:
   Checkpoint checkpoint_;
   Dual_surface dual_;
   std::size_t finest_;
-  std::vector<Sums> sums_;      // of each cluster
+  std::vector<Moments> sums_;      // of each cluster
   std::vector<Index> version_;  // number of merges in each cluster
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > queue_;
   std::vector<Step> steps_;

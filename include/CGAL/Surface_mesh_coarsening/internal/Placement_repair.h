@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Reference_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Repair_proposals.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Triangle_conflicts.h>
 
 #include <algorithm>
@@ -40,8 +41,8 @@ public:
 
   Placement_repair(const Clustered_surface& surface, const Border_arcs& border, const Output_coordinates& output,
                    std::vector<Triangle>& triangles, std::vector<Vector>& positions, const Checkpoint& checkpoint)
-    : checkpoint_(checkpoint), execution_(surface.execution()), surface_(surface), border_(border), output_(output), result_(triangles), positions_(positions),
-      coarse_(triangles, positions.size(), surface.features()), reference_(surface)
+    : checkpoint_(checkpoint), execution_(surface.execution()), surface_(surface), border_(border), output_(output),
+      result_(triangles), positions_(positions), coarse_(triangles, positions.size(), surface.features()), reference_(surface)
   {
     points_.reserve(positions.size());
     for (const Vector& p : positions)
@@ -88,27 +89,13 @@ private:
   // are too near each other all over stays.
   static constexpr std::size_t most_tests = 2000000;
   static constexpr std::size_t most_measured = 500; // triangles
-  static constexpr std::size_t most_input_vertices = 24;
 
-  struct Move
-  {
-    Index vertex;
-    Vector to;
-  };
   // By how much a change lowers the number of faults, and the squared distance from the input after it.
   struct Effect
   {
     long gain = 0;
     double harm = 0;
   };
-  // Moves of vertices, or the flip of an edge.
-  struct Change
-  {
-    std::vector<Move> moves;
-    Index flipped = NONE;
-    int corner = 0;
-  };
-
   Exact_point point(const Vector& p) const
   {
     const Vector q = output_(p);
@@ -170,9 +157,9 @@ private:
     find_near(vertices);
     last_altered_.clear();
     distance_before_ = squared_distance_around(vertices);
-    Change best;
+    Placement_change best;
     Effect least;
-    for (const Change& change : changes_at(faulty, vertices)) {
+    for (const Placement_change& change : Repair_proposals(surface_, border_, coarse_, reference_, positions_, at_input_vertices_).at(faulty, vertices)) {
       const Effect effect = effect_of(change, vertices, least);
       if (is_better(effect, least)) {
         least = effect;
@@ -223,101 +210,11 @@ private:
         near_.push_back(Index(t));
   }
 
-  std::vector<Change> changes_at(const std::vector<Index>& faulty, const std::vector<Index>& vertices) const
-  {
-    std::vector<Change> changes;
-    for (const Index v : vertices)
-      if (!border_.is_on_border(v))
-        for (const Vector& to : places_for(v))
-          changes.push_back({{{v, to}}, NONE, 0});
-    for (const Index t : faulty)
-      for (int i = 0; i < 3; ++i)
-        if (can_flip(t, i))
-          changes.push_back({{}, t, i});
-    if (!at_input_vertices_)
-      add_common_moves(faulty, vertices, changes);
-    return changes;
-  }
-
-  // Where a vertex might go.
-  std::vector<Vector> places_for(Index v) const
-  {
-    std::vector<Vector> places;
-    if (at_input_vertices_) {
-      for (const Index f : surface_.faces(v))
-        for (const Index w : surface_.vertices(f))
-          if (!surface_.is_on_cluster_boundary(w) &&
-              std::find(places.begin(), places.end(), surface_.point(w)) == places.end() && places.size() < most_input_vertices)
-            places.push_back(surface_.point(w));
-      return places;
-    }
-    const Vector from = positions_[v], centroid = surface_.cluster_centroid(v), middle = middle_around(v);
-    for (const double part : {0.03, 0.1, 0.3, 0.6, 1.}) {
-      places.push_back(from + part * (centroid - from));
-      places.push_back(from + part * (middle - from));
-    }
-    for (const double part : {0.01, 0.03, 0.1, 0.25}) {
-      places.push_back(from + part * size_around(v) * reference_.normal(v));
-      places.push_back(from - part * size_around(v) * reference_.normal(v));
-    }
-    return places;
-  }
-
-  // Changes that move several vertices: all towards their centroids; those of two triangles apart or into each other, each
-  // along the normals of its own surface.
-  void add_common_moves(const std::vector<Index>& faulty, const std::vector<Index>& vertices,
-                        std::vector<Change>& changes) const
-  {
-    for (const double part : {0.1, 0.3, 0.6, 1.}) {
-      Change change;
-      for (const Index v : vertices)
-        if (!border_.is_on_border(v))
-          change.moves.push_back({v, positions_[v] + part * (surface_.cluster_centroid(v) - positions_[v])});
-      changes.push_back(change);
-    }
-    for (const double part : {0.01, -0.01, 0.03, -0.03, 0.1, -0.1, 0.25, -0.25})
-      for (std::size_t chosen = 0; chosen <= faulty.size(); ++chosen) { // one of them, or all
-        Change change;
-        for (const Index v : vertices)
-          if (!border_.is_on_border(v) &&
-              (chosen == faulty.size() || coarse_.corner(faulty[chosen], v) >= 0))
-            change.moves.push_back({v, positions_[v] + part * size_around(v) * reference_.normal(v)});
-        changes.push_back(change);
-      }
-  }
-
-  Vector middle_around(Index v) const
-  {
-    Vector sum{{0, 0, 0}};
-    for (const Index t : coarse_.around(v))
-      sum = sum + positions_[coarse_.triangles()[t][(coarse_.corner(t, v) + 1) % 3]];
-    return (1. / double(coarse_.around(v).size())) * sum;
-  }
-
-  double size_around(Index v) const
-  {
-    double area = 0;
-    for (const Index t : coarse_.around(v)) {
-      const Vector n = normal_of(positions_, coarse_.triangles()[t]);
-      area += 0.5 * std::sqrt(dot(n, n));
-    }
-    return std::sqrt(area);
-  }
-
-  bool can_flip(Index t, int i) const
-  {
-    const Index u = coarse_.across(t, i);
-    if (u == NONE)
-      return false;
-    const Index c = coarse_.opposite(t, i), d = coarse_.opposite(u, coarse_.corner(u, coarse_.triangles()[t][(i + 1) % 3]));
-    return c != d && !coarse_.is_edge(c, d);
-  }
-
   // The triangles that a change alters.
-  std::vector<Index> altered_by(const Change& change) const
+  std::vector<Index> altered_by(const Placement_change& change) const
   {
     std::vector<Index> altered;
-    for (const Move& m : change.moves)
+    for (const Vertex_move& m : change.moves)
       altered.insert(altered.end(), coarse_.around(m.vertex).begin(), coarse_.around(m.vertex).end());
     if (change.flipped != NONE) {
       altered.push_back(change.flipped);
@@ -328,7 +225,7 @@ private:
   }
 
   // No more is computed than it takes to see whether the effect is better than another one.
-  Effect effect_of(const Change& change, const std::vector<Index>& vertices, const Effect& other)
+  Effect effect_of(const Placement_change& change, const std::vector<Index>& vertices, const Effect& other)
   {
     const std::vector<Index> altered = altered_by(change);
     Effect effect;
@@ -341,8 +238,8 @@ private:
         effect.harm = squared_distance_around(vertices, distance_before_ + most_harm(effect.gain, other)) - distance_before_;
     };
     if (change.flipped == NONE) {
-      std::vector<Move> back;
-      for (const Move& m : change.moves)
+      std::vector<Vertex_move> back;
+      for (const Vertex_move& m : change.moves)
         back.push_back({m.vertex, positions_[m.vertex]});
       make(change);
       measure();
@@ -404,9 +301,9 @@ private:
     list.erase(std::unique(list.begin(), list.end()), list.end());
   }
 
-  void make(const Change& change)
+  void make(const Placement_change& change)
   {
-    for (const Move& m : change.moves) {
+    for (const Vertex_move& m : change.moves) {
       positions_[m.vertex] = m.to;
       points_[m.vertex] = point(m.to);
     }
@@ -460,8 +357,10 @@ private:
     for (const Index v : vertices) {
       if (at_input_vertices_ || border_.is_on_border(v))
         continue;
-      const Vector way = time % 3 == 2 ? surface_.cluster_centroid(v) - positions_[v] : size_around(v) * reference_.normal(v);
-      const double part = time % 3 == 2 ? 0.5 : time % 3 == 1 ? 0.03 : -0.03;
+      const bool goes_back = time % 3 == 2;
+      const Vector way = goes_back ? surface_.cluster_centroid(v) - positions_[v]
+                                   : size_around(coarse_, positions_, v) * reference_.normal(v);
+      const double part = goes_back ? 0.5 : time % 3 == 1 ? 0.03 : -0.03;
       make({{{v, positions_[v] + part * way}}, NONE, 0});
     }
   }

@@ -59,8 +59,9 @@ public:
     lines_.find_feet();
   }
 
-  // Moves the vertices, but for those on the border and at corners, to where the sum of the squared distances is smallest as far as it can
-  // be told from the closest points. Where that leaves a vertex free to slide, it does so towards the middle of its neighbors.
+  // Moves the vertices, but for those on the border and at corners, to where the sum of the squared distances is smallest as far
+  // as it can be told from the closest points. Where that leaves a vertex free to slide, it does so towards the middle of its
+  // neighbors.
   void move_vertices()
   {
     const std::vector<Triangle>& triangles = coarse_.triangles();
@@ -349,13 +350,10 @@ private:
   // From a vertex to the mean of its neighbors, along the surface.
   Vector way_to_middle(Index v) const
   {
-    Vector middle{{0, 0, 0}}, normal{{0, 0, 0}};
-    for (const Index t : coarse_.around(v)) {
-      const Triangle& corner = coarse_.triangles()[t];
-      middle = middle + positions_[corner[(coarse_.corner(t, v) + 1) % 3]];
-      normal = normal + normal_of(positions_, corner);
-    }
-    const Vector d = (1. / double(coarse_.around(v).size())) * middle - positions_[v];
+    Vector normal{{0, 0, 0}};
+    for (const Index t : coarse_.around(v))
+      normal = normal + normal_of(positions_, coarse_.triangles()[t]);
+    const Vector d = coarse_.mean_of_neighbors(v, positions_) - positions_[v];
     const double square = dot(normal, normal);
     return square > 0 ? d - (dot(d, normal) / square) * normal : d;
   }

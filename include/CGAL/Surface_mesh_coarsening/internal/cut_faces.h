@@ -14,8 +14,11 @@ namespace Surface_mesh_coarsening {
 namespace internal {
 
 // Cuts chosen faces into one quadrilateral per corner, from the corner to the middles of its two edges and the middle of the
-// face. Faces beside them get the middles of the common edges as further corners. The pieces of a face follow each other in
-// the order of its corners; vertices keep their numbers, and those added follow.
+// face; the surface does not change. Faces beside them get the middles of the common edges as further corners. The pieces of a
+// face follow each other in the order of its corners; vertices keep their numbers, and those added follow.
+//
+// Where the faces of whole components are cut, any two of these quadrilaterals meet in a vertex, in an arc, or not at all, even
+// if the faces themselves meet twice: each of them can be a cluster of its own.
 class Face_cutting
 {
 public:
@@ -24,18 +27,11 @@ public:
 
   Flat_mesh run(const Checkpoint& checkpoint)
   {
-    result_.points = m_.points;
+    number_new_elements(checkpoint);
     for (Index f = 0; f < m_.number_of_faces(); ++f) {
       checkpoint.pass();
-      first_piece_.push_back(Index(old_face_.size()));
-      old_face_.insert(old_face_.end(), is_cut_[f] ? m_.degree(f) : 1, f);
-      if (is_cut_[f])
-        add_points(f);
-    }
-    result_.first_corner.assign(1, 0);
-    for (Index f = 0; f < m_.number_of_faces(); ++f)
       is_cut_[f] ? cut(f) : copy(f);
-    check_countable(result_.corner_vertex.size(), "face corners after cutting faces at features");
+    }
     Flat_mesh_topology::complete(result_, result_.points.size(), checkpoint);
     return std::move(result_);
   }
@@ -51,6 +47,34 @@ public:
   const std::vector<Index>& middle() const { return middle_; }
 
 private:
+  void number_new_elements(const Checkpoint& checkpoint)
+  {
+    std::size_t corners = 0;
+    result_.points = m_.points;
+    first_piece_.reserve(m_.number_of_faces());
+    for (Index f = 0; f < m_.number_of_faces(); ++f) {
+      checkpoint.pass();
+      first_piece_.push_back(Index(old_face_.size()));
+      old_face_.insert(old_face_.end(), is_cut_[f] ? m_.degree(f) : 1, f);
+      corners += is_cut_[f] ? 4 * m_.degree(f) : m_.degree(f) + number_of_cut_neighbors(f);
+      check_countable(corners, "face corners after faces were cut");
+      if (is_cut_[f])
+        add_points(f);
+    }
+    result_.first_corner.assign(1, 0);
+    result_.first_corner.reserve(old_face_.size() + 1);
+    result_.corner_vertex.reserve(corners);
+    result_.face_across.reserve(corners);
+  }
+
+  Index number_of_cut_neighbors(Index f) const
+  {
+    Index n = 0;
+    for (Index c = m_.first_corner[f]; c != m_.first_corner[f + 1]; ++c)
+      n += m_.face_across[c] != NONE && is_cut_[m_.face_across[c]];
+    return n;
+  }
+
   void add_points(Index f)
   {
     center_[f] = Index(result_.points.size());

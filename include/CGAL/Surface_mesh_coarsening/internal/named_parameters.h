@@ -121,7 +121,7 @@ Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& 
     throw Invalid_input("the input has no faces");
   frame = copy_points(mesh, np, n, input.mesh, checkpoint);
   input.density = densities_of(n, input.mesh, choice, get_parameter(np, internal_np::face_density), checkpoint, execution);
-  input.complete(checkpoint, execution);
+  input.measure(checkpoint, execution);
   return input;
 }
 

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SPLIT_CLUSTERS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/Dual_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/faces_outward.h>
 #include <CGAL/Surface_mesh_coarsening/internal/grow_clusters.h>
 
 #include <vector>
@@ -101,8 +102,8 @@ private:
   void split(Index x)
   {
     const Index corner = rules_ ? rules_->corner_cell(x) : NONE;
-    const std::vector<Index> faces = faces_outward(corner == NONE ? face_[x] : corner);
-    const std::vector<Index> back = corner == NONE ? faces_outward(faces.back()) : faces;
+    const std::vector<Index> faces = faces_outward(labels_, corner == NONE ? face_[x] : corner);
+    const std::vector<Index> back = corner == NONE ? faces_outward(labels_, faces.back()) : faces;
     for (const Index f : faces) {
       if (rules_)
         rules_->change(f, NONE);
@@ -112,25 +113,6 @@ private:
     growth_.plant(back.back(), clusters_++);
     growth_.run();
     clusters_ = growth_.cover(faces, clusters_);
-  }
-
-  // The faces of the cluster of `f` in the order of a breadth-first walk from there.
-  std::vector<Index> faces_outward(Index f)
-  {
-    const Index x = labels_[f];
-    std::vector<Index> queue(1, f);
-    labels_.set(f, NONE);
-    for (std::size_t i = 0; i < queue.size(); ++i)
-      for (Index c = mesh_.first_corner[queue[i]]; c != mesh_.first_corner[queue[i] + 1]; ++c) {
-        const Index g = mesh_.face_across[c];
-        if (g != NONE && labels_[g] == x) {
-          labels_.set(g, NONE);
-          queue.push_back(g);
-        }
-      }
-    for (const Index g : queue)
-      labels_.set(g, x);
-    return queue;
   }
 
   Cluster_labels& labels_;
