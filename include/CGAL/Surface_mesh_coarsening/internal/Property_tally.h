@@ -88,16 +88,11 @@ template <class FaceGraph, class NamedParameters>
 std::vector<Vector> points_in_frame(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
                                     const Frame& frame)
 {
-  typedef typename GetGeomTraits<FaceGraph, NamedParameters>::type Traits;
-  const Traits traits = choose_parameter<Traits>(get_parameter(np, CGAL::internal_np::geom_traits));
-  const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                       get_const_property_map(CGAL::vertex_point, mesh));
+  const Vertex_coordinates<FaceGraph, NamedParameters> coordinates(mesh, np);
   std::vector<Vector> positions;
   positions.reserve(n.vertices.size());
   for (const auto v : n.vertices) {
-    const auto& p = get(points, v);
-    Vector q{{CGAL::to_double(traits.compute_x_3_object()(p)), CGAL::to_double(traits.compute_y_3_object()(p)),
-              CGAL::to_double(traits.compute_z_3_object()(p))}};
+    Vector q = coordinates(v);
     for (int i = 0; i < 3; ++i) {
       if (!std::isfinite(q[i]))
         throw Invalid_input("coordinate " + std::to_string(i) + " of vertex " + std::to_string(positions.size()) +

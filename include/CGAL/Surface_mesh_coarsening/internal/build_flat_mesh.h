@@ -266,22 +266,6 @@ inline Frame to_local_frame(std::vector<Vector>& points, const std::vector<Index
   return frame;
 }
 
-template <class FaceGraph, class VertexPointMap, class GeomTraits>
-Frame copy_points(const Numbering<FaceGraph>& n, const VertexPointMap& point_map, const GeomTraits& traits, Flat_mesh& m,
-                  const Checkpoint& checkpoint)
-{
-  const auto x = traits.compute_x_3_object();
-  const auto y = traits.compute_y_3_object();
-  const auto z = traits.compute_z_3_object();
-  m.points.reserve(n.vertices.size());
-  for (const auto v : n.vertices) {
-    checkpoint.pass();
-    const auto& p = get(point_map, v);
-    m.points.push_back({CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p))});
-  }
-  return to_local_frame(m.points, m.first_in_star, checkpoint);
-}
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

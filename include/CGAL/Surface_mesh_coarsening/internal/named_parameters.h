@@ -14,6 +14,7 @@
 #include <cmath>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -51,14 +52,46 @@ Flat_mesh flat_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n
 }
 
 template <class FaceGraph, class NamedParameters>
+auto point_map(const FaceGraph& mesh, const NamedParameters& np)
+{
+  return choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                          get_const_property_map(CGAL::vertex_point, mesh));
+}
+
+// Reads the coordinates of vertices by the caller's point map and traits.
+template <class FaceGraph, class NamedParameters>
+class Vertex_coordinates
+{
+public:
+  Vertex_coordinates(const FaceGraph& mesh, const NamedParameters& np)
+    : traits_(choose_parameter<Traits>(get_parameter(np, CGAL::internal_np::geom_traits))), points_(point_map(mesh, np))
+  {}
+
+  Vector operator()(typename boost::graph_traits<FaceGraph>::vertex_descriptor v) const
+  {
+    const auto& p = get(points_, v);
+    return {{CGAL::to_double(traits_.compute_x_3_object()(p)), CGAL::to_double(traits_.compute_y_3_object()(p)),
+             CGAL::to_double(traits_.compute_z_3_object()(p))}};
+  }
+
+private:
+  typedef typename GetGeomTraits<FaceGraph, NamedParameters>::type Traits;
+
+  const Traits traits_;
+  const decltype(point_map(std::declval<const FaceGraph&>(), std::declval<const NamedParameters&>())) points_;
+};
+
+template <class FaceGraph, class NamedParameters>
 Frame copy_points(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n, Flat_mesh& m,
                   const Checkpoint& checkpoint = Checkpoint())
 {
-  typedef typename GetGeomTraits<FaceGraph, NamedParameters>::type Traits;
-  const Traits traits = choose_parameter<Traits>(get_parameter(np, CGAL::internal_np::geom_traits));
-  const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                       get_const_property_map(CGAL::vertex_point, mesh));
-  return copy_points(n, points, traits, m, checkpoint);
+  const Vertex_coordinates<FaceGraph, NamedParameters> coordinates(mesh, np);
+  m.points.reserve(n.vertices.size());
+  for (const auto v : n.vertices) {
+    checkpoint.pass();
+    m.points.push_back(coordinates(v));
+  }
+  return to_local_frame(m.points, m.first_in_star, checkpoint);
 }
 
 // Which densities to compute.

@@ -62,19 +62,11 @@ template <class FaceGraph, class NamedParameters>
 void keep_exact_corners(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
                         const Feature_edges& edges, const Flat_mesh& m, Frame& frame)
 {
-  typedef typename GetGeomTraits<FaceGraph, NamedParameters>::type Traits;
-  const Traits traits = choose_parameter<Traits>(get_parameter(np, CGAL::internal_np::geom_traits));
-  const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                       get_const_property_map(CGAL::vertex_point, mesh));
-  const auto x = traits.compute_x_3_object();
-  const auto y = traits.compute_y_3_object();
-  const auto z = traits.compute_z_3_object();
+  const Vertex_coordinates<FaceGraph, NamedParameters> coordinates(mesh, np);
   auto exact = std::make_shared<Exact_points>();
   for (std::size_t v = 0; v < n.vertices.size(); ++v)
-    if (edges.is_corner[v]) {
-      const auto& p = get(points, n.vertices[v]);
-      exact->emplace_back(m.points[v], Vector{{CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p))}});
-    }
+    if (edges.is_corner[v])
+      exact->emplace_back(m.points[v], coordinates(n.vertices[v]));
   std::sort(exact->begin(), exact->end());
   frame.exact = exact;
 }
