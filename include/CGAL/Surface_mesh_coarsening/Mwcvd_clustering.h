@@ -22,7 +22,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/write_features.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -355,22 +354,9 @@ private:
     all_or_nothing([&] { minimization(); });
   }
 
-  // The pieces of a face follow each other in the order of the faces.
   std::size_t cluster_of_face(Index f) const
   {
-    if (working_input().cells)
-      return internal::cluster_with_features(working_input(), labels(), report_.clusters, f);
-    const internal::Clustering_input& input = working_input();
-    if (input.parent.empty())
-      return labels()[f];
-    const auto pieces = std::equal_range(input.parent.begin(), input.parent.end(), f);
-    if (pieces.first == pieces.second)
-      return report_.clusters; // the face belongs to a component that was dropped
-    std::map<Index, double> area;
-    for (auto i = pieces.first; i != pieces.second; ++i)
-      area[labels()[Index(i - input.parent.begin())]] += input.area[i - input.parent.begin()];
-    const auto smaller = [](const auto& a, const auto& b) { return a.second < b.second; };
-    return std::max_element(area.begin(), area.end(), smaller)->first;
+    return internal::cluster_of_face(working_input(), labels(), report_.clusters, f);
   }
 
   const internal::Cluster_labels& labels() const

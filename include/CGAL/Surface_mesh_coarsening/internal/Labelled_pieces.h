@@ -42,26 +42,29 @@ private:
   std::optional<Coarse_features> features_;
 };
 
-// The cluster of a face of the caller's mesh where features are kept: that of a corner which it has; that of a line, at the
-// end that comes first, if it has an edge of one; and that of its largest part otherwise. `none` if it has none.
-//
-// So the faces around a corner have the cluster of the corner, and two faces at a feature edge the same, unless a face has
-// several corners or edges.
-inline std::size_t cluster_with_features(const Clustering_input& input, const Cluster_labels& labels, std::size_t none, Index f)
+// The cluster of a face of the caller's mesh: that of its largest part, or `none` if it has no part, as in a component that was
+// dropped. Where features are kept, it is that of a corner which the face has, before that; and that of a line, at the end
+// that comes first, if it has an edge of one. So the faces around a corner have the cluster of the corner, and two faces at a
+// feature edge the same, unless a face has several corners or edges.
+inline std::size_t cluster_of_face(const Clustering_input& input, const Cluster_labels& labels, std::size_t none, Index f)
 {
-  const Feature_cells& cells = *input.cells;
-  const Clustering_input& pieces = cells.pieces();
+  const Feature_cells* const cells = input.cells.get();
+  const Clustering_input& pieces = cells ? cells->pieces() : input;
+  if (pieces.parent.empty())
+    return labels[f];
+  // The pieces of a face follow each other in the order of the faces.
   const auto range = std::equal_range(pieces.parent.begin(), pieces.parent.end(), f);
   Index first_node = NONE;
   std::map<Index, double> area;
   for (auto i = range.first; i != range.second; ++i) {
-    const Index piece = Index(i - pieces.parent.begin()), node = cells.node(cells.polygon(piece));
-    area[labels[cells.polygon(piece)]] += pieces.area[piece];
-    if (node != NONE && (cells.graph().is_corner(node) || cells.has_line_at(piece)))
+    const Index piece = Index(i - pieces.parent.begin());
+    area[labels[cells ? cells->polygon(piece) : piece]] += pieces.area[piece];
+    const Index node = cells ? cells->node(cells->polygon(piece)) : NONE;
+    if (node != NONE && (cells->graph().is_corner(node) || cells->has_line_at(piece)))
       first_node = (std::min)(first_node, node);
   }
   if (first_node != NONE)
-    return labels[cells.cell(first_node)];
+    return labels[cells->cell(first_node)];
   const auto smaller = [](const auto& a, const auto& b) { return a.second < b.second; };
   return area.empty() ? none : std::max_element(area.begin(), area.end(), smaller)->first;
 }
