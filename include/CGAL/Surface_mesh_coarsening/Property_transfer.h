@@ -218,9 +218,9 @@ private:
   template <class Type, class Read>
   Type value_in_face(const Surface_location<FaceGraph>& l, const Read& value) const
   {
-    auto h = halfedge(l.face, mesh_);
     if constexpr (internal::has_means<Type>) {
       internal::Weighted_sum<Type> sum;
+      auto h = halfedge(l.face, mesh_);
       for (const double x : l.coordinates) {
         if (x != 0)
           sum.add(x, value(h));
@@ -228,10 +228,7 @@ private:
       }
       return sum.value();
     } else {
-      const auto largest = std::max_element(l.coordinates.begin(), l.coordinates.end());
-      for (auto i = l.coordinates.begin(); i != largest; ++i)
-        h = next(h, mesh_);
-      return value(h);
+      return value(internal::halfedge_from_nearest_corner(l, mesh_));
     }
   }
 

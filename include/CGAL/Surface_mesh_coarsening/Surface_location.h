@@ -39,6 +39,23 @@ struct Surface_location
   std::vector<double> coordinates;
 };
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// The halfedge that begins at the nearest corner.
+template <class FaceGraph>
+auto halfedge_from_nearest_corner(const Surface_location<FaceGraph>& location, const FaceGraph& mesh)
+{
+  const auto largest = std::max_element(location.coordinates.begin(), location.coordinates.end());
+  auto h = halfedge(location.face, mesh);
+  for (auto i = location.coordinates.begin(); i != largest; ++i)
+    h = next(h, mesh);
+  return h;
+}
+
+} // namespace internal
+/// \endcond
+
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// returns the corner of a surface location that has the largest coordinate.
 /// \relates Surface_location
@@ -46,11 +63,7 @@ template <class FaceGraph>
 typename boost::graph_traits<FaceGraph>::vertex_descriptor nearest_corner(const Surface_location<FaceGraph>& location,
                                                                           const FaceGraph& mesh)
 {
-  const auto largest = std::max_element(location.coordinates.begin(), location.coordinates.end());
-  auto h = halfedge(location.face, mesh);
-  for (auto i = location.coordinates.begin(); i != largest; ++i)
-    h = next(h, mesh);
-  return source(h, mesh);
+  return source(internal::halfedge_from_nearest_corner(location, mesh), mesh);
 }
 
 /// \cond SKIP_IN_MANUAL
