@@ -50,9 +50,6 @@ public:
         positions[x] = places_[place_of_[x]];
   }
 
-  /// moves the vertices of the clusters on the border, or on features, back to it. Other positions are not touched.
-  void pull_back(std::vector<Clustered_surface::Point>& positions) const { place(positions); }
-
 private:
   typedef internal::Index Index;
   typedef internal::Vector Vector;
