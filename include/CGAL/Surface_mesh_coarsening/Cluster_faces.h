@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <cstddef>
@@ -37,22 +38,7 @@ public:
   typedef typename boost::graph_traits<FaceGraph>::face_descriptor face_descriptor;
 
   /// A range of faces.
-  class Range
-  {
-  public:
-    /// \cond SKIP_IN_MANUAL
-    Range(const face_descriptor* begin, const face_descriptor* end) : begin_(begin), end_(end) {}
-    /// \endcond
-    /// returns the begin of the range.
-    const face_descriptor* begin() const { return begin_; }
-    /// returns the end of the range.
-    const face_descriptor* end() const { return end_; }
-    /// returns the length of the range.
-    std::size_t size() const { return std::size_t(end_ - begin_); }
-
-  private:
-    const face_descriptor *begin_, *end_;
-  };
+  typedef Iterator_range<const face_descriptor*> Range;
 
   /// sorts the faces by cluster, in time linear in their number.
   ///

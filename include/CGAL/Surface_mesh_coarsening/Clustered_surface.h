@@ -7,8 +7,11 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_features.h>
 
+#include <CGAL/Iterator_range.h>
+
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -26,22 +29,7 @@ public:
   typedef std::array<double, 3> Point;
 
   /// A range of numbers of faces or vertices.
-  class Range
-  {
-  public:
-    /// \cond SKIP_IN_MANUAL
-    Range(const std::uint32_t* begin, const std::uint32_t* end) : begin_(begin), end_(end) {}
-    /// \endcond
-    /// returns the begin of the range.
-    const std::uint32_t* begin() const { return begin_; }
-    /// returns the end of the range.
-    const std::uint32_t* end() const { return end_; }
-    /// returns the length of the range.
-    std::size_t size() const { return std::size_t(end_ - begin_); }
-
-  private:
-    const std::uint32_t *begin_, *end_;
-  };
+  typedef Iterator_range<const std::uint32_t*> Range;
 
   /// \cond SKIP_IN_MANUAL
   Clustered_surface(const internal::Clustering_input& input, const internal::Cluster_labels& labels, std::size_t clusters,

@@ -9,6 +9,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/seed_walk.h>
 #include <CGAL/Surface_mesh_coarsening/internal/split_clusters.h>
 
+#include <CGAL/Iterator_range.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -19,12 +21,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-struct Face_range
-{
-  const Index *first, *last;
-  const Index* begin() const { return first; }
-  const Index* end() const { return last; }
-};
+typedef Iterator_range<const Index*> Face_range;
 
 struct Component_seeds
 {
@@ -53,7 +50,7 @@ public:
   {
     for (const Index f : faces)
       labels.set(f, NONE);
-    if (std::size_t(faces.last - faces.first) == input_.mesh.number_of_faces())
+    if (faces.size() == input_.mesh.number_of_faces())
       walk_.release();
     std::optional<Feature_rules> rules;
     if (input_.cells) {
@@ -128,7 +125,7 @@ private:
   {
     // On a regular mesh the neighborhood of level k has 1 + 3 k (k + 1) / 2 faces, and some three quarters of all
     // faces lie in one.
-    const double faces_each = 0.75 * double(faces.last - faces.first) / double(wanted);
+    const double faces_each = 0.75 * double(faces.size()) / double(wanted);
     Component_seeds seeds = seeds_of_level(faces, faces_each <= 1 ? 0 : Index(std::sqrt((faces_each - 1) / 1.5 + 0.25) + 0.5));
     if (seeds.faces.size() < wanted) {
       while (seeds.faces.size() < wanted && seeds.level > 0)

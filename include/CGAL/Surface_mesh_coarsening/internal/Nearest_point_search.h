@@ -6,6 +6,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
 
+#include <CGAL/Iterator_range.h>
+
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -67,13 +69,7 @@ public:
       build(all, 0, all.size());
   }
 
-  struct Faces
-  {
-    const Index *first, *last;
-    const Index* begin() const { return first; }
-    const Index* end() const { return last; }
-  };
-  Faces faces(Index group) const { return {faces_.data() + first_[group], faces_.data() + first_[group + 1]}; }
+  Iterator_range<const Index*> faces(Index group) const { return {faces_.data() + first_[group], faces_.data() + first_[group + 1]}; }
 
   Nearest_point operator()(const Vector& p, Index first_group) const
   {
