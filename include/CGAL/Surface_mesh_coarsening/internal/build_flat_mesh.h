@@ -108,7 +108,7 @@ inline void check_countable(std::size_t n, const char* what)
 }
 
 template <class FaceGraph, class FaceIndexMap>
-void number_faces_by_map(const FaceGraph& mesh, const FaceIndexMap& index, Numbering<FaceGraph>& numbering,
+void number_faces_by_map(const FaceGraph&, const FaceIndexMap& index, Numbering<FaceGraph>& numbering,
                          const Checkpoint& checkpoint)
 {
   const auto none = boost::graph_traits<FaceGraph>::null_face();
@@ -124,7 +124,6 @@ void number_faces_by_map(const FaceGraph& mesh, const FaceIndexMap& index, Numbe
     ordered[i] = f;
   }
   numbering.faces.swap(ordered);
-  (void)mesh;
 }
 
 template <class FaceGraph>

@@ -76,13 +76,19 @@ auto halfedge_between(const Output& output, const Vertices& vertices, Index x, I
 
 template <class Output, class Map>
 void write_patches(const Output& output, const Map& map, const std::vector<Triangle>& triangles,
-                   const std::vector<long long>& patches)
+                   const Clustering_input& input, const Cluster_labels& labels, const std::vector<long long>& patches)
 {
   typedef typename boost::property_traits<Map>::value_type Value;
   const auto v = vertices_of(output);
+  const std::vector<long long> patch = patches_of_triangles(input, labels, patches);
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    put(map, face(halfedge_between(output, v, triangles[t][0], triangles[t][1]), output), static_cast<Value>(patches[t]));
+    put(map, face(halfedge_between(output, v, triangles[t][0], triangles[t][1]), output), static_cast<Value>(patch[t]));
 }
+template <class Output>
+void write_patches(const Output&, const CGAL::internal_np::Param_not_found&, const std::vector<Triangle>&,
+                   const Clustering_input&, const Cluster_labels&, const std::vector<long long>&)
+{}
+
 template <class Output, class Map>
 void write_lines(const Output& output, const Map& map, const Coarse_features* features)
 {
@@ -118,12 +124,9 @@ void write_features(const Output& output, const NamedParameters& np, const std::
                     const Coarse_features* features, const Clustering_input& input, const Cluster_labels& labels,
                     const std::vector<long long>& patches)
 {
-  if constexpr (has_parameter<CGAL::internal_np::face_patch_t, NamedParameters>)
-    write_patches(output, get_parameter(np, CGAL::internal_np::face_patch), triangles,
-                  patches_of_triangles(input, labels, patches));
+  write_patches(output, get_parameter(np, CGAL::internal_np::face_patch), triangles, input, labels, patches);
   write_lines(output, get_parameter(np, CGAL::internal_np::edge_is_constrained), features);
   write_corners(output, get_parameter(np, CGAL::internal_np::vertex_is_constrained), features);
-  (void)triangles, (void)input, (void)labels, (void)patches;
 }
 
 inline void count_features(const Clustering_input& input, Coarsening_report& report)
