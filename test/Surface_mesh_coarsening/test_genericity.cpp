@@ -565,6 +565,20 @@ BOOST_AUTO_TEST_CASE(polygon_soup)
   BOOST_CHECK_EQUAL(points.size(), 2 * output.number_of_vertices());
   BOOST_CHECK_EQUAL(more.size(), 1 + triangles.size());
   BOOST_CHECK_EQUAL(more[1][0], 50 + triangles[0][0]);
+  // Indices of a type that is not std::size_t.
+  std::vector<std::vector<int> > of_ints;
+  std::vector<std::array<int, 3> > of_three_ints;
+  points.clear();
+  SMC::extract_dual_soup(mesh, clusters, points, of_ints);
+  points.clear();
+  SMC::extract_dual_soup(mesh, clusters, points, of_three_ints);
+  BOOST_REQUIRE_EQUAL(of_ints.size(), triangles.size());
+  BOOST_REQUIRE_EQUAL(of_three_ints.size(), triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      BOOST_CHECK_EQUAL(of_ints[t][i], int(triangles[t][i]));
+      BOOST_CHECK_EQUAL(of_three_ints[t][i], int(triangles[t][i]));
+    }
 }
 
 // Labels of any origin and type, their dual in the order of the labels.

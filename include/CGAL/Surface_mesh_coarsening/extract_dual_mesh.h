@@ -10,6 +10,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/label_clusters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/place_vertices.h>
 
+#include <boost/range/value_type.hpp>
+
 #include <string>
 #include <vector>
 
@@ -117,6 +119,7 @@ void extract_dual_soup(const FaceGraph& mesh, const FaceClusterMap& clusters, Po
 {
   typedef typename GetGeomTraits<FaceGraph, NamedParameters>::type Traits;
   typedef typename PolygonRange::value_type Polygon;
+  typedef typename boost::range_value<Polygon>::type Number;
   const internal::Dual_soup dual = internal::dual_of_clusters(mesh, clusters, np);
   const Traits traits =
     internal::choose_parameter<Traits>(internal::get_parameter(np, CGAL::internal_np::geom_traits));
@@ -124,7 +127,7 @@ void extract_dual_soup(const FaceGraph& mesh, const FaceClusterMap& clusters, Po
   for (const auto& p : internal::to_points(dual.positions, dual.frame, traits))
     points.push_back(p);
   for (const internal::Triangle& t : dual.triangles)
-    triangles.push_back(Polygon{{first + t[0], first + t[1], first + t[2]}});
+    triangles.push_back(Polygon{{Number(first + t[0]), Number(first + t[1]), Number(first + t[2])}});
 }
 
 } // namespace Surface_mesh_coarsening
