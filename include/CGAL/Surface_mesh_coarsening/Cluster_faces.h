@@ -4,13 +4,13 @@
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTER_FACES_H
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Grouped.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -25,7 +25,7 @@ auto faces_of(const FaceGraph& mesh) { return faces(mesh); }
 /// \endcond
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// The inverse of a face cluster map: gives the faces of each cluster, in two arrays.
+/// The inverse of a face cluster map: gives the faces of each cluster.
 ///
 /// Cluster `i` is the one that the `i`-th vertex of the output of `coarsen_mesh()` stands for.
 ///
@@ -50,35 +50,21 @@ public:
   /// \throws Invalid_input if a face has a cluster of a larger number.
   template <class FaceClusterMap>
   Cluster_faces(const FaceGraph& mesh, const FaceClusterMap& clusters, std::size_t number_of_clusters)
-    : first_(number_of_clusters + 1, 0)
-  {
-    for (const face_descriptor f : internal::faces_of(mesh)) {
-      const std::size_t x = std::size_t(get(clusters, f));
-      if (x > number_of_clusters)
-        throw Invalid_input("a face has cluster " + std::to_string(x) + " of " + std::to_string(number_of_clusters));
-      if (x < number_of_clusters)
-        ++first_[x + 1];
-    }
-    for (std::size_t x = 0; x < number_of_clusters; ++x)
-      first_[x + 1] += first_[x];
-    faces_.resize(first_.back());
-    std::vector<std::size_t> at(first_.begin(), first_.end() - 1);
-    for (const face_descriptor f : internal::faces_of(mesh))
-      if (std::size_t(get(clusters, f)) < number_of_clusters)
-        faces_[at[std::size_t(get(clusters, f))]++] = f;
-  }
+    : faces_(internal::faces_of(mesh), number_of_clusters, [&](const face_descriptor& f) {
+        const std::size_t x = std::size_t(get(clusters, f));
+        if (x > number_of_clusters)
+          throw Invalid_input("a face has cluster " + std::to_string(x) + " of " + std::to_string(number_of_clusters));
+        return x;
+      })
+  {}
 
   /// returns the number of clusters.
-  std::size_t size() const { return first_.size() - 1; }
+  std::size_t size() const { return faces_.size(); }
   /// returns the faces of a cluster, in the order in which the mesh gives them.
-  Range faces(std::size_t cluster) const
-  {
-    return {faces_.data() + first_[cluster], faces_.data() + first_[cluster + 1]};
-  }
+  Range faces(std::size_t cluster) const { return faces_[cluster]; }
 
 private:
-  std::vector<std::size_t> first_;
-  std::vector<face_descriptor> faces_;
+  internal::Grouped<face_descriptor> faces_;
 };
 
 } // namespace Surface_mesh_coarsening

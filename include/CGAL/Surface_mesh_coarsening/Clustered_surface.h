@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Grouped.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -36,19 +37,10 @@ public:
                     internal::Execution execution = internal::Execution::SEQUENTIAL,
                     const internal::Coarse_features* features = nullptr,
                     const internal::Checkpoint& checkpoint = internal::Checkpoint())
-    : input_(input), labels_(labels), execution_(execution), features_(features), first_(clusters + 1, 0),
-      faces_(input.mesh.number_of_faces())
-  {
-    for (const internal::Index x : labels.labels())
-      ++first_[x + 1];
-    for (std::size_t i = 0; i < clusters; ++i)
-      first_[i + 1] += first_[i];
-    std::vector<std::uint32_t> at(first_.begin(), first_.end() - 1);
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      checkpoint.pass();
-      faces_[at[labels[internal::Index(f)]]++] = internal::Index(f);
-    }
-  }
+    : input_(input), labels_(labels), execution_(execution), features_(features),
+      faces_(internal::numbers_below(std::uint32_t(input.mesh.number_of_faces())), clusters,
+             [&](std::uint32_t f) { return labels[f]; }, checkpoint)
+  {}
   const internal::Clustering_input& input() const { return input_; }
   const internal::Cluster_labels& labels() const { return labels_; }
   internal::Execution execution() const { return execution_; }
@@ -56,9 +48,9 @@ public:
   /// \endcond
 
   /// returns the number of clusters.
-  std::size_t number_of_clusters() const { return first_.size() - 1; }
+  std::size_t number_of_clusters() const { return faces_.size(); }
   /// returns the faces of a cluster.
-  Range faces(std::size_t cluster) const { return {faces_.data() + first_[cluster], faces_.data() + first_[cluster + 1]}; }
+  Range faces(std::size_t cluster) const { return faces_[cluster]; }
   /// returns the vertices around a face, counterclockwise.
   Range vertices(std::size_t face) const
   {
@@ -98,7 +90,7 @@ private:
   const internal::Cluster_labels& labels_;
   const internal::Execution execution_;
   const internal::Coarse_features* features_; // null without features
-  std::vector<std::uint32_t> first_, faces_;
+  internal::Grouped<std::uint32_t> faces_; // of each cluster
 };
 
 } // namespace Surface_mesh_coarsening

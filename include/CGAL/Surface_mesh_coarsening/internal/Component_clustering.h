@@ -5,11 +5,10 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Component_plan.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Grouped.h>
 #include <CGAL/Surface_mesh_coarsening/internal/merge_clusters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seed_walk.h>
 #include <CGAL/Surface_mesh_coarsening/internal/split_clusters.h>
-
-#include <CGAL/Iterator_range.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +20,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-typedef Iterator_range<const Index*> Face_range;
+typedef Grouped<Index>::Range Face_range;
 
 struct Component_seeds
 {

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DUAL_SURFACE_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/Dual_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Grouped.h>
 
 #include <CGAL/assertions.h>
 
@@ -173,23 +174,15 @@ private:
   void pair_edges()
   {
     opposite_.assign(source_.size(), NONE);
-    std::vector<Index> first(edge_of_.size() + 1, 0);
-    for (Edge e = 0; e < source_.size(); ++e)
-      ++first[source_[e] + 1];
+    Grouped<Edge> from(numbers_below(Edge(source_.size())), edge_of_.size(), [this](Edge e) { return source_[e]; });
     for (std::size_t x = 0; x < edge_of_.size(); ++x)
-      first[x + 1] += first[x];
-    std::vector<Edge> from(source_.size()), at(first.begin(), first.end() - 1);
-    for (Edge e = 0; e < source_.size(); ++e)
-      from[at[source_[e]]++] = e;
-    const auto by_target = [this](Edge a, Edge b) { return target(a) < target(b); };
-    for (std::size_t x = 0; x < edge_of_.size(); ++x) {
-      edge_of_[x] = from[first[x]];
-      std::sort(from.begin() + first[x], from.begin() + first[x + 1], by_target);
-    }
+      edge_of_[x] = *from[x].begin();
+    from.sort_groups([this](Edge a, Edge b) { return target(a) < target(b); });
     for (Edge e = 0; e < source_.size(); ++e) {
-      const auto begin = from.begin() + first[target(e)], end = from.begin() + first[target(e) + 1];
-      const auto found = std::lower_bound(begin, end, source_[e], [this](Edge a, Index x) { return target(a) < x; });
-      CGAL_assertion(found != end && target(*found) == source_[e]);
+      const Grouped<Edge>::Range back = from[target(e)];
+      const auto found =
+        std::lower_bound(back.begin(), back.end(), source_[e], [this](Edge a, Index x) { return target(a) < x; });
+      CGAL_assertion(found != back.end() && target(*found) == source_[e]);
       opposite_[e] = *found;
     }
   }

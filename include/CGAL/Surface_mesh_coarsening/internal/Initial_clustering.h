@@ -141,7 +141,7 @@ private:
   void release()
   {
     clustering_.reset();
-    faces_ = std::vector<Index>();
+    faces_.reset();
   }
 
   void cut_faces(Clustering_input& input, const std::vector<bool>& chosen_component) const
@@ -218,7 +218,7 @@ private:
     for (std::size_t i = 0; i < plan_.size(); ++i)
       if (plan_[i].from_pieces() != cut_[i])
         return false;
-    return !faces_.empty();
+    return faces_.has_value();
   }
 
   // Cuts the components into pieces that have to be, and lists the faces component by component, in their order.
@@ -238,24 +238,15 @@ private:
       input_ = &*cut_input_;
     }
     const Flat_mesh& m = input_->mesh;
-    first_face_.assign(m.components.size() + 1, 0);
-    for (std::size_t i = 0; i < m.components.size(); ++i)
-      first_face_[i + 1] = first_face_[i] + m.components[i].faces;
-    faces_.resize(m.number_of_faces());
-    std::vector<std::size_t> at(first_face_.begin(), first_face_.end() - 1);
-    for (std::size_t f = 0; f < m.number_of_faces(); ++f) {
-      checkpoint_.pass();
-      faces_[at[m.component[f]]++] = Index(f);
-    }
+    faces_.reset();
+    faces_.emplace(numbers_below(Index(m.number_of_faces())), m.components.size(), [&](Index f) { return m.component[f]; },
+                   checkpoint_);
     labels_.emplace(m);
     clustering_.emplace(*input_, checkpoint_);
     std::fill(state_.begin(), state_.end(), State::NEW);
   }
 
-  Face_range faces_of(std::size_t i) const
-  {
-    return {faces_.data() + first_face_[i], faces_.data() + first_face_[i + 1]};
-  }
+  Face_range faces_of(std::size_t i) const { return (*faces_)[i]; }
 
   void find_seeds()
   {
@@ -369,9 +360,8 @@ private:
   Coarsening_report& report_;
   Checkpoint checkpoint_;
   std::size_t number_ = 0;
-  bool may_exceed_number_ = false; // where topology needs more
-  std::vector<Index> faces_;       // component by component
-  std::vector<std::size_t> first_face_;
+  bool may_exceed_number_ = false;       // where topology needs more
+  std::optional<Grouped<Index> > faces_; // of each component
   std::optional<Component_clustering> clustering_;
   std::optional<Cluster_labels> labels_;
   std::vector<Index> face_of_cluster_;

@@ -5,8 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
-
-#include <CGAL/Iterator_range.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Grouped.h>
 
 #include <algorithm>
 #include <limits>
@@ -45,31 +44,22 @@ class Nearest_point_search
 public:
   // Faces of group NONE are left out.
   Nearest_point_search(const Flat_mesh& mesh, const std::vector<Index>& group_of_face, std::size_t groups)
-    : mesh_(mesh), first_(groups + 1, 0), box_(groups)
+    : mesh_(mesh), faces_(numbers_below(Index(group_of_face.size())), groups, [&](Index f) { return group_of_face[f]; }),
+      box_(groups)
   {
-    for (const Index x : group_of_face)
-      if (x != NONE)
-        ++first_[x + 1];
     for (std::size_t x = 0; x < groups; ++x)
-      first_[x + 1] += first_[x];
-    faces_.resize(first_.back());
-    std::vector<Index> at(first_.begin(), first_.end() - 1);
-    for (std::size_t f = 0; f < group_of_face.size(); ++f)
-      if (group_of_face[f] != NONE)
-        faces_[at[group_of_face[f]]++] = Index(f);
-    for (std::size_t x = 0; x < groups; ++x)
-      for (Index i = first_[x]; i != first_[x + 1]; ++i)
-        for (Index c = mesh.first_corner[faces_[i]]; c != mesh.first_corner[faces_[i] + 1]; ++c)
+      for (const Index f : faces_[x])
+        for (Index c = mesh.first_corner[f]; c != mesh.first_corner[f + 1]; ++c)
           box_[x].add(mesh.points[mesh.corner_vertex[c]]);
     std::vector<Index> all;
     for (std::size_t x = 0; x < groups; ++x)
-      if (first_[x] != first_[x + 1])
+      if (!faces_[x].empty())
         all.push_back(Index(x));
     if (!all.empty())
       build(all, 0, all.size());
   }
 
-  Iterator_range<const Index*> faces(Index group) const { return {faces_.data() + first_[group], faces_.data() + first_[group + 1]}; }
+  Grouped<Index>::Range faces(Index group) const { return faces_[group]; }
 
   Nearest_point operator()(const Vector& p, Index first_group) const
   {
@@ -96,8 +86,8 @@ public:
 
   void improve_in(const Vector& p, Index group, Nearest_point& nearest) const
   {
-    for (Index i = first_[group]; i != first_[group + 1]; ++i)
-      improve(mesh_, p, faces_[i], nearest);
+    for (const Index f : faces_[group])
+      improve(mesh_, p, f, nearest);
   }
 
 private:
@@ -163,7 +153,7 @@ private:
   Vector center(Index group) const { return 0.5 * (box_[group].low + box_[group].high); }
 
   const Flat_mesh& mesh_;
-  std::vector<Index> first_, faces_;
+  Grouped<Index> faces_; // of each group
   std::vector<Box> box_; // of each group
   std::vector<Node> node_;
 };
