@@ -39,6 +39,10 @@ inline void improve(const Flat_mesh& m, const Vector& p, Index f, Nearest_point&
 
 // Looks for nearest points in a mesh whose faces are in groups that are small patches, such as clusters: in a tree over the
 // bounding boxes of the groups, beginning with a group that is near.
+//
+// Why it is not CGAL::AABB_tree: faces may have no area, and have a nearest point nevertheless; a search begins with the group
+// that the point belongs to, which has the answer or nearly so in most cases, where the tree wants a point near by; and of faces
+// at the same distance the tree gives the one it comes to first, while results have to be the same wherever they are made.
 class Nearest_point_search
 {
 public:
