@@ -109,6 +109,13 @@ BOOST_AUTO_TEST_CASE(frozen_clusters_keep_their_faces)
   BOOST_CHECK(!clustering.remove_cluster(3));
   clustering.minimize();
   BOOST_CHECK_GT(clustering.report().moves, 100u);
+  // What has been counted carries on after a step by hand.
+  const SMC::Coarsening_report report = clustering.report();
+  BOOST_REQUIRE(clustering.split_cluster(30));
+  clustering.minimize_round();
+  BOOST_CHECK_EQUAL(clustering.report().rounds, report.rounds + 1);
+  BOOST_CHECK_GT(clustering.report().tests, report.tests);
+  BOOST_CHECK_GE(clustering.report().moves, report.moves);
   for (const auto f : mesh.faces())
     after.push_back(clustering.cluster(f));
   for (std::size_t f = 0; f < before.size(); ++f)

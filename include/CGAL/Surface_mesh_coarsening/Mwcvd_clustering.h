@@ -181,10 +181,11 @@ public:
   bool minimize_round()
   {
     this->forget_editing();
-    const std::size_t moves = minimization().round();
+    const std::size_t tests_before = minimization().tests();
+    const std::size_t moves = minimization_->round();
     ++report_.rounds;
     report_.moves += moves;
-    report_.tests = minimization_->tests();
+    report_.tests += minimization_->tests() - tests_before;
     report_.final_energy = minimization_->energy();
     report_.converged = moves == 0;
     visitor_.round_done(report_.rounds, moves, report_.final_energy);
