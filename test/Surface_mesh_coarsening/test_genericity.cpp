@@ -492,6 +492,11 @@ BOOST_AUTO_TEST_CASE(parameters_of_the_parts)
   SMC::extract_dual_mesh(mesh, clusters, by_labels, SMC::parameters::vertex_placement(SMC::Closest_vertex_placement()));
   BOOST_CHECK(test::normalized(test::triangles_of(test::to_soup(by_labels))) ==
               test::normalized(test::triangles_of(test::to_soup(closest))));
+  // Components that are divided because it was asked for count as those that have to be.
+  Mesh divided;
+  const auto subdivide = SMC::parameters::subdivide_input(true);
+  BOOST_CHECK_EQUAL(SMC::coarsen_mesh(mesh, 50, divided).subdivided_components, 0u);
+  BOOST_CHECK_EQUAL(SMC::coarsen_mesh(marked_mesh(), 30, divided, subdivide).subdivided_components, 2u);
 }
 
 BOOST_AUTO_TEST_CASE(visitor_is_told_in_order)

@@ -34,8 +34,8 @@ struct Coarsening_report
   double final_energy = 0;
   /// whether the last round changed nothing.
   bool converged = false;
-  /// the number of connected components whose faces had to be subdivided internally, because face by face they
-  /// could not carry the number of clusters.
+  /// the number of connected components whose faces were subdivided internally, because face by face they could not carry the
+  /// number of clusters, or because parameter `subdivide_input` asked for it.
   std::size_t subdivided_components = 0;
   /// the number of connected components that were left out because of parameter `minimum_component_area`.
   std::size_t dropped_components = 0;

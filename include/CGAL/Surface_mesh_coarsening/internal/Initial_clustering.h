@@ -228,9 +228,10 @@ private:
       return;
     for (std::size_t i = 0; i < plan_.size(); ++i)
       cut_[i] = plan_[i].from_pieces();
-    report_.subdivided_components = std::count(cut_.begin(), cut_.end(), true);
+    const std::size_t cut = std::count(cut_.begin(), cut_.end(), true);
+    report_.subdivided_components = subdivided_input_ ? cut_.size() : cut;
     input_ = uncut_input_;
-    if (report_.subdivided_components > 0) {
+    if (cut > 0) {
       labels_.reset();
       clustering_.reset();
       cut_input_ = *uncut_input_;
