@@ -5,9 +5,10 @@
 
 #include <CGAL/Surface_mesh_coarsening/Surface_location.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Chart_sectors.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Property_tally.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Majority.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Transfer_surfaces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/read_transfer_surfaces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/value_components.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PROPERTY_TALLY_H
-#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PROPERTY_TALLY_H
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_READ_TRANSFER_SURFACES_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_READ_TRANSFER_SURFACES_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/Transfer_surfaces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/face_geometry.h>
@@ -10,61 +10,12 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
-
-template <class Value, class = void>
-struct Is_ordered : std::false_type
-{};
-template <class Value>
-struct Is_ordered<Value, std::void_t<decltype(std::declval<const Value&>() < std::declval<const Value&>())> >
-  : std::true_type
-{};
-
-// Counts areas of values.
-template <class Value>
-class Majority
-{
-public:
-  void add(double area, const Value& value) { votes_.emplace_back(value, area); }
-  bool empty() const { return votes_.empty(); }
-
-  // The value of the largest area; of several, the smallest if there is an order, and otherwise the first.
-  Value value()
-  {
-    if constexpr (Is_ordered<Value>::value)
-      std::stable_sort(votes_.begin(), votes_.end(), [](const Vote& a, const Vote& b) { return a.first < b.first; });
-    std::size_t best = 0;
-    double largest = -1;
-    for (std::size_t i = 0; i < votes_.size();) {
-      double area = 0;
-      std::size_t j = i;
-      if constexpr (Is_ordered<Value>::value) {
-        for (; j < votes_.size() && !(votes_[i].first < votes_[j].first); ++j)
-          area += votes_[j].second;
-      } else {
-        for (const Vote& vote : votes_)
-          area += vote.first == votes_[i].first ? vote.second : 0;
-        ++j;
-      }
-      if (area > largest) {
-        largest = area;
-        best = i;
-      }
-      i = j;
-    }
-    return votes_[best].first;
-  }
-
-private:
-  typedef std::pair<Value, double> Vote;
-  std::vector<Vote> votes_;
-};
 
 // The corners of the faces of a triangle mesh, in the order of the numbering.
 template <class FaceGraph>
@@ -138,4 +89,4 @@ Transfer_surfaces transfer_surfaces(const FaceGraph& mesh, const Numbering<FaceG
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PROPERTY_TALLY_H
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_READ_TRANSFER_SURFACES_H
