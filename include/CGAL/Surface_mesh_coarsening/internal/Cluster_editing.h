@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Moments.h>
 #include <CGAL/Surface_mesh_coarsening/internal/faces_outward.h>
 #include <CGAL/Surface_mesh_coarsening/internal/grow_clusters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/sort_out.h>
 
 #include <algorithm>
 #include <utility>
@@ -131,8 +132,7 @@ private:
         if (y != labels_[f] && !Cluster_labels::is_beyond_border(y))
           neighbors.push_back(y);
       });
-    std::sort(neighbors.begin(), neighbors.end());
-    neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+    sort_out(neighbors);
     return neighbors;
   }
 
@@ -198,8 +198,7 @@ private:
         vertices.push_back(mesh_.corner_vertex[c]);
         euler -= labels_.label_across(c) != x || mesh_.face_across[c] > f;
       });
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sort_out(vertices);
     for (const Index v : vertices) {
       runs_around(labels_, v, runs);
       if (std::count(runs.begin(), runs.end(), x) != 1)

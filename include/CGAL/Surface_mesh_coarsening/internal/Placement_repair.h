@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Reference_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Repair_proposals.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Triangle_conflicts.h>
+#include <CGAL/Surface_mesh_coarsening/internal/sort_out.h>
 
 #include <algorithm>
 #include <cmath>
@@ -293,12 +294,6 @@ private:
     for (const Index t : triangles)
       corners.push_back(coarse_.triangles()[t]);
     return reference_.squared_distance(clusters, corners, positions_, limit);
-  }
-
-  static void sort_out(std::vector<Index>& list)
-  {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
   }
 
   void make(const Placement_change& change)

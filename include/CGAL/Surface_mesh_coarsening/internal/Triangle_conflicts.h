@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/sort_out.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
@@ -163,8 +164,7 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
       test_waiting();
   });
   test_waiting();
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sort_out(pairs);
   return pairs;
 }
 

@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/build_flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/sort_out.h>
 
 #include <algorithm>
 #include <vector>
@@ -24,8 +25,7 @@ auto label_clusters(const Numbering<FaceGraph>& n, const FaceClusterMap& map, Cl
   for (const auto f : n.faces)
     of_face.push_back(get(map, f));
   names = of_face;
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
+  sort_out(names);
   for (std::size_t i = 0; i < of_face.size(); ++i)
     labels.set(Index(i), Index(std::lower_bound(names.begin(), names.end(), of_face[i]) - names.begin()));
   return names;
