@@ -35,8 +35,9 @@ int main(int argc, char* argv[])
 
   //! [provenance]
   const auto cluster = input.add_property_map<Mesh::Face_index, std::size_t>("f:cluster").first;
+  const auto cluster_of_vertex = input.add_property_map<Mesh::Vertex_index, std::size_t>("v:cluster").first;
   const auto source = output.add_property_map<Mesh::Vertex_index, SMC::Surface_location<Mesh> >("v:source").first;
-  SMC::coarsen_mesh(input, 500, output, SMC::parameters::face_cluster_map(cluster),
+  SMC::coarsen_mesh(input, 500, output, SMC::parameters::face_cluster_map(cluster).vertex_to_cluster_map(cluster_of_vertex),
                     SMC::parameters::vertex_source_map(source));
   //! [provenance]
   const SMC::Cluster_faces<Mesh> faces_of(input, cluster, output.number_of_vertices());

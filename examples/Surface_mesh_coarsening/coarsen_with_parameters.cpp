@@ -59,6 +59,11 @@ int main(int argc, char* argv[])
   SMC::coarsen_mesh(input, 527, output, SMC::parameters::vertex_placement(SMC::Quadric_placement()));
   //! [placement]
 
+  //! [repair]
+  // For a first look, triangles that intersect do no harm, and need not be looked for.
+  SMC::coarsen_mesh(input, 527, output, SMC::parameters::repair_output(false));
+  //! [repair]
+
   //! [prepared]
   // As many vertices as there are in the input: faces are cut into smaller ones, in a copy. Debris is left out, and
   // densities near borders are those of the paper.

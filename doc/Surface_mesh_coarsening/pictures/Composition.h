@@ -69,37 +69,40 @@ inline void posterize(Image& image)
 inline void compose(const std::filesystem::path& directory, const std::string& name, std::vector<std::vector<Panel> > rows)
 {
   const std::size_t caption_height = 26, gap = 12;
-  std::size_t columns = 0, width = 0, height = 0;
+  std::size_t columns = 0, width = 0, total_height = 0;
+  std::vector<std::size_t> heights;
   for (const auto& row : rows) {
     columns = (std::max)(columns, row.size());
+    heights.push_back(0);
     for (const Panel& panel : row) {
       width = (std::max)(width, panel.image.width);
-      height = (std::max)(height, panel.image.height);
+      heights.back() = (std::max)(heights.back(), panel.image.height);
     }
+    total_height += heights.back() + caption_height;
   }
-  const std::size_t total_width = columns * (width + gap), total_height = rows.size() * (height + caption_height);
+  const std::size_t total_width = columns * (width + gap);
   const auto at = [](double pixels, std::size_t total) { return std::to_string(pixels / double(total)); };
   std::string script = "set terminal pngcairo size " + std::to_string(total_width) + "," + std::to_string(total_height) +
                        " font 'DejaVu Sans,10'\nset output 'figures/" + name +
                        ".png'\nunset border\nunset tics\nunset key\nset multiplot\n";
-  std::size_t number = 0;
-  for (std::size_t r = 0; r < rows.size(); ++r)
+  std::size_t number = 0, row_top = 0; // from the upper edge, as all that follows
+  for (std::size_t r = 0; r < rows.size(); row_top += heights[r++] + caption_height)
     for (std::size_t c = 0; c < rows[r].size(); ++c) {
       Panel& panel = rows[r][c];
       Image& image = panel.image;
       const std::size_t left = c * (width + gap) + (width + gap - image.width) / 2;
-      const std::size_t top = r * (height + caption_height) + (height - image.height) / 2; // both from the upper left
+      const std::size_t top = row_top + (heights[r] - image.height) / 2;
       posterize(image);
       const std::string file = name + "_" + std::to_string(number++) + ".png";
       script += "unset label\nset label '" + panel.caption + "' at screen " +
                 at(double(c * (width + gap)) + double(width + gap) / 2, total_width) + "," +
-                at(double(total_height) - double(r * (height + caption_height) + height) - 12, total_height) + " center\n";
-      if (!panel.scale_low.empty() && image.width > 130 && image.height > 20) {
-        const std::size_t x0 = 40, x1 = 140, y0 = image.height - 10, y1 = image.height;
+                at(double(total_height) - double(row_top + heights[r]) - 12, total_height) + " center\n";
+      if (!panel.scale_low.empty() && image.width > 160 && image.height > 20) {
+        const std::size_t x0 = 16 + 8 * panel.scale_low.size(), x1 = x0 + 90, y0 = image.height - 10, y1 = image.height;
         draw_scale(image, x0, x1, y0, y1);
         const std::string y = std::to_string(image.height - (y0 + y1) / 2);
-        script += "set label '" + panel.scale_low + "' at first 34," + y + " right front\nset label '" + panel.scale_high +
-                  "' at first 146," + y + " left front\n";
+        script += "set label '" + panel.scale_low + "' at first " + std::to_string(x0 - 6) + "," + y +
+                  " right front\nset label '" + panel.scale_high + "' at first " + std::to_string(x1 + 6) + "," + y + " left front\n";
       }
       write_file(directory / file, coarsening_support::png_bytes(image));
       script += "set lmargin at screen " + at(double(left), total_width) + "\nset rmargin at screen " +
