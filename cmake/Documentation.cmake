@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # The target doc makes the manual, in doc/html of the build tree. It fails on any warning of Doxygen, and so does the
-# CTest test documentation. Without Doxygen, or within another project, there is neither.
+# CTest test documentation. Without Doxygen or without the sources of the manual, or within another project, there is neither.
 
-if(NOT PROJECT_IS_TOP_LEVEL)
+if(NOT PROJECT_IS_TOP_LEVEL OR NOT EXISTS ${PROJECT_SOURCE_DIR}/doc/Surface_mesh_coarsening/Doxyfile.in)
   return()
 endif()
 find_package(Doxygen 1.9.4 QUIET)

@@ -7,6 +7,7 @@ if(NOT PROJECT_IS_TOP_LEVEL)
   return()
 endif()
 
+# To be set by whoever publishes packages: the address is none that mail goes to, but Debian's format wants one.
 set(SURFACE_MESH_COARSENING_PACKAGE_CONTACT "Surface_mesh_coarsening <surface-mesh-coarsening@localhost>" CACHE STRING
   "Who maintains the packages that cpack makes")
 mark_as_advanced(SURFACE_MESH_COARSENING_PACKAGE_CONTACT)

@@ -68,7 +68,7 @@ topology of the input. Faces are gathered into clusters that form a multiplicati
 the result is the mesh dual to the clusters.
 END
 # The packages whose headers are included, itself among them, are found by CGAL's own scripts; these are the direct ones.
-printf '%s\n' BGL Installation Kernel_23 Polygon_mesh_processing Property_map STL_Extension Stream_support \
-  "$name" Surface_mesh Subdivision_method_3 | sort > "$info/dependencies"
+printf '%s\n' AABB_tree BGL Box_intersection_d Installation Intersections_3 Kernel_23 Polygon_mesh_processing Property_map \
+  STL_Extension Stream_support "$name" Surface_mesh | sort > "$info/dependencies"
 touch "$info/copyright" "$info/maintainer"
 echo "The package is in $target"
