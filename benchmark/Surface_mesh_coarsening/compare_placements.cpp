@@ -90,7 +90,7 @@ void compare(Row row, const Mesh& mesh, const std::string& weight, double maximu
 void compare(const Row& row, const Mesh& mesh)
 {
   compare<SMC::Uniform_weight>(row, mesh, "uniform", 1);
-  for (const double r : {5., 20., 50.}) {
+  for (const double r : {10., 50.}) {
     compare<SMC::Weighted_area_weight>(row, mesh, "area", r);
     compare<SMC::Maximum_density_weight>(row, mesh, "maximum", r);
   }

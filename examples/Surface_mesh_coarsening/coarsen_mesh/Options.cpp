@@ -107,7 +107,7 @@ po::options_description described_options()
      "stop after R rounds of minimization; 0 shows seeds and growth alone (default: until a round changes nothing, at most 1000)")
     ("weight,w", text()->value_name("W")->default_value(default_weight()), joined(weight_names()).c_str())
     ("maximum-density", text()->value_name("R")->default_value("10"),
-     "densities run from 1 on flat parts to R on the sharpest ones, and to 2 R on borders; the weight variance does well with 3")
+     "densities run from 1 on flat parts to R on the sharpest ones, and to 4 R on borders; the weight variance does well with 3")
     ("placement", text()->value_name("P")->default_value(default_placement()), joined(placement_names()).c_str())
     ("features", text()->value_name("ANGLE")->implicit_value(default_feature_angle),
      "keep sharp edges, those at which normals are ANGLE degrees or more apart: they become lines of edges, and their corners "

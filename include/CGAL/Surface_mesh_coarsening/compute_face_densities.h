@@ -18,8 +18,8 @@ namespace Surface_mesh_coarsening {
 /// are 1. Faces without area deviate
 /// from nothing. Around a vertex of more than 256 faces each is compared with 256 of them, evenly spread.
 ///
-/// Near a border that is curved, deviations are raised to at least \f$ 4 \sqrt{A} / (R + s) \f$, but not above
-/// \f$ m \f$. Here \f$ A \f$ is the area of the face, \f$ R \f$ the radius of curvature of the border, measured over three
+/// Near a border that is curved, deviations are raised to at least \f$ 32 \sqrt{A} / (R + s) \f$, but not above
+/// \f$ 4 m \f$. Here \f$ A \f$ is the area of the face, \f$ R \f$ the radius of curvature of the border, measured over three
 /// edges on either side of a vertex, and \f$ s \f$ the distance from it, along edges, up to a tenth of the length of the border loop.
 /// The user manual says why.
 ///

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Raises the deviations of faces near the border to what the turn of the border asks for, and no higher than twice the largest
+// Raises the deviations of faces near the border to what the turn of the border asks for, and no higher than four times the largest
 // of the deviations, of which the scale of the densities depends and which stays what it was.
 //
 // Where the border has radius of curvature R, its parallel at distance s, on the outer side, has R + s. What is asked for is
@@ -57,8 +57,8 @@ private:
   // sqrt(6) times as far from an inscribed polygon as from the best one. That makes 2.7. But what is left of the border's
   // distance lies across all of it, and that of the surface mostly where the densities are low: these two, with which both come
   // out much the same, have been measured on open meshes.
-  static constexpr double strength = 16;
-  static constexpr double most_raised = 2;
+  static constexpr double strength = 32;
+  static constexpr double most_raised = 4;
 
   void measure_border()
   {

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COARSENING_BENCHMARK_PEERS_H
+#define COARSENING_BENCHMARK_PEERS_H
+
+// This package with several settings, and the other coarsening methods that are there when this is compiled.
+
+#include "support/Mesh.h"
+
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+
+#if __has_include(<CGAL/Polygon_mesh_processing/approximated_centroidal_Voronoi_diagram_remeshing.h>)
+#  include <CGAL/Polygon_mesh_processing/approximated_centroidal_Voronoi_diagram_remeshing.h>
+#  define COARSENING_HAS_ACVD
+#endif
+#ifdef COARSENING_HAS_MESHOPTIMIZER
+#  include <meshoptimizer.h>
+#endif
+#ifdef COARSENING_HAS_OPENMESH
+#  include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#  include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#  include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+#endif
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace benchmark_support {
+
+namespace SMC = CGAL::Surface_mesh_coarsening;
+using coarsening_support::Face;
+using coarsening_support::Mesh;
+using coarsening_support::Point;
+using coarsening_support::Vertex;
+
+// Points and triangles as lists, which every method can give.
+typedef coarsening_support::Soup Result;
+
+inline Result result_of(Mesh& mesh)
+{
+  mesh.collect_garbage();
+  Result result;
+  for (Vertex v : mesh.vertices())
+    result.points.push_back(mesh.point(v));
+  for (Face f : mesh.faces()) {
+    result.polygons.emplace_back();
+    for (Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+      result.polygons.back().push_back(v);
+  }
+  return result;
+}
+
+struct Seconds
+{
+  double clock = 0, processor = 0;
+};
+
+class Stopwatch
+{
+public:
+  Seconds seconds() const
+  {
+    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(),
+            double(std::clock() - processor_begin_) / CLOCKS_PER_SEC};
+  }
+
+private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::clock_t processor_begin_ = std::clock();
+};
+
+struct Method
+{
+  std::string name;
+  std::function<Seconds(const Mesh&, std::size_t, Result&)> run;
+};
+
+template <class Weight, class Placement = SMC::Centroid_placement>
+Method our_method(const std::string& name, double maximum_density, bool repair = true)
+{
+  return {name, [maximum_density, repair](const Mesh& mesh, std::size_t number, Result& result) {
+            Mesh output;
+            const Stopwatch watch;
+            SMC::coarsen_mesh(mesh, number, output,
+                              SMC::parameters::cluster_weight(Weight())
+                                .maximum_density(maximum_density)
+                                .vertex_placement(Placement())
+                                .repair_output(repair));
+            const Seconds seconds = watch.seconds();
+            result = result_of(output);
+            return seconds;
+          }};
+}
+
+// Between CGAL 5 and 6 the predicate that does this was renamed.
+struct Few_edges_left
+{
+  std::size_t edges;
+  template <class Cost, class Profile>
+  bool operator()(const Cost&, const Profile&, std::size_t, std::size_t current) const { return current <= edges; }
+};
+
+// Of edges or faces, as many as are left when those of vertices are in the same proportion. Collapses of edges cannot be
+// told to stop at a number of vertices.
+inline std::size_t part(std::size_t all, std::size_t number, const Mesh& mesh)
+{
+  return std::size_t(double(all) * double(number) / double(mesh.number_of_vertices()));
+}
+
+// Collapses edges in place, so that it needs a copy; making it is not counted.
+template <class Collapse>
+Seconds run_edge_collapse(const Mesh& mesh, std::size_t number, Result& result, const Collapse& collapse)
+{
+  Mesh copy = mesh;
+  const std::size_t edges = part(mesh.number_of_edges(), number, mesh);
+  const Stopwatch watch;
+  collapse(copy, Few_edges_left{edges});
+  const Seconds seconds = watch.seconds();
+  result = result_of(copy);
+  return seconds;
+}
+
+inline Seconds run_lindstrom_turk(const Mesh& mesh, std::size_t number, Result& result)
+{
+  return run_edge_collapse(mesh, number, result, [](Mesh& copy, const Few_edges_left& stop) {
+    CGAL::Surface_mesh_simplification::edge_collapse(copy, stop);
+  });
+}
+
+// With the quadrics of the planes of triangles.
+inline Seconds run_garland_heckbert(const Mesh& mesh, std::size_t number, Result& result)
+{
+  typedef CGAL::Simple_cartesian<double> Kernel;
+  return run_edge_collapse(mesh, number, result, [](Mesh& copy, const Few_edges_left& stop) {
+    typedef CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies<Mesh, Kernel> Policies;
+    const Policies policies(copy);
+    CGAL::Surface_mesh_simplification::edge_collapse(
+      copy, stop, CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
+  });
+}
+
+#ifdef COARSENING_HAS_ACVD
+// Works in place.
+inline Seconds run_acvd(const Mesh& mesh, std::size_t number, Result& result)
+{
+  Mesh copy = mesh;
+  const Stopwatch watch;
+  CGAL::Polygon_mesh_processing::approximated_centroidal_Voronoi_diagram_remeshing(copy, number);
+  const Seconds seconds = watch.seconds();
+  result = result_of(copy);
+  return seconds;
+}
+#endif
+
+#ifdef COARSENING_HAS_MESHOPTIMIZER
+inline Seconds run_meshoptimizer(const Mesh& mesh, std::size_t number, Result& result)
+{
+  std::vector<float> coordinates;
+  std::vector<unsigned int> indices, simplified;
+  for (Vertex v : mesh.vertices())
+    for (int i = 0; i < 3; ++i)
+      coordinates.push_back(float(mesh.point(v)[i]));
+  for (Face f : mesh.faces())
+    for (Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+      indices.push_back(v);
+  simplified.resize(indices.size());
+  const std::size_t target = 3 * part(mesh.number_of_faces(), number, mesh);
+  const Stopwatch watch;
+  const std::size_t count = meshopt_simplify(simplified.data(), indices.data(), indices.size(), coordinates.data(),
+                                             mesh.number_of_vertices(), 3 * sizeof(float), target, 1e10f);
+  const Seconds seconds = watch.seconds();
+  std::vector<std::size_t> number_of(mesh.number_of_vertices(), std::size_t(-1));
+  for (std::size_t i = 0; i < count; i += 3) {
+    result.polygons.emplace_back();
+    for (std::size_t j = i; j < i + 3; ++j) {
+      std::size_t& n = number_of[simplified[j]];
+      if (n == std::size_t(-1)) {
+        n = result.points.size();
+        result.points.push_back(mesh.point(Vertex(simplified[j])));
+      }
+      result.polygons.back().push_back(n);
+    }
+  }
+  return seconds;
+}
+#endif
+
+#ifdef COARSENING_HAS_OPENMESH
+// Collapses halfedges by quadrics. Making the copy in its own data structure is not counted.
+inline Seconds run_openmesh(const Mesh& mesh, std::size_t number, Result& result)
+{
+  typedef OpenMesh::TriMesh_ArrayKernelT<> Open_mesh;
+  Open_mesh copy;
+  for (Vertex v : mesh.vertices())
+    copy.add_vertex(Open_mesh::Point(float(mesh.point(v)[0]), float(mesh.point(v)[1]), float(mesh.point(v)[2])));
+  for (Face f : mesh.faces()) {
+    std::vector<Open_mesh::VertexHandle> corners;
+    for (Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+      corners.push_back(Open_mesh::VertexHandle(int(v)));
+    copy.add_face(corners);
+  }
+  copy.request_face_normals();
+  copy.update_face_normals();
+  const Stopwatch watch;
+  OpenMesh::Decimater::DecimaterT<Open_mesh> decimater(copy);
+  OpenMesh::Decimater::ModQuadricT<Open_mesh>::Handle quadrics;
+  decimater.add(quadrics);
+  decimater.module(quadrics).unset_max_err();
+  decimater.initialize();
+  decimater.decimate_to(number);
+  copy.garbage_collection();
+  const Seconds seconds = watch.seconds();
+  for (const auto v : copy.vertices())
+    result.points.push_back(Point(copy.point(v)[0], copy.point(v)[1], copy.point(v)[2]));
+  for (const auto f : copy.faces()) {
+    result.polygons.emplace_back();
+    for (auto v = copy.cfv_iter(f); v.is_valid(); ++v)
+      result.polygons.back().push_back(std::size_t(v->idx()));
+  }
+  return seconds;
+}
+#endif
+
+inline std::vector<Method> all_methods()
+{
+  std::vector<Method> methods{
+    our_method<SMC::Uniform_weight>("ours uniform", 1),
+    our_method<SMC::Weighted_area_weight>("ours area", 50),
+    our_method<SMC::Maximum_density_weight>("ours maximum", 50),
+    our_method<SMC::Density_variance_weight>("ours variance", 3),
+    our_method<SMC::Maximum_density_weight, SMC::Quadric_placement>("ours maximum quadric", 50),
+    our_method<SMC::Maximum_density_weight, SMC::Quadric_placement>("ours maximum quadric without repair", 50, false),
+    our_method<SMC::Weighted_area_weight, SMC::Fitted_placement>("ours area fitted", 10),
+    {"CGAL edge collapse", run_lindstrom_turk},
+    {"CGAL edge collapse by planes", run_garland_heckbert}};
+#ifdef COARSENING_HAS_ACVD
+  methods.push_back({"CGAL ACVD", run_acvd});
+#endif
+#ifdef COARSENING_HAS_MESHOPTIMIZER
+  methods.push_back({"meshoptimizer", run_meshoptimizer});
+#endif
+#ifdef COARSENING_HAS_OPENMESH
+  methods.push_back({"OpenMesh decimation", run_openmesh});
+#endif
+  return methods;
+}
+
+} // namespace benchmark_support
+
+#endif // COARSENING_BENCHMARK_PEERS_H
