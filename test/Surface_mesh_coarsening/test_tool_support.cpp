@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <random>
 #include <set>
 #include <vector>
@@ -163,23 +164,29 @@ BOOST_AUTO_TEST_CASE(counts)
   BOOST_TEST(mesh_components(mesh_of(generated::many_tetrahedra(6))).counts.size() == 6u);
 }
 
-// The octahedron is the dual of the cube, whose faces are the clusters.
+// The dual of a mesh, the faces of which are the clusters.
+Soup dual_of(const Mesh& mesh)
+{
+  Soup dual;
+  for (Face f : mesh.faces()) {
+    const Point& a = mesh.point(mesh.target(mesh.halfedge(f)));
+    const Point& b = mesh.point(mesh.target(mesh.next(mesh.next(mesh.halfedge(f)))));
+    dual.points.push_back(CGAL::midpoint(a, b));
+  }
+  for (Vertex v : mesh.vertices()) {
+    dual.polygons.emplace_back();
+    for (Face f : mesh.faces_around_target(mesh.halfedge(v)))
+      dual.polygons.back().insert(dual.polygons.back().begin(), f);
+  }
+  return dual;
+}
+
+// The octahedron is the dual of the cube.
 BOOST_AUTO_TEST_CASE(certificate_of_a_dual)
 {
   const Mesh cube = mesh_of(generated::cube_grid(1));
-  std::vector<std::size_t> labels(6);
-  Soup dual;
-  for (Face f : cube.faces()) {
-    labels[f] = f;
-    const Point& a = cube.point(cube.target(cube.halfedge(f)));
-    const Point& b = cube.point(cube.target(cube.next(cube.next(cube.halfedge(f)))));
-    dual.points.push_back(CGAL::midpoint(a, b));
-  }
-  for (Vertex v : cube.vertices()) {
-    dual.polygons.emplace_back();
-    for (Face f : cube.faces_around_target(cube.halfedge(v)))
-      dual.polygons.back().insert(dual.polygons.back().begin(), f);
-  }
+  const std::vector<std::size_t> labels{0, 1, 2, 3, 4, 5};
+  Soup dual = dual_of(cube);
   const Mesh octahedron = to_mesh(dual);
   BOOST_TEST(!triangle_mesh_fault(octahedron).has_value());
   const Certificate good = certify(cube, labels, octahedron);
@@ -195,6 +202,21 @@ BOOST_AUTO_TEST_CASE(certificate_of_a_dual)
   const Certificate open = certify(cube, labels, to_mesh(dual));
   BOOST_TEST(!open.components[0].kept());
   BOOST_TEST(!open.kept());
+}
+
+// One of two octahedra is turned.
+BOOST_AUTO_TEST_CASE(certificate_of_a_turned_component)
+{
+  Mesh cubes = mesh_of(generated::cube_grid(1));
+  cubes += mesh_of(generated::cube_grid(1));
+  std::vector<std::size_t> labels(12);
+  std::iota(labels.begin(), labels.end(), std::size_t(0));
+  Soup dual = dual_of(cubes);
+  BOOST_TEST(certify(cubes, labels, to_mesh(dual)).kept());
+
+  for (std::size_t i = 8; i < 16; ++i)
+    std::reverse(dual.polygons[i].begin(), dual.polygons[i].end());
+  BOOST_TEST(!certify(cubes, labels, to_mesh(dual)).orientation_kept);
 }
 
 BOOST_AUTO_TEST_CASE(certificate_of_joined_and_lost_components)

@@ -16,6 +16,10 @@
 class GlobalVertexPlacement
 {
 public:
+  /// Optional: a default constructible model of `VertexPlacement` that takes less time and comes nearly as close to the surface.
+  /// `CGAL::Surface_mesh_coarsening::coarsen_mesh_to_distance()` takes it to find out about how many vertices are needed.
+  typedef unspecified_type Start;
+
   /// places all vertices.
   ///
   /// \param surface the faces, with their geometry, cluster by cluster

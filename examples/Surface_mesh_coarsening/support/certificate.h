@@ -144,8 +144,11 @@ inline std::optional<Triple> triple_point(const Mesh& mesh, Vertex v, const std:
   return Triple{runs[2], runs[1], runs[0]}; // the circulator turns against the faces' orientation
 }
 
-// Tells whether no triangle of the coarse mesh is turned against the place of the input where its three clusters meet.
-inline bool is_orientation_kept(const Mesh& input, const std::vector<std::size_t>& labels, const Mesh& output)
+// Tells whether the triangles of each component of the coarse mesh mostly face the way that the places of the input do where
+// their three clusters meet. Those of a component that is turned all face the other way; flips of edges take triangles from
+// their places and can put a turned one there, where three clusters lie around a handle.
+inline bool is_orientation_kept(const Mesh& input, const std::vector<std::size_t>& labels, const Mesh& output,
+                                const Mesh_components& components)
 {
   std::vector<Triple> triangles;
   for (const auto& p : to_soup(output).polygons)
@@ -155,12 +158,14 @@ inline bool is_orientation_kept(const Mesh& input, const std::vector<std::size_t
   const auto is_there = [&triangles](const Triple& t) {
     return std::binary_search(triangles.begin(), triangles.end(), turned_to_smallest(t));
   };
-  for (Vertex v : input.vertices())
-    if (!input.is_isolated(v))
-      if (const auto t = triple_point(input, v, labels))
-        if (is_there({(*t)[0], (*t)[2], (*t)[1]}) && !is_there(*t))
-          return false;
-  return true;
+  std::vector<std::ptrdiff_t> facing(components.counts.size(), 0);
+  for (Vertex v : input.vertices()) {
+    const auto t = input.is_isolated(v) ? std::nullopt : triple_point(input, v, labels);
+    if (!t || (*t)[0] >= components.of_vertex.size() || components.of_vertex[(*t)[0]] >= facing.size())
+      continue;
+    facing[components.of_vertex[(*t)[0]]] += is_there(*t) ? 1 : is_there({(*t)[0], (*t)[2], (*t)[1]}) ? -1 : 0;
+  }
+  return std::all_of(facing.begin(), facing.end(), [](std::ptrdiff_t n) { return n >= 0; });
 }
 
 struct Certificate
@@ -215,7 +220,7 @@ inline Certificate certify(const Mesh& input, const std::vector<std::size_t>& la
     if (partner[b] != none)
       result.components.back().after = after.counts[partner[b]];
   }
-  result.orientation_kept = !faces_are_whole || is_orientation_kept(input, labels, output);
+  result.orientation_kept = !faces_are_whole || is_orientation_kept(input, labels, output, after);
   return result;
 }
 

@@ -39,9 +39,9 @@ struct Distance_report
 ///
 /// The output is the coarsest result found whose two-sided Hausdorff distance to the input is at most `maximum_distance`. A
 /// fine clustering is made, and merged down to levels of detail (see `Cluster_levels`). Among these the search brackets the
-/// number of vertices, by distances estimated at points of both surfaces; then it tries to lower it by minimizing a coarser level. The
-/// distance of the result is bounded by `CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance()`,
-/// which looks at all of both surfaces and not at points of them; if the bound is too large, a finer level is taken.
+/// number of vertices, by distances estimated at points of both surfaces: first those of the placement's `Start`, if it has one
+/// (see `GlobalVertexPlacement`), then its own. The distance of the result is bounded by
+/// `CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance()`, which looks at all of both surfaces and not at points of them; if the bound is too large, a finer level is taken.
 ///
 /// The distance is that between surfaces: polygons of the input are fans of triangles around the corner of the smallest number,
 /// and triangles without area do not count. The output has the other properties that `coarsen_mesh()` promises.
@@ -81,15 +81,14 @@ Distance_report coarsen_mesh_to_distance(const FaceGraph& input, double maximum_
     throw Invalid_input("the maximum distance is " + std::to_string(maximum_distance));
 
   Distance_report report;
-  const auto make_clustering = [&] { return std::make_unique<Clustering>(input, np_in); };
+  Clustering clustering(input, np_in);
   const std::size_t iterations = choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
                                                   Clustering::default_number_of_iterations);
   Distance_search<Clustering, Placement, Traits> search(
-    make_clustering(), choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p)), maximum_distance,
+    clustering, choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p)), maximum_distance,
     iterations, num_vertices(input), report);
-  search.run(make_clustering);
+  search.run();
 
-  const Clustering& clustering = search.clustering();
   report.clustering = clustering.report();
   report.clustering.clusters = report.vertices;
   const auto source_map = get_parameter(np_out, internal_np::vertex_source);

@@ -31,6 +31,9 @@ namespace Surface_mesh_coarsening {
 class Fitted_placement
 {
 public:
+  /// the placement that it starts from
+  typedef Quadric_placement Start;
+
   /// \param rounds the number of fits
   /// \param mean_angle the mean over the triangles of their smallest angle, in degrees, that flips work towards: those that
   /// lower the distance are made until it is reached; if it is not reached from the start, flips that raise it are made
@@ -52,7 +55,7 @@ public:
                   std::vector<Clustered_surface::Point>& positions) const
   {
     using namespace internal;
-    const Quadric_placement start;
+    const Start start;
     for (std::size_t x = 0; x < positions.size(); ++x)
       if (!border.is_on_border(x))
         positions[x] = start(surface, x);

@@ -8,13 +8,16 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Nearest_point_search.h>
+#include <CGAL/Surface_mesh_coarsening/internal/sort_out.h>
 
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -22,7 +25,7 @@ namespace Surface_mesh_coarsening {
 namespace internal {
 
 // About how far a mesh and its coarse mesh are from each other: the largest distance, both ways, at the vertices of the mesh
-// and at vertices, middles of edges and centers of triangles of the coarse mesh. Fast, and no bound.
+// and at vertices of the coarse mesh and points of its triangles, many where these are far. Fast, and no bound.
 class Distance_estimate
 {
 public:
@@ -32,7 +35,7 @@ public:
       checkpoint_(checkpoint)
   {}
 
-  double distance() const { return std::sqrt((std::max)(to_coarse(), from_coarse())); }
+  double distance() const { return std::sqrt(from_coarse(to_coarse())); }
 
 private:
   double to_coarse() const
@@ -56,8 +59,7 @@ private:
         for (const Index x : first)
           for (const Index t : coarse_.around(x))
             around.insert(around.end(), coarse_.triangles()[t].begin(), coarse_.triangles()[t].end());
-        std::sort(around.begin(), around.end());
-        around.erase(std::unique(around.begin(), around.end()), around.end());
+        sort_out(around);
         for (const Index x : around)
           improve_around(mesh_.points[v], x, largest, least);
       }
@@ -80,25 +82,58 @@ private:
     return closest_on_triangle(p, positions_[c[0]], positions_[c[1]], positions_[c[2]]).squared_distance;
   }
 
-  double from_coarse() const
+  // Looks closer at the parts of triangles that are far away.
+  double from_coarse(double largest) const
   {
     const Nearest_point_search search(mesh_, labels_.labels(), positions_.size());
-    double largest = 0;
-    const auto look_at = [&](const Vector& p, Index x) {
+    const auto distance_at = [&](const Vector& p, Index x) {
       checkpoint_.pass(64);
-      largest = (std::max)(largest, search(p, x).squared_distance);
+      const double d = search(p, x).squared_distance;
+      largest = (std::max)(largest, d);
+      return d;
     };
     for (std::size_t x = 0; x < positions_.size(); ++x)
-      look_at(positions_[x], Index(x));
-    for (const Triangle& t : coarse_.triangles()) {
-      look_at((1. / 3) * (positions_[t[0]] + positions_[t[1]] + positions_[t[2]]), t[0]);
-      for (int i = 0; i < 3; ++i)
-        if (t[i] < t[(i + 1) % 3])
-          look_at(0.5 * (positions_[t[i]] + positions_[t[(i + 1) % 3]]), t[i]);
+      distance_at(positions_[x], Index(x));
+    std::vector<Part> parts;
+    for (const Triangle& t : coarse_.triangles())
+      parts.push_back({{{positions_[t[0]], positions_[t[1]], positions_[t[2]]}}, t[0]});
+    for (int i = 0; i < divisions; ++i) {
+      std::vector<double> distances;
+      for (const Part& part : parts)
+        distances.push_back(distance_at(center(part), part.cluster));
+      std::vector<Part> far;
+      for (std::size_t j = 0; j < parts.size(); ++j)
+        if (distances[j] > far_away * largest)
+          divide(parts[j], far);
+      parts = std::move(far);
     }
+    for (const Part& part : parts)
+      distance_at(center(part), part.cluster);
     return largest;
   }
 
+  struct Part
+  {
+    std::array<Vector, 3> corners;
+    Index cluster; // near which to begin to look
+  };
+
+  static Vector center(const Part& part)
+  {
+    return (1. / 3) * (part.corners[0] + part.corners[1] + part.corners[2]);
+  }
+
+  static void divide(const Part& part, std::vector<Part>& parts)
+  {
+    const auto& c = part.corners;
+    const std::array<Vector, 3> middles{{0.5 * (c[1] + c[2]), 0.5 * (c[2] + c[0]), 0.5 * (c[0] + c[1])}};
+    parts.push_back({middles, part.cluster});
+    for (int i = 0; i < 3; ++i)
+      parts.push_back({{{c[i], middles[(i + 2) % 3], middles[(i + 1) % 3]}}, part.cluster});
+  }
+
+  static constexpr int divisions = 4;
+  static constexpr double far_away = 0.25; // of the largest squared distance
   const Cluster_labels& labels_;
   const Flat_mesh& mesh_;
   const std::vector<Vector>& positions_;

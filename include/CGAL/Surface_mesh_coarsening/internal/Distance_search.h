@@ -11,9 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -21,44 +21,52 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Looks for the coarsest result within a distance: among the levels of a fine clustering, and among what coarser levels become
-// when they are minimized.
+// The placement by which the search finds out about how many vertices it takes: that which a placement starts from, if it says
+// so, or itself.
+template <class Placement, class = void>
+struct Quick_placement
+{
+  typedef Placement type;
+};
+template <class Placement>
+struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
+{
+  typedef typename Placement::Start type;
+};
+
+// Looks for the coarsest result within a distance among the levels of a fine clustering.
 template <class Clustering, class Placement, class OutputTraits>
 class Distance_search
 {
 public:
   template <class Report>
-  Distance_search(std::unique_ptr<Clustering> clustering, const Placement& placement, double distance,
-                  std::size_t iterations, std::size_t vertices, Report& report)
-    : fine_(std::move(clustering)), placement_(placement), iterations_(iterations), vertices_(vertices), number_((std::max)(vertices / 16, std::size_t(4))),
-      clusterings_(report.clusterings), estimates_(report.estimates), bounds_(report.bounds),
-      final_vertices_(report.vertices), final_bound_(report.distance_bound), distance_(distance),
-      local_distance_(std::ldexp(distance, -Access::frame(*fine_).exponent))
+  Distance_search(Clustering& clustering, const Placement& placement, double distance, std::size_t iterations,
+                  std::size_t vertices, Report& report)
+    : clustering_(clustering), placement_(placement), iterations_(iterations), vertices_(vertices),
+      number_((std::max)(vertices / 16, std::size_t(4))), clusterings_(report.clusterings), estimates_(report.estimates),
+      bounds_(report.bounds), final_vertices_(report.vertices), final_bound_(report.distance_bound), distance_(distance),
+      local_distance_(std::ldexp(distance, -Access::frame(clustering).exponent))
   {}
 
-  // `make_clustering` makes another clustering of the same mesh.
-  template <class MakeClustering>
-  void run(const MakeClustering& make_clustering)
+  void run()
   {
     do {
-      find_fine_clustering();
-      bracket();
-      lower(make_clustering);
+      find_clustering();
+      find_level();
     } while (!bound_result());
   }
 
   // Of the result:
-  const Clustering& clustering() const { return lower_ ? *lower_ : *fine_; }
-  const std::vector<Vector>& positions() const { return positions_; }
-  const std::vector<Triangle>& triangles() const { return triangles_; }
+  const std::vector<Vector>& positions() const { return result_.positions; }
+  const std::vector<Triangle>& triangles() const { return result_.triangles; }
   std::vector<Index> clusters_of_faces() const
   {
     std::vector<Index> clusters;
-    const auto& numbering = Access::numbering(clustering());
+    const auto& numbering = Access::numbering(clustering_);
     std::vector<Index> all(numbering.faces.size());
-    levels().write_clusters(level_, boost::make_function_property_map<typename Clustering::face_descriptor>(
+    levels_->write_clusters(result_.level, boost::make_function_property_map<typename Clustering::face_descriptor>(
       [&](typename Clustering::face_descriptor f) -> Index& { return all[numbering.number_of(f)]; }));
-    const Clustering_input& input = Access::input(clustering());
+    const Clustering_input& input = Access::input(clustering_);
     for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
       clusters.push_back(all[input.parent_of(Index(f))]);
     return clusters;
@@ -67,91 +75,111 @@ public:
 private:
   typedef Clustering_access Access;
   typedef Cluster_levels<Clustering> Levels;
+  typedef typename Quick_placement<Placement>::type Quick;
+  static constexpr bool has_quick_placement = !std::is_same<Quick, Placement>::value;
+
+  struct Result
+  {
+    std::size_t level = 0;
+    std::vector<Vector> positions;
+    std::vector<Triangle> triangles;
+    double estimate = 0;
+  };
 
   // Estimates come out a little below bounds.
-  double wanted() const { return 0.96 * local_distance_; }
+  double wanted() const { return 0.97 * local_distance_; }
 
-  const Levels& levels() const { return lower_levels_ ? *lower_levels_ : *fine_levels_; }
+  // By a quick placement, distances are larger than by one that starts from it.
+  double quickly_wanted() const { return has_quick_placement ? wanted() / 0.6 : wanted(); }
 
   // With the first of some numbers of vertices that comes near enough.
-  void find_fine_clustering()
+  void find_clustering()
   {
     for (;;) {
       number_ = (std::min)(number_, vertices_);
-      fine_levels_.reset();
+      levels_.reset();
+      result_ = Result();
       try {
-        fine_->seed(number_);
-        fine_->grow();
+        clustering_.seed(number_);
+        clustering_.grow();
       } catch (const Unreachable_number_of_vertices& e) {
         if (e.nearest() > number_)
           number_ = vertices_ = e.nearest();
-        fine_->seed(e.nearest());
-        fine_->grow();
+        clustering_.seed(e.nearest());
+        clustering_.grow();
       }
-      fine_->minimize(iterations_);
+      clustering_.minimize(iterations_);
       ++clusterings_;
-      fine_levels_.emplace(*fine_);
-      level_ = fine_levels_->finest();
-      const double e = estimate(*fine_levels_, level_);
-      if (number_ >= vertices_ || e <= wanted())
+      levels_.emplace(clustering_);
+      finest_estimate_ = quick_estimate(levels_->finest());
+      if (number_ >= vertices_ || finest_estimate_ <= quickly_wanted() ||
+          (has_quick_placement && try_level(levels_->finest()) <= wanted()))
         return;
-      number_ *= 4;
+      number_ *= 2;
     }
   }
 
-  // The estimate falls with about the power -1 of the number of vertices where the surface is smooth, and -1/2 at edges. Steps
-  // of these sizes close the bracket in on the coarsest level that keeps to the distance.
-  void bracket()
+  double quick_estimate(std::size_t n)
   {
-    const Levels& levels = *fine_levels_;
-    double low = double(levels.coarsest()) - 1, high = double(level_); // too coarse, and fine enough
-    double low_estimate = 0, high_estimate = last_estimate_;
-    for (int i = 0; i < 5 && high > 1.06 * low + 1; ++i) {
-      double next = high * std::pow(high_estimate / wanted(), low_estimate > 0 ? 0.75 : 1.);
-      if (low_estimate > 0 && low > 0 && high_estimate < low_estimate) {
-        const double slope = std::log(high_estimate / low_estimate) / std::log(high / low);
-        next = high * std::pow(0.98 * wanted() / high_estimate, 1 / slope);
-      }
-      // Not all the way to an end of the bracket.
-      next = (std::max)(next, low > 0 && low_estimate > 0 ? low * std::pow(high / low, 0.15) : low + 1);
-      next = std::floor((std::min)(next, high * std::pow((std::max)(low, 1.) / high, 0.1)));
-      next = (std::min)((std::max)(next, low + 1), high - 1);
-      const double e = estimate(levels, std::size_t(next));
-      if (e <= wanted()) {
+    if constexpr (has_quick_placement)
+      return place(n, Quick(), false).estimate;
+    else
+      return try_level(n);
+  }
+
+  // Of the placement asked for. Keeps what is near enough, if it is coarser than what was kept before.
+  double try_level(std::size_t n)
+  {
+    Result x = place(n, placement_, Access::repairs(clustering_));
+    const double e = x.estimate;
+    if (e <= wanted() && (result_.level == 0 || n < result_.level))
+      result_ = std::move(x);
+    return e;
+  }
+
+  void find_level()
+  {
+    const std::size_t finest = levels_->finest();
+    std::size_t n = bracket(finest, quickly_wanted(), has_quick_placement ? 1.2 : 1.06, [this, finest](std::size_t i) {
+      return i == finest ? finest_estimate_ : quick_estimate(i);
+    });
+    if (has_quick_placement)
+      n = bracket(n, wanted(), 1.1, [this](std::size_t i) { return try_level(i); });
+    for (; result_.level == 0 && n < finest; n = (std::min)(finest, n + n / 4 + 1))
+      try_level(n);
+    // Where vertices have few faces each, a coarser level may be nearer.
+    for (n = finest; result_.level == 0 && n >= levels_->coarsest() && n > finest / 16; n /= 2)
+      try_level(n);
+  }
+
+  // The estimate falls with about the power -1 of the number of vertices where the surface is smooth, and -1/2 at edges. Steps
+  // of these sizes close the bracket in on the coarsest level that is within a distance.
+  template <class Estimate>
+  std::size_t bracket(std::size_t first, double distance, double width, const Estimate& estimate)
+  {
+    double low = double(levels_->coarsest()) - 1, high = double(levels_->finest()); // too coarse, and maybe fine enough
+    double low_estimate = 0, high_estimate = 0;                                      // 0 if not known
+    double next = double(first);
+    for (int i = 0; i < 5 && high > width * low + 1; ++i) {
+      const double e = estimate(std::size_t(next));
+      if (e <= distance) {
         high = next;
         high_estimate = e;
+        if (width * e >= distance)
+          break;
       } else {
         low = next;
         low_estimate = e;
       }
+      const double slope = low_estimate > 0 && high_estimate > 0 && high_estimate < low_estimate
+                             ? std::log(high_estimate / low_estimate) / std::log(high / low) : -1.25;
+      next *= std::pow(0.98 * distance / e, 1 / slope);
+      // Not all the way to an end of the bracket.
+      next = (std::max)(next, low_estimate > 0 ? low * std::pow(high / low, 0.15) : low + 1);
+      next = (std::min)(next, high_estimate > 0 ? high * std::pow((std::max)(low, 1.) / high, 0.1) : high);
+      next = std::floor((std::min)((std::max)(next, low + 1), high));
     }
-    level_ = bracketed_ = std::size_t(high);
-  }
-
-  // Minimizes the clusters of a somewhat coarser level. A level that is far from the finest one gains most. Clusters of pieces
-  // of faces stay as they are.
-  template <class MakeClustering>
-  void lower(const MakeClustering& make_clustering)
-  {
-    const std::size_t n = std::size_t(0.93 * double(level_));
-    if (n < fine_levels_->coarsest() || 3 * level_ > fine_levels_->finest() ||
-        Access::working_input(*fine_).mesh.number_of_faces() != Access::input(*fine_).mesh.number_of_faces())
-      return;
-    auto clustering = make_clustering();
-    std::vector<Index> clusters(Access::numbering(*fine_).faces.size());
-    const auto& numbering = Access::numbering(*fine_);
-    const auto map = boost::make_function_property_map<typename Clustering::face_descriptor>(
-      [&](typename Clustering::face_descriptor f) -> Index& { return clusters[numbering.number_of(f)]; });
-    fine_levels_->write_clusters(n, map);
-    clustering->set_clusters(map);
-    clustering->minimize(iterations_);
-    ++clusterings_;
-    Levels levels(*clustering);
-    if (estimate(levels, n) > wanted())
-      return;
-    lower_ = std::move(clustering);
-    lower_levels_.emplace(*lower_);
-    level_ = n;
+    return std::size_t(high_estimate > 0 ? high : (std::max)(next, low));
   }
 
   // Estimates take the place of bounds in the search; where that was wrong, a finer level is needed. Returns whether there was
@@ -159,54 +187,50 @@ private:
   bool bound_result()
   {
     const double error = local_distance_ / 32;
-    const Distance_mesh surface = triangles_of(Access::input(*fine_).mesh);
+    const Distance_mesh surface = triangles_of(Access::input(clustering_).mesh);
+    const std::size_t finest = levels_->finest();
+    if (result_.level == 0)
+      result_ = place(finest, placement_, Access::repairs(clustering_));
     for (;;) {
-      place(levels(), level_, Access::repairs(*fine_));
-      const double bound = hausdorff_bound(surface, output_positions(), triangles_, error);
+      const double bound = hausdorff_bound(surface, output_positions(), result_.triangles, error);
       ++bounds_;
+      const double external = std::ldexp(bound, Access::frame(clustering_).exponent);
       if (bound <= local_distance_) {
-        final_vertices_ = level_;
-        final_bound_ = std::ldexp(bound, Access::frame(*fine_).exponent);
+        final_vertices_ = result_.level;
+        final_bound_ = external;
         return true;
       }
-      if (level_ == fine_levels_->finest() && !lower_) {
-        if (number_ < vertices_) {
-          number_ *= 2;
-          return false;
-        }
-        throw Unreachable_distance("no result within a distance of " + std::to_string(distance_) + " was found",
-                                   std::ldexp(bound, Access::frame(*fine_).exponent));
+      if (result_.level == finest) {
+        if (number_ >= vertices_)
+          throw Unreachable_distance("no result within a distance of " + std::to_string(distance_) + " was found", external);
+        number_ *= 2;
+        return false;
       }
-      const double finer = double(level_) * (std::min)(2., (std::max)(1.05, std::pow(bound / local_distance_, 1.2)));
-      level_ = lower_ ? bracketed_ : (std::min)(fine_levels_->finest(), std::size_t(finer) + 1);
-      lower_levels_.reset();
-      lower_.reset();
+      const double finer = double(result_.level) * (std::min)(2., (std::max)(1.05, std::pow(bound / local_distance_, 1.2)));
+      result_ = place((std::min)(finest, std::size_t(finer) + 1), placement_, Access::repairs(clustering_));
     }
   }
 
-  double estimate(const Levels& levels, std::size_t n)
+  template <class AnyPlacement>
+  Result place(std::size_t n, const AnyPlacement& placement, bool with_repair)
   {
-    const Cluster_labels labels = place(levels, n, false);
+    Result x;
+    x.level = n;
+    const Cluster_labels labels = levels_->labels(n);
+    x.positions = levels_->place(labels, n, placement, with_repair,
+                                 output_coordinates<OutputTraits>(Access::frame(clustering_)), x.triangles);
     ++estimates_;
-    last_estimate_ = Distance_estimate(labels, positions_, triangles_, Checkpoint(Access::visitor(*fine_))).distance();
-    return last_estimate_;
-  }
-
-  Cluster_labels place(const Levels& levels, std::size_t n, bool with_repair)
-  {
-    Cluster_labels labels = levels.labels(n);
-    positions_ = levels.place(labels, n, placement_, with_repair,
-                              output_coordinates<OutputTraits>(Access::frame(*fine_)), triangles_);
-    return labels;
+    x.estimate = Distance_estimate(labels, x.positions, x.triangles, Checkpoint(Access::visitor(clustering_))).distance();
+    return x;
   }
 
   // The positions that the output has after rounding, in the coordinates of the arrays.
   std::vector<Vector> output_positions() const
   {
-    const Frame& frame = Access::frame(*fine_);
+    const Frame& frame = Access::frame(clustering_);
     const auto to_output = output_coordinates<OutputTraits>(frame);
     std::vector<Vector> result;
-    for (const Vector& p : positions_) {
+    for (const Vector& p : result_.positions) {
       Vector q = to_output(p);
       for (int i = 0; i < 3; ++i)
         q[i] = std::ldexp(q[i] - frame.origin[i], -frame.exponent);
@@ -215,18 +239,16 @@ private:
     return result;
   }
 
-  std::unique_ptr<Clustering> fine_, lower_;
-  std::optional<Levels> fine_levels_, lower_levels_;
+  Clustering& clustering_;
+  std::optional<Levels> levels_;
   Placement placement_;
   std::size_t iterations_;
   std::size_t vertices_; // the largest number of clusters that is tried
-  std::size_t number_;   // of clusters that the fine clustering shall have
+  std::size_t number_;   // of clusters that the clustering shall have
   std::size_t &clusterings_, &estimates_, &bounds_, &final_vertices_;
   double& final_bound_;
-  double distance_, local_distance_, last_estimate_ = 0;
-  std::size_t level_ = 0, bracketed_ = 0;
-  std::vector<Vector> positions_;
-  std::vector<Triangle> triangles_;
+  double distance_, local_distance_, finest_estimate_ = 0;
+  Result result_; // no level if there is none
 };
 
 } // namespace internal
