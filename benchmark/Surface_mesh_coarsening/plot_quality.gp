@@ -3,9 +3,10 @@
 # Plots quality.csv, the output of compare_peers for several numbers of vertices of each of the `models`, to quality.png: distance
 # against shape, a panel for each model and a line for each method from many vertices, below, to few.
 
-set terminal pngcairo size 1200,1000 font ",9"
+set terminal pngcairo size 1100,920 font ",9"
 set output "quality.png"
 set datafile separator comma
+set datafile missing NaN # lines go on past the rows of other methods
 methods = "\"ours maximum\" \"ours maximum quadric\" \"ours area fitted\" \"CGAL edge collapse\" \"CGAL edge collapse by planes\" \"CGAL ACVD\" meshoptimizer \"OpenMesh decimation\""
 method(i) = word(methods, i)
 array colors[8] = ["#88bb88", "#449944", "#006600", "#cc4444", "#ee9966", "#8855bb", "#4477cc", "#888888"]
@@ -19,7 +20,7 @@ set xrange [10:55]
 set grid
 set key off
 do for [m = 1:words(models)] {
-  set title word(models, m) offset 0,-0.7
+  set title word(models, m) noenhanced offset 0,-0.7
   set xlabel (m > words(models) - columns ? "mean smallest angle, degrees" : "")
   set ylabel ((m - 1) % columns == 0 ? "RMS distance, % of the diagonal" : "")
   plot for [i = 1:8] "quality.csv" skip 1 \
