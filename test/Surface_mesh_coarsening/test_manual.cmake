@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # What the manual says that commands print, they print; and figures of its table of distance and shape, and of the README's,
-# are what the tool measures, to the accuracy of sampling.
-#   cmake -D COARSEN_MESH=... -D FIND_SEEDS=... -D FANDISK=... -D PROJECT_SOURCE_DIR=... -P test_manual.cmake
+# are what the tool measures, to the accuracy of sampling; so are its distances of borders.
+#   cmake -D COARSEN_MESH=... -D FIND_SEEDS=... -D FANDISK=... -D CGAL_DATA_DIR=... -D PROJECT_SOURCE_DIR=... -P test_manual.cmake
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -21,6 +21,17 @@ function(thousandths result number)
   string(SUBSTRING "${CMAKE_MATCH_2}000" 0 3 digits)
   math(EXPR value "${CMAKE_MATCH_1} * 1000 + 1${digits} - 1000")
   set(${result} ${value} PARENT_SCOPE)
+endfunction()
+
+# Fails unless `stated` is within a part in twenty of `measured`, or within a thousandth.
+function(check_number what measured stated)
+  thousandths(measured ${measured})
+  thousandths(stated ${stated})
+  math(EXPR tolerance "${measured} / 20 + 1")
+  math(EXPR difference "${measured} - ${stated}")
+  if(difference GREATER tolerance OR difference LESS -${tolerance})
+    message(SEND_ERROR "${what} is ${measured} thousandths, not ${stated}")
+  endif()
 endfunction()
 
 # Fails unless the text has the distance and the angle that the tool measures, after `before`.
@@ -55,3 +66,25 @@ check_figures("the manual" "${manual}" "\n\\| variance \\| " ", " variance 3 cen
 check_figures("the manual" "${manual}" "\n\\| uniform \\| ${cell}${cell}" ", " uniform 1 quadric)
 check_figures("the README" "${readme}" "weight maximum, vertices at centroids \\| " " \\| " maximum 50 centroid)
 check_figures("the README" "${readme}" "weight area, vertices fitted \\| " " \\| " area 10 fitted)
+
+# The distances of surfaces and of borders on open meshes of CGAL.
+foreach(name lion-head mannequin-devil head mask_cone blade mech-holes-shark)
+  if(NOT EXISTS ${CGAL_DATA_DIR}/meshes/${name}.off)
+    message(STATUS "Did not find ${name}.off: its figures are not checked")
+    continue()
+  endif()
+  if(NOT manual MATCHES "\n\\| ${name}, ([0-9]+) \\| ([0-9.]+) \\| ([0-9.]+) \\|")
+    message(SEND_ERROR "the manual has no distances of ${name}")
+    continue()
+  endif()
+  set(number ${CMAKE_MATCH_1})
+  set(surface ${CMAKE_MATCH_2})
+  set(border ${CMAKE_MATCH_3})
+  execute_process(COMMAND ${COARSEN_MESH} ${CGAL_DATA_DIR}/meshes/${name}.off coarse.off -n ${number} --measure
+    --report report.json --quiet COMMAND_ERROR_IS_FATAL ANY)
+  file(READ report.json report)
+  string(JSON measured GET "${report}" quality distance_percent rms)
+  check_number("the distance of ${name}" ${measured} ${surface})
+  string(JSON measured GET "${report}" quality border_distance_percent rms)
+  check_number("the border's distance of ${name}" ${measured} ${border})
+endforeach()
