@@ -76,6 +76,33 @@ std::vector<double> estimated_errors(const Mesh& mesh, const Eigen::VectorXd& u)
   return errors;
 }
 
+Eigen::VectorXd solution_on(const Mesh& mesh, const Kernel::Point_3& center, double size)
+{
+  Eigen::VectorXd f(mesh.number_of_vertices());
+  for (const auto v : mesh.vertices())
+    f[v] = source(mesh.point(v), center, size);
+  return solve(mesh, f, 0.01 * size * size);
+}
+
+//! [refinement]
+// The clusters of the fifth of the vertices that has the largest errors are split. The others keep their faces while the
+// new ones find their shape.
+void refine(SMC::Mwcvd_clustering<Mesh>& clustering, const std::vector<double>& errors)
+{
+  std::vector<double> sorted = errors;
+  std::sort(sorted.begin(), sorted.end());
+  const double large = sorted[sorted.size() * 4 / 5];
+  for (std::size_t x = 0; x < errors.size(); ++x)
+    if (errors[x] > large)
+      clustering.split_cluster(x);
+    else
+      clustering.freeze_cluster(x);
+  clustering.minimize();
+  for (std::size_t x = 0; x < clustering.number_of_clusters(); ++x)
+    clustering.thaw_cluster(x);
+}
+//! [refinement]
+
 int main(int argc, char* argv[])
 {
   const std::string name = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/fandisk.off");
@@ -97,31 +124,12 @@ int main(int argc, char* argv[])
   Mesh coarse;
   for (int step = 0;; ++step) {
     clustering.extract_dual_mesh(coarse);
-    Eigen::VectorXd f(coarse.number_of_vertices());
-    for (const auto v : coarse.vertices())
-      f[v] = source(coarse.point(v), center, size);
-    const Eigen::VectorXd u = solve(coarse, f, 0.01 * size * size);
-    const std::vector<double> errors = estimated_errors(coarse, u);
+    const std::vector<double> errors = estimated_errors(coarse, solution_on(coarse, center, size));
     std::cout << coarse.number_of_vertices() << " vertices: estimated error "
               << std::sqrt(std::accumulate(errors.begin(), errors.end(), 0.)) << std::endl;
     if (step == 3)
       break;
-
-    //! [refinement]
-    // The clusters of the fifth of the vertices that has the largest errors are split. The others keep their faces while the
-    // new ones find their shape.
-    std::vector<double> sorted = errors;
-    std::sort(sorted.begin(), sorted.end());
-    const double large = sorted[sorted.size() * 4 / 5];
-    for (std::size_t x = 0; x < errors.size(); ++x)
-      if (errors[x] > large)
-        clustering.split_cluster(x);
-      else
-        clustering.freeze_cluster(x);
-    clustering.minimize();
-    for (std::size_t x = 0; x < clustering.number_of_clusters(); ++x)
-      clustering.thaw_cluster(x);
-    //! [refinement]
+    refine(clustering, errors);
   }
   return CGAL::IO::write_polygon_mesh("coarse.off", coarse) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -6,6 +6,7 @@
 #define BOOST_TEST_MODULE hostile_input
 #include "support/face_graphs.h"
 
+#include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
@@ -528,4 +529,48 @@ BOOST_AUTO_TEST_CASE(allocations_that_fail)
       check_unchanged(mesh, soup);
   }
   BOOST_CHECK(failures > 100);
+}
+
+// A step that fails leaves no clusters, and what comes after it begins anew.
+BOOST_AUTO_TEST_CASE(allocations_that_fail_in_steering)
+{
+  const Mesh mesh = test::to_mesh(generated::triangle_sphere(3));
+  const auto labels_of = [&mesh](SMC::Mwcvd_clustering<Mesh>& c) {
+    std::vector<std::size_t> labels;
+    for (const auto f : mesh.faces())
+      labels.push_back(c.cluster(f));
+    return labels;
+  };
+  for (const bool splits : {true, false}) {
+    SMC::Mwcvd_clustering<Mesh> clustering(mesh);
+    const auto begin = [&clustering] {
+      clustering.seed(12);
+      clustering.grow();
+    };
+    const auto edit = [&] { return splits ? clustering.split_cluster(5).has_value() : clustering.remove_cluster(5); };
+    begin();
+    BOOST_REQUIRE(edit());
+    const std::vector<std::size_t> expected = labels_of(clustering);
+    std::size_t failures = 0;
+    for (std::size_t nth = 1;; ++nth) {
+      begin();
+      bool has_thrown = false;
+      memory::let_fail(nth);
+      try {
+        edit();
+      } catch (const std::bad_alloc&) {
+        has_thrown = true;
+      }
+      memory::left = 0;
+      if (!has_thrown) {
+        BOOST_CHECK(labels_of(clustering) == expected);
+        if (memory::allocations < nth)
+          break;
+        continue;
+      }
+      ++failures;
+      BOOST_CHECK_THROW(clustering.cluster(*mesh.faces().begin()), std::logic_error);
+    }
+    BOOST_CHECK(failures > 10);
+  }
 }

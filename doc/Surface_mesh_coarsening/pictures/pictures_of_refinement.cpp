@@ -40,10 +40,7 @@ Step step_of(const Mesh& mesh, const Clustering& clustering, const Point& center
   step.labels = labels_of(mesh, clustering);
   step.areas = areas_of_clusters(mesh, step.labels, clustering.number_of_clusters());
   clustering.extract_dual_mesh(step.coarse);
-  Eigen::VectorXd f(step.coarse.number_of_vertices());
-  for (Vertex v : step.coarse.vertices())
-    f[v] = source(step.coarse.point(v), center, size);
-  step.solution = solve(step.coarse, f, 0.01 * size * size);
+  step.solution = solution_on(step.coarse, center, size);
   return step;
 }
 
@@ -67,18 +64,7 @@ void picture_refinement(const Setting& setting)
     steps.push_back(step_of(mesh, clustering, center, size));
     if (steps.size() == 4)
       break;
-    const std::vector<double> errors = estimated_errors(steps.back().coarse, steps.back().solution);
-    std::vector<double> sorted = errors;
-    std::sort(sorted.begin(), sorted.end());
-    const double large = sorted[sorted.size() * 4 / 5];
-    for (std::size_t x = 0; x < errors.size(); ++x)
-      if (errors[x] > large)
-        clustering.split_cluster(x);
-      else
-        clustering.freeze_cluster(x);
-    clustering.minimize();
-    for (std::size_t x = 0; x < clustering.number_of_clusters(); ++x)
-      clustering.thaw_cluster(x);
+    refine(clustering, estimated_errors(steps.back().coarse, steps.back().solution));
   }
 
   steps.erase(steps.begin() + 2); // three fit a page

@@ -107,14 +107,19 @@ Rgb texture_color(double u, double v)
   return from_hue(0.3 + 3.9 * wrapped(u), is_light ? 0.15 : 0.55, 0.98);
 }
 
-Image textured(const Mesh& mesh, const Camera& camera, std::size_t parts, double ink)
+Texture texture_of(const Mesh& mesh)
 {
   const auto found = mesh.property_map<Halfedge, Texture_point>("h:texture");
 #if CGAL_VERSION_NR >= 1060000000
-  const Texture texture = *found;
+  return *found;
 #else
-  const Texture texture = found.first;
+  return found.first;
 #endif
+}
+
+Image textured(const Mesh& mesh, const Camera& camera, std::size_t parts, double ink)
+{
+  const Texture texture = texture_of(mesh);
   const auto color = [&](Face f, const Weights& w) {
     Texture_point at = {{0, 0}};
     Halfedge h = mesh.halfedge(f);
@@ -169,13 +174,7 @@ void picture_properties(const Setting& setting)
   Coarse ring = coarsened<SMC::Weighted_area_weight>(torus, 1000, 10, SMC::Fitted_placement());
   const Texture texture = ring.mesh.add_property_map<Halfedge, Texture_point>("h:texture").first;
   const auto ring_clusters = boost::make_iterator_property_map(ring.labels.begin(), get(CGAL::face_index, torus));
-  const auto found = torus.property_map<Halfedge, Texture_point>("h:texture");
-#if CGAL_VERSION_NR >= 1060000000
-  const Texture from = *found;
-#else
-  const Texture from = found.first;
-#endif
-  SMC::Property_transfer<Mesh, Mesh>(torus, ring_clusters, ring.mesh).transfer_corner_property(from, texture);
+  SMC::Property_transfer<Mesh, Mesh>(torus, ring_clusters, ring.mesh).transfer_corner_property(texture_of(torus), texture);
 
   compose(setting.directory, "properties",
           {{{with_field(bunny, field, camera, 1, 0), "a field on " + vertices_of(bunny), "0", "1"},

@@ -51,7 +51,10 @@ public:
   std::optional<std::size_t> split_cluster(std::size_t cluster)
   {
     Clustering& c = checked(cluster);
-    if (is_frozen(cluster) || !editing().split(Index(cluster)))
+    bool is_split = false;
+    if (!is_frozen(cluster))
+      Access::all_or_nothing(c, [&] { is_split = editing().split(Index(cluster)); });
+    if (!is_split)
       return std::nullopt;
     Access::have_changed(c, editing().number_of_clusters());
     return std::size_t(editing().number_of_clusters() - 1);
@@ -64,10 +67,12 @@ public:
   bool remove_cluster(std::size_t cluster)
   {
     Clustering& c = checked(cluster);
-    if (is_frozen(cluster) || !editing().remove(Index(cluster)))
-      return false;
-    Access::have_changed(c, editing().number_of_clusters());
-    return true;
+    bool is_removed = false;
+    if (!is_frozen(cluster))
+      Access::all_or_nothing(c, [&] { is_removed = editing().remove(Index(cluster)); });
+    if (is_removed)
+      Access::have_changed(c, editing().number_of_clusters());
+    return is_removed;
   }
 
 /// \cond SKIP_IN_MANUAL

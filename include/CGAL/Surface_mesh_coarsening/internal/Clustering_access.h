@@ -36,6 +36,8 @@ struct Clustering_access
     labels(c);
     return *c.labels_;
   }
+  template <class Clustering, class Step>
+  static void all_or_nothing(Clustering& c, const Step& step) { c.all_or_nothing(step); }
   // Clusters have been added or removed.
   template <class Clustering>
   static void have_changed(Clustering& c, std::size_t clusters)

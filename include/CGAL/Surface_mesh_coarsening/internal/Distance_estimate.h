@@ -97,18 +97,16 @@ private:
     std::vector<Part> parts;
     for (const Triangle& t : coarse_.triangles())
       parts.push_back({{{positions_[t[0]], positions_[t[1]], positions_[t[2]]}}, t[0]});
-    for (int i = 0; i < divisions; ++i) {
+    for (int i = 0; !parts.empty(); ++i) {
       std::vector<double> distances;
       for (const Part& part : parts)
         distances.push_back(distance_at(center(part), part.cluster));
       std::vector<Part> far;
-      for (std::size_t j = 0; j < parts.size(); ++j)
+      for (std::size_t j = 0; j < parts.size() && i < divisions; ++j)
         if (distances[j] > far_away * largest)
           divide(parts[j], far);
       parts = std::move(far);
     }
-    for (const Part& part : parts)
-      distance_at(center(part), part.cluster);
     return largest;
   }
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -111,8 +112,9 @@ private:
       clustering_.minimize(iterations_);
       ++clusterings_;
       levels_.emplace(clustering_);
-      finest_estimate_ = quick_estimate(levels_->finest());
-      if (number_ >= vertices_ || finest_estimate_ <= quickly_wanted() ||
+      estimates_by_level_.clear();
+      quick_estimates_.clear();
+      if (number_ >= vertices_ || quick_estimate(levels_->finest()) <= quickly_wanted() ||
           (has_quick_placement && try_level(levels_->finest()) <= wanted()))
         return;
       number_ *= 2;
@@ -121,17 +123,22 @@ private:
 
   double quick_estimate(std::size_t n)
   {
-    if constexpr (has_quick_placement)
-      return place(n, Quick(), false).estimate;
-    else
+    if constexpr (has_quick_placement) {
+      const auto known = quick_estimates_.find(n);
+      return known != quick_estimates_.end() ? known->second : quick_estimates_[n] = place(n, Quick(), false).estimate;
+    } else {
       return try_level(n);
+    }
   }
 
   // Of the placement asked for. Keeps what is near enough, if it is coarser than what was kept before.
   double try_level(std::size_t n)
   {
+    const auto known = estimates_by_level_.find(n);
+    if (known != estimates_by_level_.end())
+      return known->second;
     Result x = place(n, placement_, Access::repairs(clustering_));
-    const double e = x.estimate;
+    const double e = estimates_by_level_[n] = x.estimate;
     if (e <= wanted() && (result_.level == 0 || n < result_.level))
       result_ = std::move(x);
     return e;
@@ -140,9 +147,8 @@ private:
   void find_level()
   {
     const std::size_t finest = levels_->finest();
-    std::size_t n = bracket(finest, quickly_wanted(), has_quick_placement ? 1.2 : 1.06, [this, finest](std::size_t i) {
-      return i == finest ? finest_estimate_ : quick_estimate(i);
-    });
+    std::size_t n = bracket(finest, quickly_wanted(), has_quick_placement ? 1.2 : 1.06,
+                            [this](std::size_t i) { return quick_estimate(i); });
     if (has_quick_placement)
       n = bracket(n, wanted(), 1.1, [this](std::size_t i) { return try_level(i); });
     for (; result_.level == 0 && n < finest; n = (std::min)(finest, n + n / 4 + 1))
@@ -152,8 +158,8 @@ private:
       try_level(n);
   }
 
-  // The estimate falls with about the power -1 of the number of vertices where the surface is smooth, and -1/2 at edges. Steps
-  // of these sizes close the bracket in on the coarsest level that is within a distance.
+  // The estimate falls with about the power -1 of the number of vertices where the surface is smooth. Until two estimates tell
+  // its slope, steps are those of a somewhat steeper one, as one that goes too far costs more than a further step.
   template <class Estimate>
   std::size_t bracket(std::size_t first, double distance, double width, const Estimate& estimate)
   {
@@ -247,8 +253,9 @@ private:
   std::size_t number_;   // of clusters that the clustering shall have
   std::size_t &clusterings_, &estimates_, &bounds_, &final_vertices_;
   double& final_bound_;
-  double distance_, local_distance_, finest_estimate_ = 0;
-  Result result_; // no level if there is none
+  double distance_, local_distance_;
+  std::map<std::size_t, double> estimates_by_level_, quick_estimates_; // of the clustering
+  Result result_;                                                      // no level if there is none
 };
 
 } // namespace internal

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Raises the deviations of faces near the border to what the turn of the border asks for, and no higher than four times the largest
-// of the deviations, of which the scale of the densities depends and which stays what it was.
+// Raises the deviations of faces near the border to what the turn of the border asks for, and no higher than four times the
+// largest of the deviations, on which the scale of the densities depends and which stays what it was.
 //
 // Where the border has radius of curvature R, its parallel at distance s, on the outer side, has R + s. What is asked for is
 // in proportion to the angle by which that parallel turns on the way to the faces around.
