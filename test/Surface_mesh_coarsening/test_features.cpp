@@ -578,6 +578,7 @@ BOOST_AUTO_TEST_CASE(refusals)
   c.grow();
   BOOST_CHECK_THROW(c.split_cluster(0), SMC::Invalid_input);
   BOOST_CHECK_THROW(c.remove_cluster(0), SMC::Invalid_input);
+  BOOST_TEST(c.number_of_clusters() == 20);
   BOOST_CHECK_THROW(SMC::Cluster_levels<SMC::Mwcvd_clustering<Mesh> >{c}, SMC::Invalid_input);
 }
 

@@ -50,14 +50,9 @@ public:
   /// where it has only one face
   std::optional<std::size_t> split_cluster(std::size_t cluster)
   {
-    Clustering& c = checked(cluster);
-    bool is_split = false;
-    if (!is_frozen(cluster))
-      Access::all_or_nothing(c, [&] { is_split = editing().split(Index(cluster)); });
-    if (!is_split)
+    if (!edit(cluster, &internal::Cluster_editing::split))
       return std::nullopt;
-    Access::have_changed(c, editing().number_of_clusters());
-    return std::size_t(editing().number_of_clusters() - 1);
+    return clustering().number_of_clusters() - 1;
   }
 
   /// removes a cluster: its faces join a neighbor, the one for which the sum of the moments about the centers grows least of
@@ -66,13 +61,7 @@ public:
   /// \return whether it was possible. It is not if the cluster is frozen, or if the topology of the mesh needs it.
   bool remove_cluster(std::size_t cluster)
   {
-    Clustering& c = checked(cluster);
-    bool is_removed = false;
-    if (!is_frozen(cluster))
-      Access::all_or_nothing(c, [&] { is_removed = editing().remove(Index(cluster)); });
-    if (is_removed)
-      Access::have_changed(c, editing().number_of_clusters());
-    return is_removed;
+    return edit(cluster, &internal::Cluster_editing::remove);
   }
 
 /// \cond SKIP_IN_MANUAL
@@ -97,13 +86,20 @@ private:
     return static_cast<Clustering&>(*this);
   }
 
-  internal::Cluster_editing& editing()
+  // Returns whether it was possible. Of what is refused before the first change, the clusters know nothing.
+  bool edit(std::size_t cluster, bool (internal::Cluster_editing::*change)(Index))
   {
-    Clustering& c = static_cast<Clustering&>(*this);
+    Clustering& c = checked(cluster);
+    if (is_frozen(cluster))
+      return false;
     if (!editing_)
       editing_ = std::make_unique<internal::Cluster_editing>(Access::input_without_features(c), Access::mutable_labels(c),
                                                              Index(c.number_of_clusters()));
-    return *editing_;
+    bool is_possible = false;
+    Access::all_or_nothing(c, [&] { is_possible = (*editing_.*change)(Index(cluster)); });
+    if (is_possible)
+      Access::have_changed(c, editing_->number_of_clusters());
+    return is_possible;
   }
 
   std::unique_ptr<internal::Cluster_editing> editing_;
