@@ -554,6 +554,34 @@ BOOST_AUTO_TEST_CASE(detection)
   }
 }
 
+// A vertex between two faces only, in the middle of an edge, at which a corner is, or a line passes, or all is sharp.
+BOOST_AUTO_TEST_CASE(vertices_between_two_faces)
+{
+  Soup soup = generated::triangle_sphere(2);
+  const std::size_t v = soup.polygons[0][0], w = soup.polygons[0][1], middle = soup.points.size();
+  soup.points.push_back(soup.points[v]);
+  for (int i = 0; i < 3; ++i)
+    soup.points.back()[i] = 0.5 * (soup.points[v][i] + soup.points[w][i]);
+  for (auto& polygon : soup.polygons)
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const std::size_t a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+      if (std::minmax(a, b) == std::minmax(v, w)) {
+        polygon.insert(polygon.begin() + long(i) + 1, middle);
+        break;
+      }
+    }
+  BOOST_REQUIRE(std::count_if(soup.polygons.begin(), soup.polygons.end(), [](const auto& p) { return p.size() == 4; }) == 2);
+  for (const bool is_corner : {true, false}) {
+    Model model(soup);
+    for (const Edge e : model.mesh.edges())
+      model.is_line[e] = model.mesh.vertex(e, 0) == Vertex(middle) || model.mesh.vertex(e, 1) == Vertex(middle);
+    model.is_corner[Vertex(middle)] = is_corner;
+    check(model, 20);
+    check(model, 67);
+  }
+  check(Model(soup, 0), 67);
+}
+
 BOOST_AUTO_TEST_CASE(without_features)
 {
   const Soup soup = generated::triangle_sphere(4);

@@ -3,6 +3,7 @@
 // Bytes become a small mesh and parameters, which the library is called with. After each call, everything is checked that the
 // library promises, by means that are not the library's.
 
+#include "Feature_marks.h"
 #include "Fuzz_bytes.h"
 #include "build_mesh.h"
 
@@ -45,9 +46,11 @@ using reference::Labels;
 
 struct Parameters
 {
-  std::size_t number, level, rounds, weight, placement;
-  bool subdivide, own_densities;
-  double least_area;
+  std::size_t number, level, rounds, weight;
+  bool subdivide, own_densities, repair, marks_features;
+  double least_area, feature_angle;
+
+  bool has_features() const { return marks_features || feature_angle < 180; }
 };
 
 Parameters read_parameters(fuzz::Bytes& bytes, std::size_t vertices)
@@ -58,10 +61,13 @@ Parameters read_parameters(fuzz::Bytes& bytes, std::size_t vertices)
   p.subdivide = flags >= 240;
   p.own_densities = flags / 5 % 4 == 3;
   const std::size_t more = bytes.next();
-  p.placement = more % 4;
   p.rounds = more / 4 % 8 == 7 ? 1000 : more / 4 % 8;
   p.least_area = more >= 224 ? 0.3 : 0;
   p.number = bytes.below(vertices + 3);
+  const std::size_t features = bytes.next();
+  p.repair = more % 4 == 3 && vertices < 50; // takes long on surfaces as wild as these
+  p.marks_features = features % 4 == 1;
+  p.feature_angle = features % 4 == 2 ? 30 : 180;
   p.level = flags / 20 % 4 == 0 ? 1 + p.number % 8 : 0; // 0: use the number
   return p;
 }
@@ -72,6 +78,7 @@ struct Result
   Soup output;
   Labels labels;
   std::vector<std::size_t> counts;
+  std::optional<fuzz::Feature_topology> features;
   SMC::Coarsening_report report;
 };
 
@@ -80,6 +87,7 @@ struct Call
   const Mesh& mesh;
   const Parameters& parameters;
   const std::map<Mesh::Face_index, double>& densities;
+  fuzz::Feature_marks& marks;
 
   template <class Weight, class Placement, class Parameters_in>
   Result run_as(Mesh& output, std::size_t number, const Placement& placement, const Parameters_in& np) const
@@ -87,21 +95,34 @@ struct Call
     Result result;
     std::map<Mesh::Face_index, std::size_t> label_of;
     std::map<Mesh::Vertex_index, std::size_t> count_of;
+    fuzz::Feature_marks marks_of_output((Mesh()));
     const auto all = np.cluster_weight(Weight())
                        .vertex_placement(placement)
                        .number_of_iterations(parameters.rounds)
                        .subdivide_input(parameters.subdivide)
                        .minimum_component_area(parameters.least_area)
+                       .repair_output(parameters.repair)
+                       .feature_angle(parameters.feature_angle)
+                       .edge_is_constrained_map(boost::make_assoc_property_map(marks.edges))
+                       .vertex_is_constrained_map(boost::make_assoc_property_map(marks.vertices))
+                       .face_patch_map(boost::make_assoc_property_map(marks.patches))
                        .face_cluster_map(boost::make_assoc_property_map(label_of))
                        .vertex_boundary_count_map(boost::make_assoc_property_map(count_of));
-    result.report = parameters.level == 0 ? SMC::coarsen_mesh(mesh, number, output, all)
-                                          : SMC::coarsen_mesh(mesh, output, all.neighborhood_level(parameters.level));
+    const auto of_output =
+      SMC::parameters::edge_is_constrained_map(boost::make_assoc_property_map(marks_of_output.edges))
+        .vertex_is_constrained_map(boost::make_assoc_property_map(marks_of_output.vertices))
+        .face_patch_map(boost::make_assoc_property_map(marks_of_output.patches));
+    result.report = parameters.level == 0
+                      ? SMC::coarsen_mesh(mesh, number, output, all, of_output)
+                      : SMC::coarsen_mesh(mesh, output, all.neighborhood_level(parameters.level), of_output);
     for (const auto f : faces(mesh))
       result.labels.push_back(label_of.at(f));
     for (const auto v : vertices(mesh))
       result.counts.push_back(count_of.at(v));
     result.mesh = output;
     result.output = fuzz::to_soup(output);
+    if (parameters.marks_features)
+      result.features = fuzz::feature_topology(output, marks_of_output);
     return result;
   }
 
@@ -147,8 +168,10 @@ std::string surface_fault(const Soup& soup)
   return coarsening_support::soup_fault(converted).value_or("");
 }
 
-void check_result(const Mesh& mesh, const Soup& soup, const Result& r, const Parameters& p, std::size_t number)
+void check_result(const Call& call, const Soup& soup, const Result& r, std::size_t number)
 {
+  const Mesh& mesh = call.mesh;
+  const Parameters& p = call.parameters;
   require(r.output.points.size() == r.report.clusters, "the report has another number of clusters");
   if (p.level == 0)
     require(r.output.points.size() == number, "there are " + std::to_string(r.output.points.size()) +
@@ -161,7 +184,12 @@ void check_result(const Mesh& mesh, const Soup& soup, const Result& r, const Par
   if (r.report.dropped_components != 0 || !surface_fault(soup).empty())
     return;
   require(fuzz::topologies(mesh) == fuzz::topologies(r.mesh), "the topology has changed");
-  if (r.report.subdivided_components == 0 && !p.subdivide && !fuzz::has_double_edges(mesh)) {
+  if (r.features) {
+    const fuzz::Feature_topology features = fuzz::feature_topology(mesh, call.marks);
+    require(features.is_kept_in(*r.features),
+            "features have changed from " + fuzz::to_string(features) + " to " + fuzz::to_string(*r.features));
+  }
+  if (r.report.subdivided_components == 0 && !p.subdivide && !p.has_features() && !fuzz::has_double_edges(mesh)) {
     const reference::Reference_mesh m(soup);
     const std::string clustering = reference::fault_of_clustering(m, r.labels);
     require(clustering.empty(), "the clustering is not valid: " + clustering);
@@ -211,7 +239,7 @@ void check_call(const Call& call, const Soup& soup, std::size_t number, bool is_
     check_call(call, soup, *nearest, true);
   if (!result)
     return;
-  check_result(call.mesh, soup, *result, call.parameters, number);
+  check_result(call, soup, *result, number);
   if (!is_second) {
     Mesh again;
     const Result second = call(again, number);
@@ -222,8 +250,9 @@ void check_call(const Call& call, const Soup& soup, std::size_t number, bool is_
 // Shows what a finding is about.
 void print(const Soup& soup, const Parameters& p)
 {
-  std::printf("# number %zu, level %zu, rounds %zu, weight %zu, subdivide %d, own densities %d, least area %g\n", p.number,
-              p.level, p.rounds, p.weight, p.subdivide, p.own_densities, p.least_area);
+  std::printf("# number %zu, level %zu, rounds %zu, weight %zu, subdivide %d, own densities %d, least area %g, repair %d, "
+              "marks %d, angle %g\n", p.number, p.level, p.rounds, p.weight, p.subdivide, p.own_densities, p.least_area,
+              p.repair, p.marks_features, p.feature_angle);
   std::printf("%s", mesh_files::off(soup).c_str());
   std::fflush(stdout);
 }
@@ -234,7 +263,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   fuzz::Bytes bytes(data, size);
-  const std::size_t parameters_at = 3;
+  const std::size_t parameters_at = 4;
   fuzz::Bytes head(data, (std::min)(size, parameters_at));
   for (std::size_t i = 0; i < parameters_at; ++i)
     bytes.next();
@@ -249,6 +278,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     densities[f] = bad && densities.size() == 2 ? -1. : std::pow(10., double(bytes.next() % 13) - 6);
   if (std::getenv("FUZZ_PRINT"))
     print(soup, parameters);
-  check_call({mesh, parameters, densities}, soup, parameters.number, false);
+  fuzz::Feature_marks marks(mesh);
+  if (parameters.marks_features)
+    marks.mark(bytes);
+  check_call({mesh, parameters, densities, marks}, soup, parameters.number, false);
   return 0;
 }

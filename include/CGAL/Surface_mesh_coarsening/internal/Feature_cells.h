@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Feature_graph.h>
 #include <CGAL/Surface_mesh_coarsening/internal/cut_faces.h>
+#include <CGAL/Surface_mesh_coarsening/internal/cut_into_fans.h>
 
 #include <memory>
 #include <utility>
@@ -29,6 +30,9 @@ public:
   static Clustering_input run(const Clustering_input& base, const Feature_edges& edges, const Checkpoint& checkpoint)
   {
     auto cells = std::make_shared<Feature_cells>(base, edges);
+    const std::vector<char> too_wide = cells->faces_at_bigons();
+    if (!too_wide.empty())
+      return cells->in_fans(too_wide, checkpoint);
     if (!cells->graph_.has_room())
       return cells->subdivided(std::vector<bool>(base.mesh.components.size(), true), checkpoint);
     Clustering_input result = cells->make(checkpoint);
@@ -87,6 +91,35 @@ public:
   }
 
 private:
+  // The faces at nodes between two faces only, whose cells would have two neighbors, and could not be clusters. Empty if there
+  // are none.
+  std::vector<char> faces_at_bigons() const
+  {
+    const Flat_mesh& m = base_.mesh;
+    std::vector<char> result;
+    for (Index i = 0; i < graph_.number_of_nodes(); ++i) {
+      const Index v = graph_.vertex(i);
+      if (m.is_on_border(v) || m.first_in_star[v + 1] - m.first_in_star[v] != 2)
+        continue;
+      result.resize(m.number_of_faces(), false);
+      for (Index k = m.first_in_star[v]; k != m.first_in_star[v + 1]; ++k)
+        result[m.star[k]] = true;
+    }
+    return result;
+  }
+
+  // The same with chosen faces of the original mesh cut into fans.
+  Clustering_input in_fans(const std::vector<char>& is_cut, const Checkpoint& checkpoint) const
+  {
+    Clustering_input fans;
+    std::vector<Index> old_face;
+    fans.mesh = cut_into_fans(base_.mesh, is_cut, old_face, checkpoint);
+    fans.inherit(base_, old_face);
+    for (std::size_t i = 0; i < fans.mesh.components.size(); ++i)
+      fans.mesh.components[i].original_vertices = base_.mesh.components[i].most_clusters();
+    return run(fans, edges_.in_fans(base_.mesh, is_cut, fans.mesh), checkpoint);
+  }
+
   Clustering_input make(const Checkpoint& checkpoint)
   {
     const Flat_mesh& m = base_.mesh;
@@ -208,7 +241,7 @@ private:
     for (const Feature_line& line : graph_.lines())
       component_of(line.nodes[0]).feature_clusters += line.is_loop ? line.least_crossings : line.least_crossings - 1;
     for (std::size_t i = 0; i < m.components.size(); ++i)
-      m.components[i].original_vertices = base_.mesh.components[i].vertices;
+      m.components[i].original_vertices = base_.mesh.components[i].most_clusters();
   }
 
   void find_border(const Flat_mesh& m)

@@ -50,6 +50,18 @@ struct Feature_edges
     return neighbors;
   }
 
+  // What becomes of them where chosen faces are cut as cut_into_fans() does.
+  Feature_edges in_fans(const Flat_mesh& m, const std::vector<char>& is_cut, const Flat_mesh& fans) const
+  {
+    Feature_edges result(fans);
+    std::copy(is_corner.begin(), is_corner.end(), result.is_corner.begin());
+    std::size_t i = 0;
+    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c, i += is_cut[f] ? 3 : 1)
+        result.is_feature[i] = is_feature[c];
+    return result;
+  }
+
   // What becomes of them where the faces of the chosen components are cut as Face_cutting does.
   Feature_edges subdivided(const Flat_mesh& m, const std::vector<bool>& chosen, const Flat_mesh& subdivision) const
   {
