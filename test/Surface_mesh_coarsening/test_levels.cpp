@@ -6,11 +6,16 @@
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
+#include "models.h"
+
 #include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/extract_dual_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/is_valid_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -22,6 +27,8 @@
 #include <set>
 #include <vector>
 
+namespace utf = boost::unit_test;
+namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using test::Mesh;
 
@@ -63,6 +70,13 @@ std::vector<generated::Soup> surfaces()
           plate_with_windows(3, 3),
           joined(triangulated(torus), translated(tube(24, 12), 5, 0, 0)),
           dual(triangulated(torus))};
+}
+
+void make_clusters(Clustering& clustering, std::size_t number)
+{
+  clustering.seed(number);
+  clustering.grow();
+  clustering.minimize();
 }
 
 } // namespace
@@ -116,6 +130,54 @@ BOOST_AUTO_TEST_CASE(each_level_is_valid_and_a_union_of_finer_clusters)
       };
       BOOST_REQUIRE_EQUAL(euler(output), euler(finest));
     }
+  }
+}
+
+// The Hausdorff distance is at least that at any points, and those looked at come near it.
+BOOST_AUTO_TEST_CASE(approximate_distances_are_near_the_hausdorff_distance)
+{
+  using namespace generated;
+  const Soup torus = triangulated(with_noise(generated::torus(60, 40), 0.01));
+  for (const Soup& soup : {torus, triangle_sphere(5), with_holes(triangle_sphere(4), 5), scaled(torus, 1e-6)}) {
+    const Mesh mesh = test::to_mesh(soup);
+    Clustering clustering(mesh);
+    make_clusters(clustering, 200);
+    const Levels levels(clustering);
+    const auto check = [&](std::size_t level, const auto& placement) {
+      Mesh output;
+      levels.extract_dual_mesh(level, output, placement);
+      const double diagonal = SMC::measure_coarsening(mesh, output, 100).diagonal;
+      const double error = 1e-4 * diagonal;
+      const double exact = PMP::bounded_error_symmetric_Hausdorff_distance<CGAL::Sequential_tag>(mesh, output, error);
+      const double distance = levels.approximate_distance(level, placement);
+      BOOST_CHECK_LE(distance, exact + error);
+      BOOST_CHECK_GE(distance, 0.9 * exact);
+    };
+    for (const std::size_t level : {200, 100, 50, 25}) {
+      check(level, SMC::Centroid_placement());
+      check(level, SMC::Quadric_placement());
+    }
+    BOOST_CHECK_THROW(levels.approximate_distance(201), SMC::Unreachable_number_of_vertices);
+  }
+}
+
+// Merged clusters are not much farther from the surface than those made for their number.
+BOOST_AUTO_TEST_CASE(levels_are_about_as_near_as_direct_results, *utf::precondition(test::If_found{models::fandisk}))
+{
+  const Mesh mesh = test::to_mesh(test::read_soup(models::fandisk));
+  const auto rms = [&mesh](const Mesh& output) { return SMC::measure_coarsening(mesh, output, 50000).rms_distance; };
+  Clustering clustering(mesh), other(mesh);
+  make_clusters(clustering, 1600);
+  const Levels levels(clustering);
+  double finer = 0;
+  for (const std::size_t level : {800, 400, 200, 100}) {
+    Mesh output, direct;
+    levels.extract_dual_mesh(level, output);
+    make_clusters(other, level);
+    other.extract_dual_mesh(direct);
+    BOOST_CHECK_LE(rms(output), 1.2 * rms(direct));
+    BOOST_CHECK_GT(rms(output), finer);
+    finer = rms(output);
   }
 }
 

@@ -5,9 +5,13 @@
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_access.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Distance_estimate.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Merge_history.h>
 
+#include <CGAL/Simple_cartesian.h>
+
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -132,6 +136,32 @@ public:
     Face_graph_filler<Output, NamedParameters> filler(positions, frame, triangles, output, np, checkpoint);
     Access::visitor(clustering_).throw_if_cancelled();
     filler.commit();
+  }
+
+  /// returns about how far a level is from the mesh: the largest distance, both ways, at vertices of the mesh and at points of
+  /// the level's triangles. It is near the Hausdorff distance, and no bound of it; `measure_coarsening()` gives more figures.
+  ///
+  /// \tparam VertexPlacement a model of `VertexPlacement` or `GlobalVertexPlacement`
+  /// \param level the number of clusters
+  /// \param placement gives each cluster its position, as for `extract_dual_mesh()`
+  /// \throws Unreachable_number_of_vertices if there is no such level.
+  /// \throws Coarsening_cancelled if the visitor of the clustering said so.
+  ///
+  /// Besides the placement, it takes time about linear in the number of faces.
+  template <class VertexPlacement = Centroid_placement>
+  double approximate_distance(std::size_t level, const VertexPlacement& placement = VertexPlacement()) const
+  {
+    using namespace internal;
+    check(level);
+    const Frame& frame = Access::frame(clustering_);
+    const Cluster_labels level_labels = labels(level);
+    std::vector<Triangle> triangles;
+    const std::vector<Vector> positions =
+      place(level_labels, level, placement, Access::repairs(clustering_),
+            output_coordinates<Simple_cartesian<double> >(frame), triangles);
+    const Distance_estimate estimate(level_labels, positions, triangles, Checkpoint(Access::visitor(clustering_)));
+    Access::visitor(clustering_).throw_if_cancelled();
+    return std::ldexp(estimate.distance(), frame.exponent);
   }
 
   /// \cond SKIP_IN_MANUAL

@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Distance_estimate.h>
+#include <CGAL/Surface_mesh_coarsening/internal/hausdorff_bound.h>
 #include <CGAL/Surface_mesh_coarsening/internal/write_provenance.h>
 
 #include <boost/property_map/function_property_map.hpp>
