@@ -29,12 +29,12 @@ public:
       checkpoint_(checkpoint)
   {}
 
-  double distance() const { return std::sqrt(from_coarse(to_coarse())); }
+  // Or `least`, if the distance is smaller than that: the less has to be known, the faster it is.
+  double distance(double least = 0) const { return std::sqrt(from_coarse(to_coarse(least * least))); }
 
 private:
-  double to_coarse() const
+  double to_coarse(double largest) const
   {
-    double largest = 0;
     std::vector<Index> around;
     for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v) {
       checkpoint_.pass(16);
@@ -48,9 +48,10 @@ private:
       for (const Index x : around)
         improve_around(mesh_.points[v], x, largest, least);
       // Flips of edges may have taken the triangle that lies here away from these vertices.
-      if (least > largest) {
-        const std::vector<Index> first(around);
-        for (const Index x : first)
+      for (double before = -1; least > largest && least != before;) {
+        before = least;
+        const std::vector<Index> inner(around);
+        for (const Index x : inner)
           for (const Index t : coarse_.around(x))
             around.insert(around.end(), coarse_.triangles()[t].begin(), coarse_.triangles()[t].end());
         sort_out(around);
@@ -76,29 +77,29 @@ private:
     return closest_on_triangle(p, positions_[c[0]], positions_[c[1]], positions_[c[2]]).squared_distance;
   }
 
-  // Looks closer at the parts of triangles that are far away.
+  // Looks closer at the parts of triangles that may be farther away than what was found.
   double from_coarse(double largest) const
   {
     const Nearest_point_search search(mesh_, labels_.labels(), positions_.size());
-    const auto distance_at = [&](const Vector& p, Index x) {
+    const auto look_at = [&](const Vector& p, Index x, double near_enough) {
       checkpoint_.pass(64);
-      const double d = search(p, x).squared_distance;
+      const double d = search(p, x, near_enough).squared_distance;
       largest = (std::max)(largest, d);
       return d;
     };
     for (std::size_t x = 0; x < positions_.size(); ++x)
-      distance_at(positions_[x], Index(x));
+      look_at(positions_[x], Index(x), largest);
     std::vector<Part> parts;
     for (const Triangle& t : coarse_.triangles())
-      parts.push_back({{{positions_[t[0]], positions_[t[1]], positions_[t[2]]}}, t[0]});
+      parts.push_back({{{positions_[t[0]], positions_[t[1]], positions_[t[2]]}}, t});
     for (int i = 0; !parts.empty(); ++i) {
-      std::vector<double> distances;
-      for (const Part& part : parts)
-        distances.push_back(distance_at(center(part), part.cluster));
       std::vector<Part> far;
-      for (std::size_t j = 0; j < parts.size() && i < divisions; ++j)
-        if (distances[j] > far_away * largest)
-          divide(parts[j], far);
+      for (const Part& part : parts) {
+        const double rise = i < divisions ? steepness * radius(part) : 0;
+        const double low = (std::max)(std::sqrt(largest) - rise, 0.);
+        if (look_at(center(part), part.clusters[0], low * low) > low * low && i < divisions)
+          divide(part, far);
+      }
       parts = std::move(far);
     }
     return largest;
@@ -107,7 +108,7 @@ private:
   struct Part
   {
     std::array<Vector, 3> corners;
-    Index cluster; // near which to begin to look
+    Triangle clusters; // near which to begin to look
   };
 
   static Vector center(const Part& part)
@@ -115,17 +116,29 @@ private:
     return (1. / 3) * (part.corners[0] + part.corners[1] + part.corners[2]);
   }
 
+  static double radius(const Part& part)
+  {
+    double squared = 0;
+    for (const Vector& corner : part.corners) {
+      const Vector d = corner - center(part);
+      squared = (std::max)(squared, dot(d, d));
+    }
+    return std::sqrt(squared);
+  }
+
   static void divide(const Part& part, std::vector<Part>& parts)
   {
     const auto& c = part.corners;
+    const auto& x = part.clusters;
     const std::array<Vector, 3> middles{{0.5 * (c[1] + c[2]), 0.5 * (c[2] + c[0]), 0.5 * (c[0] + c[1])}};
-    parts.push_back({middles, part.cluster});
+    parts.push_back({middles, x});
     for (int i = 0; i < 3; ++i)
-      parts.push_back({{{c[i], middles[(i + 2) % 3], middles[(i + 1) % 3]}}, part.cluster});
+      parts.push_back({{{c[i], middles[(i + 2) % 3], middles[(i + 1) % 3]}}, {{x[i], x[i], x[i]}}});
   }
 
-  static constexpr int divisions = 4;
-  static constexpr double far_away = 0.25; // of the largest squared distance
+  static constexpr int divisions = 5;
+  // How fast the distance to the surface grows along the triangles, at the most; 1 would be certain.
+  static constexpr double steepness = 0.5;
   const Cluster_labels& labels_;
   const Flat_mesh& mesh_;
   const std::vector<Vector>& positions_;

@@ -92,7 +92,8 @@ private:
   double wanted() const { return 0.97 * local_distance_; }
 
   // By a quick placement, distances are larger than by one that starts from it.
-  double quickly_wanted() const { return has_quick_placement ? wanted() / 0.6 : wanted(); }
+  double quickly_wanted() const { return has_quick_placement ? wanted() / usual_gain : wanted(); }
+  static constexpr double usual_gain = 0.6;
 
   // With the first of some numbers of vertices that comes near enough.
   void find_clustering()
@@ -148,10 +149,14 @@ private:
   void find_level()
   {
     const std::size_t finest = levels_->finest();
-    std::size_t n = bracket(finest, quickly_wanted(), has_quick_placement ? 1.2 : 1.06,
-                            [this](std::size_t i) { return quick_estimate(i); });
-    if (has_quick_placement)
-      n = bracket(n, wanted(), 1.1, [this](std::size_t i) { return try_level(i); });
+    std::size_t n = finest;
+    if (has_quick_placement) {
+      n = bracket(n, wanted() / expected_gain(), 1.2, 5, quick_estimates_, [this](std::size_t i) { return quick_estimate(i); });
+      try_level(n);
+      n = bracket(n, wanted(), 1.25, 2, estimates_by_level_, [this](std::size_t i) { return try_level(i); });
+    } else {
+      n = bracket(n, wanted(), 1.06, 5, estimates_by_level_, [this](std::size_t i) { return try_level(i); });
+    }
     for (; result_.level == 0 && n < finest; n = (std::min)(finest, n + n / 4 + 1))
       try_level(n);
     // Where vertices have few faces each, a coarser level may be nearer.
@@ -159,33 +164,41 @@ private:
       try_level(n);
   }
 
+  // What the placement is expected to make of the distance that a quick one leaves: what it has made of it on the finest level,
+  // if that was tried.
+  double expected_gain()
+  {
+    const auto known = estimates_by_level_.find(levels_->finest());
+    const double before = quick_estimate(levels_->finest());
+    return known != estimates_by_level_.end() && before > 0 ? (std::min)(known->second / before, 1.) : usual_gain;
+  }
+
+  // Closes the bracket around the coarsest level that is within a distance, by no more than `most` estimates besides those known.
+  //
   // The estimate falls with about the power -1 of the number of vertices where the surface is smooth. Until two estimates tell
   // its slope, steps are those of a somewhat steeper one, as one that goes too far costs more than a further step.
   template <class Estimate>
-  std::size_t bracket(std::size_t first, double distance, double width, const Estimate& estimate)
+  std::size_t bracket(std::size_t first, double distance, double width, int most, const std::map<std::size_t, double>& known,
+                      const Estimate& estimate)
   {
     double low = double(levels_->coarsest()) - 1, high = double(levels_->finest()); // too coarse, and maybe fine enough
     double low_estimate = 0, high_estimate = 0;                                      // 0 if not known
     double next = double(first);
-    for (int i = 0; i < 5 && high > width * low + 1; ++i) {
-      const double e = estimate(std::size_t(next));
-      if (e <= distance) {
-        high = next;
-        high_estimate = e;
-        if (width * e >= distance)
-          break;
-      } else {
-        low = next;
-        low_estimate = e;
-      }
+    const auto take = [&](double n, double e) {
+      (e <= distance ? high : low) = n;
+      (e <= distance ? high_estimate : low_estimate) = e;
       const double slope = low_estimate > 0 && high_estimate > 0 && high_estimate < low_estimate
                              ? std::log(high_estimate / low_estimate) / std::log(high / low) : -1.25;
-      next *= std::pow(0.98 * distance / e, 1 / slope);
+      next = n * std::pow(0.98 * distance / e, 1 / slope);
       // Not all the way to an end of the bracket.
       next = (std::max)(next, low_estimate > 0 ? low * std::pow(high / low, 0.15) : low + 1);
       next = (std::min)(next, high_estimate > 0 ? high * std::pow((std::max)(low, 1.) / high, 0.1) : high);
       next = std::floor((std::min)((std::max)(next, low + 1), high));
-    }
+    };
+    for (auto i = known.rbegin(); i != known.rend() && low_estimate == 0; ++i)
+      take(double(i->first), i->second);
+    for (int i = 0; i < most && high > width * low + 1 && !(width * high_estimate >= distance); ++i)
+      take(next, estimate(std::size_t(next)));
     return std::size_t(high_estimate > 0 ? high : (std::max)(next, low));
   }
 
@@ -227,7 +240,8 @@ private:
     x.positions = levels_->place(labels, n, placement, with_repair,
                                  output_coordinates<OutputTraits>(Access::frame(clustering_)), x.triangles);
     ++estimates_;
-    x.estimate = Distance_estimate(labels, x.positions, x.triangles, Checkpoint(Access::visitor(clustering_))).distance();
+    x.estimate = Distance_estimate(labels, x.positions, x.triangles, Checkpoint(Access::visitor(clustering_)))
+                   .distance(0.5 * local_distance_);
     return x;
   }
 

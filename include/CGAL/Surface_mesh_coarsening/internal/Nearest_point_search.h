@@ -65,12 +65,13 @@ public:
 
   Grouped<Index>::Range faces(Index group) const { return faces_[group]; }
 
-  Nearest_point operator()(const Vector& p, Index first_group) const
+  // A point that is no farther than the square root of `near_enough` may be returned instead.
+  Nearest_point operator()(const Vector& p, Index first_group, double near_enough = -1) const
   {
     Nearest_point nearest;
-    improve_in(p, first_group, nearest);
+    improve_in(p, first_group, nearest, near_enough);
     std::vector<Index> stack(node_.empty() ? 0 : 1, 0);
-    while (!stack.empty()) {
+    while (!stack.empty() && nearest.squared_distance > near_enough) {
       const Node& n = node_[stack.back()];
       stack.pop_back();
       // A foot point may come out nearer than the box by a rounding.
@@ -78,7 +79,7 @@ public:
         continue;
       if (n.group != NONE) {
         if (n.group != first_group)
-          improve_in(p, n.group, nearest);
+          improve_in(p, n.group, nearest, near_enough);
         continue;
       }
       const bool left_first = node_[n.left].box.squared_distance(p) < node_[n.right].box.squared_distance(p);
@@ -88,10 +89,13 @@ public:
     return nearest;
   }
 
-  void improve_in(const Vector& p, Index group, Nearest_point& nearest) const
+  void improve_in(const Vector& p, Index group, Nearest_point& nearest, double near_enough = -1) const
   {
-    for (const Index f : faces_[group])
+    for (const Index f : faces_[group]) {
       improve(mesh_, p, f, nearest);
+      if (nearest.squared_distance <= near_enough)
+        return;
+    }
   }
 
 private:
