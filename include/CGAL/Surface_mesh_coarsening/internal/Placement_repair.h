@@ -86,9 +86,9 @@ public:
 
 private:
   static constexpr std::size_t most_rounds = 20;
-  // Exact tests of two triangles whose boxes overlap, in all rounds together: a second or two. What is left of sheets that
-  // are too near each other all over stays.
-  static constexpr std::size_t most_tests = 2000000;
+  // Exact tests of two triangles whose boxes overlap, in all rounds together, for each triangle and for all: a second or two.
+  // What is left of sheets that are too near each other all over stays.
+  static constexpr std::size_t most_tests_each = 5000, most_tests = 2000000;
   static constexpr std::size_t most_measured = 500; // triangles
 
   // By how much a change lowers the number of faults, and the squared distance from the input after it.
@@ -105,8 +105,10 @@ private:
 
   bool is_worth_trying(std::size_t round, std::size_t rounds_in_vain) const
   {
-    return round < most_rounds && number_of_faults() > 0 && rounds_in_vain < 6 && tests_ < most_tests;
+    return round < most_rounds && number_of_faults() > 0 && rounds_in_vain < 6 && may_test();
   }
+
+  bool may_test() const { return tests_ < (std::min)(most_tests, most_tests_each * coarse_.triangles().size()); }
 
   std::size_t number_of_faults() const { return pairs_.size() + reversed_.size(); }
 
@@ -144,10 +146,10 @@ private:
     const std::vector<Index> reversed = reversed_;
     const Triangle_conflict conflict(points_);
     for (const Triangle_pair& p : pairs)
-      if (tests_ < most_tests && conflict(coarse_.triangles()[p.first], coarse_.triangles()[p.second]))
+      if (may_test() && conflict(coarse_.triangles()[p.first], coarse_.triangles()[p.second]))
         repair({p.first, p.second});
     for (const Index t : reversed)
-      if (tests_ < most_tests && is_reversed(t))
+      if (may_test() && is_reversed(t))
         repair({t});
   }
 
