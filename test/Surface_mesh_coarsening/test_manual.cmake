@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # What the manual says that commands print, they print; and figures of its table of distance and shape, and of the README's,
-# are what the tool measures, to the accuracy of sampling; so are its distances of borders.
+# are what the tool measures, to the accuracy of sampling; so are its distances of borders and of levels, and the sizes of
+# results within a distance.
 #   cmake -D COARSEN_MESH=... -D FIND_SEEDS=... -D FANDISK=... -D CGAL_DATA_DIR=... -D PROJECT_SOURCE_DIR=... -P test_manual.cmake
 
 cmake_minimum_required(VERSION 3.25)
@@ -87,4 +88,39 @@ foreach(name lion-head mannequin-devil head mask_cone blade mech-holes-shark)
   check_number("the distance of ${name}" ${measured} ${surface})
   string(JSON measured GET "${report}" quality border_distance_percent rms)
   check_number("the border's distance of ${name}" ${measured} ${border})
+endforeach()
+
+# The distances of levels, by the command that stands below the table.
+if(NOT manual MATCHES "\n    coarsen_mesh fandisk.off (coarse.off [^\n]*)")
+  message(FATAL_ERROR "the manual has no command for levels")
+endif()
+separate_arguments(arguments UNIX_COMMAND "${CMAKE_MATCH_1}")
+execute_process(COMMAND ${COARSEN_MESH} ${FANDISK} ${arguments} --quiet COMMAND_ERROR_IS_FATAL ANY)
+file(READ report.json report)
+foreach(level RANGE 0 4)
+  if(level EQUAL 0)
+    set(row finest)
+    string(JSON measured GET "${report}" quality distance_percent rms)
+  else()
+    math(EXPR part "1 << ${level}")
+    math(EXPR i "${level} - 1")
+    set(row 1/${part})
+    string(JSON measured GET "${report}" levels ${i} distance_percent rms)
+  endif()
+  if(NOT manual MATCHES "\n\\| ${row} \\| ([0-9.]+) ")
+    message(SEND_ERROR "the manual has no distance of the level ${row}")
+    continue()
+  endif()
+  check_number("the distance of the level ${row}" ${measured} ${CMAKE_MATCH_1})
+endforeach()
+
+# The numbers of vertices within a distance.
+foreach(distance 0.01 0.005)
+  execute_process(COMMAND ${COARSEN_MESH} ${FANDISK} coarse.off --maximum-distance ${distance} --report report.json --quiet
+    COMMAND_ERROR_IS_FATAL ANY)
+  file(READ report.json report)
+  string(JSON vertices GET "${report}" output vertices)
+  if(NOT manual MATCHES "\n\\| Fandisk, ${distance} \\| ${vertices} \\|")
+    message(SEND_ERROR "within ${distance} the Fandisk has ${vertices} vertices")
+  endif()
 endforeach()
