@@ -230,3 +230,62 @@ BOOST_AUTO_TEST_CASE(repair_keeps_to_input_vertices)
   for (const auto v : output.vertices())
     BOOST_TEST(points.count(output.point(v)) == 1);
 }
+
+// Where triangles are left intersecting, more clusters there bring them apart; what has fewest is taken, whichever it was.
+BOOST_AUTO_TEST_CASE(clusters_are_made_anew_where_triangles_intersect)
+{
+  const auto np = SMC::parameters::maximum_density(10).feature_angle(180);
+  std::size_t left = 0, left_of_several = 0, most = 0;
+  for (const double thickness : {0.02, 0.03}) {
+    const Mesh mesh = thin_plate(30, thickness);
+    for (const std::size_t n : {50, 100, 150}) {
+      Mesh plain, embedded, again;
+      SMC::Mwcvd_clustering<Mesh> clustering(mesh, np);
+      clustering.seed(n);
+      clustering.grow();
+      clustering.minimize();
+      clustering.extract_dual_mesh(plain, SMC::Quadric_placement());
+      const std::size_t left_at_first = clustering.report().intersections_left;
+      clustering.extract_embedded_dual_mesh(embedded, SMC::Quadric_placement());
+      const SMC::Coarsening_report& report = clustering.report();
+      BOOST_TEST_MESSAGE(thickness << ", " << n << " vertices: " << left_at_first << " left, then " << report.intersections_left
+                                   << " in " << report.clusterings << " clusterings");
+      left += left_at_first;
+      left_of_several += report.intersections_left;
+      most = (std::max)(most, report.clusterings);
+      BOOST_TEST(report.intersections_left <= left_at_first);
+      BOOST_TEST(self_intersections(embedded) == report.intersections_left);
+      BOOST_TEST(embedded.number_of_vertices() == n);
+      BOOST_TEST(CGAL::is_valid_polygon_mesh(embedded));
+      BOOST_TEST((report.clusterings > 1) == (left_at_first > 0 && 4 * left_at_first <= n));
+      if (report.clusterings == 1)
+        BOOST_TEST((test::to_soup(embedded).points == test::to_soup(plain).points));
+      SMC::coarsen_mesh(mesh, n, again, np.vertex_placement(SMC::Quadric_placement()));
+      BOOST_TEST((test::to_soup(embedded).points == test::to_soup(again).points));
+    }
+  }
+  BOOST_TEST(most > 1);
+  BOOST_TEST(left_of_several < left);
+}
+
+// Clusters that were edited by hand are not given up, nor are those that do not depend on densities.
+BOOST_AUTO_TEST_CASE(clusters_of_others_are_not_made_anew)
+{
+  const Mesh mesh = thin_plate(30, 0.02);
+  for (const std::size_t n : {60, 80, 100, 150}) {
+    Mesh output;
+    SMC::Mwcvd_clustering<Mesh, SMC::Uniform_weight> uniform(mesh);
+    SMC::Mwcvd_clustering<Mesh> edited(mesh);
+    uniform.seed(n);
+    uniform.grow();
+    edited.seed(n);
+    edited.grow();
+    edited.freeze_cluster(0);
+    edited.minimize();
+    uniform.extract_embedded_dual_mesh(output, SMC::Quadric_placement());
+    edited.extract_embedded_dual_mesh(output, SMC::Quadric_placement());
+    BOOST_TEST(uniform.report().clusterings == 1);
+    BOOST_TEST(edited.report().clusterings == 1);
+    BOOST_TEST(edited.is_frozen(0));
+  }
+}

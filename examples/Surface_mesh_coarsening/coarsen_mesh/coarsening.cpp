@@ -145,7 +145,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
     clustering.seed_from_level(options.neighborhood_level.value_or(default_level));
   clustering.grow();
   clustering.minimize(options.rounds.value_or(default_rounds));
-  with_placement(options, [&](const auto& placement) { clustering.extract_dual_mesh(result.mesh, placement); });
+  with_placement(options, [&](const auto& placement) { clustering.extract_embedded_dual_mesh(result.mesh, placement); });
   result.report = clustering.report();
   result.labels.reserve(input.number_of_faces());
   for (Face f : input.faces())

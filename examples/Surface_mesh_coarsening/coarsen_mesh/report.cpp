@@ -85,6 +85,7 @@ Json clustering_of(const CGAL::Surface_mesh_coarsening::Coarsening_report& repor
           {"dropped_components", report.dropped_components},
           {"self_intersections_found", report.intersections_found},
           {"self_intersections_left", report.intersections_left},
+          {"clusterings", report.clusterings},
           {"reversed_triangles_found", report.reversals_found},
           {"reversed_triangles_left", report.reversals_left},
           {"feature_lines", report.feature_lines},

@@ -42,12 +42,15 @@ struct Coarsening_report
   /// the number of pairs of triangles that intersected after the placement of the vertices where the input does not. This
   /// number and the three below are 0 if parameter `repair_output` is `false`.
   std::size_t intersections_found = 0;
-  /// the number of such pairs that the repair left.
+  /// the number of such pairs that the repair left, or the least that it left of several clusterings.
   std::size_t intersections_left = 0;
   /// the number of triangles that were degenerate after the placement, or looked away from the surface they stand for.
   std::size_t reversals_found = 0;
   /// the number of such triangles that the repair left.
   std::size_t reversals_left = 0;
+  /// the number of clusterings that were made: one, and more where triangles were left intersecting
+  /// (`Dual_extraction::extract_embedded_dual_mesh()`). The other numbers are those of the one that was taken.
+  std::size_t clusterings = 1;
   /// the number of feature lines that are kept, each from corner to corner, or closed.
   std::size_t feature_lines = 0;
   /// the number of feature corners that are kept.

@@ -5,26 +5,25 @@
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Clustering_steering.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
-#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/Dual_extraction.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_access.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Energy_minimization.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Initial_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Labelled_pieces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clustering_fault.h>
-#include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
-#include <CGAL/Surface_mesh_coarsening/internal/fill_face_graph.h>
 #include <CGAL/Surface_mesh_coarsening/internal/named_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/parallel.h>
-#include <CGAL/Surface_mesh_coarsening/internal/place_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/read_features.h>
-#include <CGAL/Surface_mesh_coarsening/internal/write_features.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -47,7 +46,8 @@ namespace Surface_mesh_coarsening {
 /// same, whichever it is
 template <class FaceGraph, class ClusterWeight = Maximum_density_weight, class ConcurrencyTag = Sequential_tag>
 class Mwcvd_clustering
-  : public Clustering_steering<Mwcvd_clustering<FaceGraph, ClusterWeight, ConcurrencyTag> >
+  : public Clustering_steering<Mwcvd_clustering<FaceGraph, ClusterWeight, ConcurrencyTag> >,
+    public Dual_extraction<Mwcvd_clustering<FaceGraph, ClusterWeight, ConcurrencyTag> >
 {
   typedef boost::graph_traits<FaceGraph> Graph_traits;
   typedef internal::Index Index;
@@ -100,7 +100,7 @@ public:
   /// \throws Unreachable_number_of_vertices if the mesh has fewer vertices, or if its topology does not allow so few.
   std::size_t seed(std::size_t number_of_clusters)
   {
-    return seed_as([&](internal::Initial_clustering& initial) {
+    return seed_as([this, number_of_clusters](internal::Initial_clustering& initial) {
       if (subdivide_)
         initial.subdivide(faces_per_cluster * number_of_clusters);
       initial.seed(number_of_clusters);
@@ -116,7 +116,7 @@ public:
   /// needs more
   std::size_t seed_from_level(std::size_t level)
   {
-    return seed_as([&](internal::Initial_clustering& initial) {
+    return seed_as([level](internal::Initial_clustering& initial) {
       initial.seed_from_level(Index((std::min)(level, std::size_t(internal::NONE / 4))));
     });
   }
@@ -183,7 +183,7 @@ public:
     this->forget_editing();
     const std::size_t tests_before = minimization().tests();
     const std::size_t moves = minimization_->round();
-    ++report_.rounds;
+    iterations_ = (std::max)(iterations_, ++report_.rounds);
     report_.moves += moves;
     report_.tests += minimization_->tests() - tests_before;
     report_.final_energy = minimization_->energy();
@@ -196,6 +196,7 @@ public:
   void minimize(std::size_t number_of_iterations = default_number_of_iterations)
   {
     minimization();
+    iterations_ = number_of_iterations;
     visitor_.stage_begins(Coarsening_stage::MINIMIZATION);
     for (std::size_t i = 0; i < number_of_iterations && minimize_round(); ++i)
       ;
@@ -254,52 +255,7 @@ public:
       put(counts, numbering_.vertices[i], Value(labels().boundary_count(Index(i))));
   }
 
-  /// replaces `output` by the dual triangulation (section 8.3). Its `i`-th vertex is that of cluster `i`.
-  ///
-  /// \tparam Output a model of `MutableFaceGraph`
-  /// \tparam VertexPlacement a model of `VertexPlacement` or `GlobalVertexPlacement`
-  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-  /// \param output is cleared and filled
-  /// \param placement gives each cluster in the interior its position; those on the border, or on features, get theirs there
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `geom_traits`,
-  /// `edge_is_constrained_map`, `vertex_is_constrained_map` and `face_patch_map` of `output`
-  template <class Output, class VertexPlacement = Centroid_placement,
-            class NamedParameters = parameters::Default_named_parameters>
-  void extract_dual_mesh(Output& output, const VertexPlacement& placement = VertexPlacement(),
-                         const NamedParameters& np = parameters::default_values()) const
-  {
-    extract_dual_mesh(output, placement, np, [](const auto&) {});
-  }
-
   /// \cond SKIP_IN_MANUAL
-  // `before` is called with the positions of the vertices when everything is done that can fail, and `output` has not changed
-  // yet.
-  template <class Output, class VertexPlacement, class NamedParameters, class Before>
-  void extract_dual_mesh(Output& output, const VertexPlacement& placement, const NamedParameters& np,
-                         const Before& before) const
-  {
-    visitor_.stage_begins(Coarsening_stage::TRIANGULATION);
-    const internal::Checkpoint checkpoint(visitor_);
-    const internal::Labelled_pieces pieces(working_input(), labels(), report_.clusters);
-    const Clustered_surface surface(pieces.input(), pieces.labels(), report_.clusters, execution_, pieces.features(),
-                                    checkpoint);
-    std::vector<internal::Triangle> triangles = internal::dual_triangles(labels(), checkpoint, execution_);
-    internal::Repair_counts counts;
-    const std::vector<internal::Vector> positions = internal::place_vertices(
-      surface, placement, repair_,
-      internal::output_coordinates<typename GetGeomTraits<Output, NamedParameters>::type>(frame_), triangles, counts, checkpoint);
-    report_.intersections_found = counts.intersections_found;
-    report_.intersections_left = counts.intersections_left;
-    report_.reversals_found = counts.reversals_found;
-    report_.reversals_left = counts.reversals_left;
-    internal::Face_graph_filler<Output, NamedParameters> filler(positions, frame_, triangles, output, np, checkpoint);
-    visitor_.throw_if_cancelled();
-    visitor_.stage_ends(Coarsening_stage::TRIANGULATION);
-    before(positions);
-    filler.commit();
-    internal::write_features(output, np, triangles, pieces.features(), working_input(), labels(), patches_);
-  }
-
   // Gives back what only the minimization needs.
   void end_minimization() { minimization_.reset(); }
   /// \endcond
@@ -308,12 +264,16 @@ public:
 private:
   friend struct internal::Clustering_access;
 
-  template <class Seed>
-  std::size_t seed_as(const Seed& seed)
+  typedef std::function<void(internal::Initial_clustering&)> Seeding;
+  static constexpr bool depends_on_densities = !std::is_same<ClusterWeight, Uniform_weight>::value;
+
+  std::size_t seed_as(const Seeding& seed)
   {
     visitor_.stage_begins(Coarsening_stage::SEEDING);
     forget();
     reset_report();
+    seeding_ = seed;
+    iterations_ = 0;
     initial_ = std::make_unique<internal::Initial_clustering>(input_, report_, internal::Checkpoint(visitor_));
     all_or_nothing([&] { seed(*initial_); });
     visitor_.stage_ends(Coarsening_stage::SEEDING);
@@ -339,8 +299,27 @@ private:
     }
   }
 
+  // What was seeded, grown and minimized is so again, with other densities.
+  void make_anew(const std::vector<double>& densities)
+  {
+    const Seeding seeding = seeding_;
+    const std::size_t iterations = iterations_;
+    forget();
+    if (input_.cells) {
+      internal::Clustering_input base = input_.cells->base();
+      base.density = densities;
+      input_ = internal::Feature_cells::run(base, input_.cells->edges(), internal::Checkpoint(visitor_));
+    } else {
+      input_.density = densities;
+    }
+    seed_as(seeding);
+    grow();
+    minimize(iterations);
+  }
+
   void forget()
   {
+    seeding_ = nullptr;
     this->forget_editing();
     minimization_.reset();
     labels_.reset();
@@ -388,6 +367,8 @@ private:
   std::vector<long long> patches_; // of the faces of the mesh, where they are given
   std::size_t dropped_components_ = 0;
   mutable Coarsening_report report_; // making the output adds to it, and so do energies that are asked for
+  Seeding seeding_;            // none if clusters were given or edited
+  std::size_t iterations_ = 0; // of the minimization
   std::unique_ptr<internal::Initial_clustering> initial_;
   std::unique_ptr<internal::Cluster_labels> labels_;
   mutable std::unique_ptr<internal::Energy_minimization<ClusterWeight> > minimization_;

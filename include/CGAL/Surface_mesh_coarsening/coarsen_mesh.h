@@ -54,7 +54,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
   clustering.end_minimization();
   const auto source_map = get_parameter(np_out, internal_np::vertex_source);
   Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
-  clustering.extract_dual_mesh(
+  clustering.extract_embedded_dual_mesh(
     output, choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p)), np_out,
     [&](const std::vector<Vector>& positions) {
       const bool are_wanted = has_parameter<internal_np::vertex_source_t, NPOut> ||
@@ -138,7 +138,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{repair_output}
 ///     \cgalParamDescription{whether vertices are moved and edges flipped where triangles of the output intersect that do not in
-///                           the input, and where they look away from it; the report tells what was found and left}
+///                           the input, and where they look away from it, and clusters made anew where that is not enough (see
+///                           `Dual_extraction::extract_embedded_dual_mesh()`); the report tells what was found and left}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd

@@ -3,9 +3,12 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERING_ACCESS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERING_ACCESS_H
 
+#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Feature_cells.h>
+#include <CGAL/Surface_mesh_coarsening/internal/parallel.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -34,6 +37,7 @@ struct Clustering_access
   static auto& mutable_labels(Clustering& c)
   {
     labels(c);
+    c.seeding_ = nullptr; // what is done to them by hand could not be done anew
     return *c.labels_;
   }
   template <class Clustering, class Step>
@@ -46,6 +50,20 @@ struct Clustering_access
     c.report_.clusters = clusters;
     c.report_.converged = false;
   }
+  template <class Clustering>
+  static bool can_be_made_anew(const Clustering& c) { return Clustering::depends_on_densities && bool(c.seeding_); }
+  // The densities of the faces of input().
+  template <class Clustering>
+  static const std::vector<double>& densities(const Clustering& c) { return input(c).density; }
+  // Seeds, growth and minimization as before, with other densities.
+  template <class Clustering>
+  static void make_anew(Clustering& c, const std::vector<double>& densities) { c.make_anew(densities); }
+  template <class Clustering>
+  static Coarsening_report& report(const Clustering& c) { return c.report_; }
+  template <class Clustering>
+  static Execution execution(const Clustering&) { return Clustering::execution_; }
+  template <class Clustering>
+  static const auto& patches(const Clustering& c) { return c.patches_; }
   template <class Clustering>
   static const auto& numbering(const Clustering& c) { return c.numbering_; }
   template <class Clustering>

@@ -17,6 +17,8 @@ namespace internal {
 
 class Feature_cells;
 
+constexpr double largest_density = 1e20; // its inverse is the smallest
+
 // What the clustering works on: the mesh in arrays, and of each face its area A and density r. Centroids g are computed when
 // they are needed, which takes less time than the memory would. Faces may be pieces of faces of the caller's mesh, then
 // `parent` tells of which.

@@ -26,8 +26,8 @@ namespace internal {
 // What a repair found and left.
 struct Repair_counts
 {
-  std::size_t intersections_found = 0, intersections_left = 0;
-  std::size_t reversals_found = 0, reversals_left = 0;
+  std::size_t intersections_found = 0, reversals_found = 0, reversals_left = 0;
+  std::vector<Triangle_pair> intersections_left;
 };
 
 // Moves vertices of a coarse mesh, and flips edges, where triangles intersect that do not in the input, and where they look
@@ -368,7 +368,7 @@ private:
     for (std::size_t v = 0; v < positions_.size(); ++v)
       points_[v] = point(positions_[v]);
     find_faults();
-    counts.intersections_left = pairs_.size();
+    counts.intersections_left = pairs_;
     counts.reversals_left = reversed_.size();
   }
 

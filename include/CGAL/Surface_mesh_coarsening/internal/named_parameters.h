@@ -105,7 +105,7 @@ template <class NamedParameters>
 Density_choice density_choice(const NamedParameters& np)
 {
   const double r = choose_parameter(get_parameter(np, internal_np::maximum_density_p), 50.);
-  if (!(r >= 1 && r <= 1e20))
+  if (!(r >= 1 && r <= largest_density))
     throw Invalid_input("the maximum density is " + std::to_string(r) + ", not in [1, 1e20]");
   return {r, choose_parameter(get_parameter(np, internal_np::border_densities_p), true)};
 }
@@ -121,7 +121,7 @@ std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&
   for (const auto f : n.faces) {
     checkpoint.pass();
     const double r = CGAL::to_double(get(map, f));
-    if (!(r >= 1e-20 && r <= 1e20))
+    if (!(r >= 1 / largest_density && r <= largest_density))
       throw Invalid_input("the density of face " + std::to_string(densities.size()) + " is " + std::to_string(r) +
                           ", not in [1e-20, 1e20]");
     densities.push_back(r);
