@@ -257,7 +257,7 @@ BOOST_AUTO_TEST_CASE(clusters_are_made_anew_where_triangles_intersect)
       BOOST_TEST(self_intersections(embedded) == report.intersections_left);
       BOOST_TEST(embedded.number_of_vertices() == n);
       BOOST_TEST(CGAL::is_valid_polygon_mesh(embedded));
-      BOOST_TEST((report.clusterings > 1) == (left_at_first > 0 && 4 * left_at_first <= n));
+      BOOST_TEST((report.clusterings > 1) == (left_at_first > 0 && 2 * left_at_first <= n));
       if (report.clusterings == 1)
         BOOST_TEST((test::to_soup(embedded).points == test::to_soup(plain).points));
       SMC::coarsen_mesh(mesh, n, again, np.vertex_placement(SMC::Quadric_placement()));

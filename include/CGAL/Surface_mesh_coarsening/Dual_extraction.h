@@ -55,7 +55,7 @@ public:
   ///
   /// Seeds, growth and minimization are run as they were before, 4 times at the most, and not at all where the weight is
   /// `Uniform_weight`, which does not look at densities, where parameter `repair_output` is `false`, where clusters were given or
-  /// edited by hand, or where more than a quarter as many pairs of triangles as there are clusters intersect.
+  /// edited by hand, or where more than half as many pairs of triangles as there are clusters intersect.
   /// The parameters are those of `extract_dual_mesh()`. `Coarsening_report::clusterings` tells how many clusterings were made.
   /// Densities stay raised afterwards.
   template <class Output, class VertexPlacement = Centroid_placement,
@@ -162,7 +162,7 @@ private:
 
   bool is_worth_repeating(const Placed_dual& dual) const
   {
-    return dual.number_left() > 0 && 4 * dual.number_left() <= clustering().number_of_clusters() &&
+    return dual.number_left() > 0 && 2 * dual.number_left() <= clustering().number_of_clusters() &&
            Access::can_be_made_anew(clustering());
   }
 

@@ -88,7 +88,7 @@ private:
   static constexpr std::size_t most_rounds = 20;
   // Exact tests of two triangles whose boxes overlap, in all rounds together, for each triangle and for all: a second or two.
   // What is left of sheets that are too near each other all over stays.
-  static constexpr std::size_t most_tests_each = 5000, most_tests = 2000000;
+  static constexpr std::size_t most_tests_each = 20000, most_tests = 2000000;
   static constexpr std::size_t most_measured = 500; // triangles
 
   // By how much a change lowers the number of faults, and the squared distance from the input after it.
