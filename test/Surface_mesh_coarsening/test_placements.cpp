@@ -236,9 +236,9 @@ BOOST_AUTO_TEST_CASE(clusters_are_made_anew_where_triangles_intersect)
 {
   const auto np = SMC::parameters::maximum_density(10).feature_angle(180);
   std::size_t left = 0, left_of_several = 0, most = 0;
-  for (const double thickness : {0.02, 0.03}) {
+  for (const double thickness : {0.01, 0.014}) {
     const Mesh mesh = thin_plate(30, thickness);
-    for (const std::size_t n : {50, 100, 150}) {
+    for (const std::size_t n : {20, 40, 80}) {
       Mesh plain, embedded, again;
       SMC::Mwcvd_clustering<Mesh> clustering(mesh, np);
       clustering.seed(n);
@@ -271,8 +271,8 @@ BOOST_AUTO_TEST_CASE(clusters_are_made_anew_where_triangles_intersect)
 // Clusters that were edited by hand are not given up, nor are those that do not depend on densities.
 BOOST_AUTO_TEST_CASE(clusters_of_others_are_not_made_anew)
 {
-  const Mesh mesh = thin_plate(30, 0.02);
-  for (const std::size_t n : {60, 80, 100, 150}) {
+  const Mesh mesh = thin_plate(30, 0.014);
+  for (const std::size_t n : {40, 80}) {
     Mesh output;
     SMC::Mwcvd_clustering<Mesh, SMC::Uniform_weight> uniform(mesh);
     SMC::Mwcvd_clustering<Mesh> edited(mesh);
