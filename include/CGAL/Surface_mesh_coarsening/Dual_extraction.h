@@ -102,7 +102,7 @@ public:
 
 private:
   static constexpr std::size_t most_repetitions = 4;
-
+  /// \cond SKIP_IN_MANUAL
   struct Placed_dual
   {
     std::vector<internal::Triangle> triangles;
@@ -111,7 +111,7 @@ private:
 
     std::size_t number_left() const { return counts.intersections_left.size(); }
   };
-
+  /// \endcond
   const Clustering& clustering() const { return static_cast<const Clustering&>(*this); }
 
   internal::Labelled_pieces pieces() const
