@@ -15,7 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -53,9 +53,10 @@ public:
   /// does the same, and where triangles are left intersecting makes the clusters anew, with four times the densities in those
   /// that the triangles belong to: with more clusters there, and fewer elsewhere. What has the fewest intersections is taken.
   ///
-  /// Seeds, growth and minimization are run as they were before, 4 times at the most, and not at all where the weight is
-  /// `Uniform_weight`, which does not look at densities, where parameter `repair_output` is `false`, where clusters were given or
-  /// edited by hand, or where more than half as many pairs of triangles as there are clusters intersect.
+  /// Seeds, growth and minimization are run as they were before, 4 times at the most, and once more to come back to what is
+  /// taken. They are not where the weight is `Uniform_weight`, which does not look at densities, where parameter `repair_output`
+  /// is `false`, where clusters were given, or edited or frozen by hand, or where more than half as many pairs of triangles
+  /// intersect as there are clusters.
   /// The parameters are those of `extract_dual_mesh()`. `Coarsening_report::clusterings` tells how many clusterings were made.
   /// Densities stay raised afterwards.
   template <class Output, class VertexPlacement = Centroid_placement,
@@ -73,30 +74,29 @@ public:
   void extract_embedded_dual_mesh(Output& output, const VertexPlacement& placement, const NamedParameters& np,
                                   const Before& before)
   {
-    const auto placed_anew = [&](const std::vector<double>& densities) {
-      Access::make_anew(static_cast<Clustering&>(*this), densities);
-      return place<Output, NamedParameters>(placement);
-    };
-    Placed_dual last = place<Output, NamedParameters>(placement), best = last;
-    std::vector<double> best_densities;
+    Placed_dual dual = place<Output, NamedParameters>(placement);
     std::size_t clusterings = 1;
-    for (; clusterings <= most_repetitions && is_worth_repeating(last); ++clusterings) {
-      if (clusterings == 1)
-        best_densities = Access::densities(clustering());
-      std::vector<double> densities = Access::densities(clustering());
-      raise(densities, last);
-      last = placed_anew(densities);
-      if (last.number_left() <= best.number_left()) {
-        best = last;
-        best_densities = std::move(densities);
+    if (is_worth_repeating(dual)) {
+      const auto repeat = [&](const std::vector<double>& densities) {
+        Access::make_anew(static_cast<Clustering&>(*this), densities);
+        dual = place<Output, NamedParameters>(placement);
+        ++clusterings;
+      };
+      std::vector<double> densities = Access::densities(clustering()), best_densities = densities;
+      std::size_t fewest = dual.number_left();
+      while (clusterings <= most_repetitions && is_worth_repeating(dual)) {
+        raise(densities, dual);
+        repeat(densities);
+        if (dual.number_left() <= fewest) {
+          fewest = dual.number_left();
+          best_densities = densities;
+        }
       }
-    }
-    if (last.number_left() > best.number_left()) {
-      best = placed_anew(best_densities);
-      ++clusterings;
+      if (dual.number_left() > fewest)
+        repeat(best_densities);
     }
     Access::report(clustering()).clusterings = clusterings;
-    write(best, output, np, before);
+    write(dual, output, np, before);
   }
   /// \endcond
 
@@ -105,6 +105,7 @@ private:
   /// \cond SKIP_IN_MANUAL
   struct Placed_dual
   {
+    std::unique_ptr<const internal::Labelled_pieces> pieces;
     std::vector<internal::Triangle> triangles;
     std::vector<internal::Vector> positions;
     internal::Repair_counts counts;
@@ -114,12 +115,6 @@ private:
   /// \endcond
   const Clustering& clustering() const { return static_cast<const Clustering&>(*this); }
 
-  internal::Labelled_pieces pieces() const
-  {
-    return internal::Labelled_pieces(Access::working_input(clustering()), Access::labels(clustering()),
-                                     clustering().number_of_clusters());
-  }
-
   template <class Output, class NamedParameters, class VertexPlacement>
   Placed_dual place(const VertexPlacement& placement) const
   {
@@ -127,10 +122,11 @@ private:
     const internal::Visitor_handle& visitor = Access::visitor(clustering());
     visitor.stage_begins(Coarsening_stage::TRIANGULATION);
     const internal::Checkpoint checkpoint(visitor);
-    const internal::Labelled_pieces pieces = this->pieces();
-    const Clustered_surface surface(pieces.input(), pieces.labels(), clustering().number_of_clusters(),
-                                    Access::execution(clustering()), pieces.features(), checkpoint);
     Placed_dual dual;
+    dual.pieces = std::make_unique<internal::Labelled_pieces>(Access::working_input(clustering()), Access::labels(clustering()),
+                                                              clustering().number_of_clusters());
+    const Clustered_surface surface(dual.pieces->input(), dual.pieces->labels(), clustering().number_of_clusters(),
+                                    Access::execution(clustering()), dual.pieces->features(), checkpoint);
     dual.triangles = internal::dual_triangles(Access::labels(clustering()), checkpoint, Access::execution(clustering()));
     dual.positions =
       internal::place_vertices(surface, placement, Access::repairs(clustering()),
@@ -150,13 +146,12 @@ private:
     report.intersections_left = dual.number_left();
     report.reversals_found = dual.counts.reversals_found;
     report.reversals_left = dual.counts.reversals_left;
-    const internal::Labelled_pieces pieces = this->pieces();
     internal::Face_graph_filler<Output, NamedParameters> filler(dual.positions, Access::frame(clustering()), dual.triangles,
                                                                 output, np, internal::Checkpoint(visitor));
     visitor.throw_if_cancelled();
     before(dual.positions);
     filler.commit();
-    internal::write_features(output, np, dual.triangles, pieces.features(), Access::working_input(clustering()),
+    internal::write_features(output, np, dual.triangles, dual.pieces->features(), Access::working_input(clustering()),
                              Access::labels(clustering()), Access::patches(clustering()));
   }
 
@@ -174,11 +169,11 @@ private:
       for (const Index t : {pair.first, pair.second})
         for (const Index x : dual.triangles[t])
           is_at_fault[x] = true;
-    const internal::Labelled_pieces pieces = this->pieces();
+    const internal::Clustering_input& pieces = dual.pieces->input();
     std::vector<char> is_raised(Access::numbering(clustering()).faces.size(), false);
-    for (std::size_t p = 0; p < pieces.input().mesh.number_of_faces(); ++p)
-      if (is_at_fault[pieces.labels()[Index(p)]])
-        is_raised[pieces.input().parent_of(Index(p))] = true;
+    for (std::size_t p = 0; p < pieces.mesh.number_of_faces(); ++p)
+      if (is_at_fault[dual.pieces->labels()[Index(p)]])
+        is_raised[pieces.parent_of(Index(p))] = true;
     const internal::Clustering_input& input = Access::input(clustering());
     for (std::size_t f = 0; f < densities.size(); ++f)
       if (is_raised[input.parent_of(Index(f))])

@@ -4,8 +4,8 @@
 #define CGAL_SURFACE_MESH_COARSENING_MWCVD_CLUSTERING_H
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Clustering_steering.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Clustering_steering.h>
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/Dual_extraction.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_access.h>
@@ -367,8 +367,8 @@ private:
   std::vector<long long> patches_; // of the faces of the mesh, where they are given
   std::size_t dropped_components_ = 0;
   mutable Coarsening_report report_; // making the output adds to it, and so do energies that are asked for
-  Seeding seeding_;            // none if clusters were given or edited
-  std::size_t iterations_ = 0; // of the minimization
+  Seeding seeding_;            // none if clusters were given, or edited or frozen by hand
+  std::size_t iterations_ = 0; // of the minimization, at the most
   std::unique_ptr<internal::Initial_clustering> initial_;
   std::unique_ptr<internal::Cluster_labels> labels_;
   mutable std::unique_ptr<internal::Energy_minimization<ClusterWeight> > minimization_;

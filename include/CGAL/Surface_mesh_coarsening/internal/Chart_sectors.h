@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CHART_SECTORS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/Transfer_surfaces.h>
-#include <CGAL/Surface_mesh_coarsening/internal/sort_out.h>
+#include <CGAL/Surface_mesh_coarsening/internal/sort_unique.h>
 
 #include <map>
 #include <vector>
@@ -52,7 +52,7 @@ private:
     std::vector<Index> clusters(1, x);
     for (const Index t : surfaces_.around(x))
       clusters.insert(clusters.end(), surfaces_.triangles()[t].begin(), surfaces_.triangles()[t].end());
-    sort_out(clusters);
+    sort_unique(clusters);
     faces_.clear();
     for (const Index y : clusters)
       for (const Index f : surfaces_.search().faces(y)) {

@@ -7,7 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Moments.h>
 #include <CGAL/Surface_mesh_coarsening/internal/faces_outward.h>
 #include <CGAL/Surface_mesh_coarsening/internal/grow_clusters.h>
-#include <CGAL/Surface_mesh_coarsening/internal/sort_out.h>
+#include <CGAL/Surface_mesh_coarsening/internal/sort_unique.h>
 
 #include <algorithm>
 #include <utility>
@@ -132,7 +132,7 @@ private:
         if (y != labels_[f] && !Cluster_labels::is_beyond_border(y))
           neighbors.push_back(y);
       });
-    sort_out(neighbors);
+    sort_unique(neighbors);
     return neighbors;
   }
 
@@ -198,7 +198,7 @@ private:
         vertices.push_back(mesh_.corner_vertex[c]);
         euler -= labels_.label_across(c) != x || mesh_.face_across[c] > f;
       });
-    sort_out(vertices);
+    sort_unique(vertices);
     for (const Index v : vertices) {
       runs_around(labels_, v, runs);
       if (std::count(runs.begin(), runs.end(), x) != 1)

@@ -81,9 +81,7 @@ public:
       const bool across = label_across(c) == to;
       edges += across;
       // A vertex between two edges: touched if one of them is, and otherwise if a face around it has the label.
-      if (across && !previous)
-        ++arcs_begun;
-      else if (!across && !previous && touches(mesh_.corner_vertex[c], to))
+      if (!previous && (across || touches(mesh_.corner_vertex[c], to)))
         ++arcs_begun;
       if (arcs_begun > 1)
         return false;
@@ -102,9 +100,7 @@ public:
     for (Index c = begin; c != end; ++c) {
       const bool boundary = label_across(c) != from;
       edges += boundary;
-      if (boundary && !previous)
-        ++arcs_begun;
-      else if (!boundary && !previous && boundary_count_[mesh_.corner_vertex[c]] != 0) // 0: case 0 of the paper
+      if (!previous && (boundary || boundary_count_[mesh_.corner_vertex[c]] != 0)) // 0: case 0 of the paper
         ++arcs_begun;
       if (arcs_begun > 1)
         return false;

@@ -6,7 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Nearest_point_search.h>
-#include <CGAL/Surface_mesh_coarsening/internal/sort_out.h>
+#include <CGAL/Surface_mesh_coarsening/internal/sort_unique.h>
 
 #include <algorithm>
 #include <array>
@@ -54,7 +54,7 @@ private:
         for (const Index x : inner)
           for (const Index t : coarse_.around(x))
             around.insert(around.end(), coarse_.triangles()[t].begin(), coarse_.triangles()[t].end());
-        sort_out(around);
+        sort_unique(around);
         for (const Index x : around)
           improve_around(mesh_.points[v], x, largest, least);
       }

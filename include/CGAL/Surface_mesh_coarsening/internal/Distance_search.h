@@ -149,13 +149,14 @@ private:
   void find_level()
   {
     const std::size_t finest = levels_->finest();
+    const auto estimate = [this](std::size_t i) { return try_level(i); };
     std::size_t n = finest;
     if (has_quick_placement) {
       n = bracket(n, wanted() / expected_gain(), 1.2, 5, quick_estimates_, [this](std::size_t i) { return quick_estimate(i); });
-      try_level(n);
-      n = bracket(n, wanted(), 1.25, 2, estimates_by_level_, [this](std::size_t i) { return try_level(i); });
+      estimate(n);
+      n = bracket(n, wanted(), 1.25, 2, estimates_by_level_, estimate);
     } else {
-      n = bracket(n, wanted(), 1.06, 5, estimates_by_level_, [this](std::size_t i) { return try_level(i); });
+      n = bracket(n, wanted(), 1.06, 5, estimates_by_level_, estimate);
     }
     for (; result_.level == 0 && n < finest; n = (std::min)(finest, n + n / 4 + 1))
       try_level(n);
@@ -169,8 +170,7 @@ private:
   double expected_gain()
   {
     const auto known = estimates_by_level_.find(levels_->finest());
-    const double before = quick_estimate(levels_->finest());
-    return known != estimates_by_level_.end() && before > 0 ? (std::min)(known->second / before, 1.) : usual_gain;
+    return known != estimates_by_level_.end() ? (std::min)(known->second / quick_estimate(levels_->finest()), 1.) : usual_gain;
   }
 
   // Closes the bracket around the coarsest level that is within a distance, by no more than `most` estimates besides those known.

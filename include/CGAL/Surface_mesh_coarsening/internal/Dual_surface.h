@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/Dual_walk.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Grouped.h>
-#include <CGAL/Surface_mesh_coarsening/internal/sort_out.h>
+#include <CGAL/Surface_mesh_coarsening/internal/sort_unique.h>
 
 #include <CGAL/assertions.h>
 
@@ -155,7 +155,7 @@ private:
         add_fan(runs);
       }
     // The loops of the component are numbered on from the clusters.
-    sort_out(loops);
+    sort_unique(loops);
     for (Index& x : source_)
       if (Cluster_labels::is_beyond_border(x))
         x = clusters_ + Index(std::lower_bound(loops.begin(), loops.end(), x) - loops.begin());

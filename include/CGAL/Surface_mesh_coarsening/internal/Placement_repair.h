@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Reference_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Repair_proposals.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Triangle_conflicts.h>
-#include <CGAL/Surface_mesh_coarsening/internal/sort_out.h>
+#include <CGAL/Surface_mesh_coarsening/internal/sort_unique.h>
 
 #include <algorithm>
 #include <cmath>
@@ -223,7 +223,7 @@ private:
       altered.push_back(change.flipped);
       altered.push_back(coarse_.across(change.flipped, change.corner));
     }
-    sort_out(altered);
+    sort_unique(altered);
     return altered;
   }
 
@@ -286,10 +286,10 @@ private:
     for (const Index v : vertices)
       for (const Index t : coarse_.around(v))
         clusters.insert(clusters.end(), coarse_.triangles()[t].begin(), coarse_.triangles()[t].end());
-    sort_out(clusters);
+    sort_unique(clusters);
     for (const Index v : clusters)
       triangles.insert(triangles.end(), coarse_.around(v).begin(), coarse_.around(v).end());
-    sort_out(triangles);
+    sort_unique(triangles);
     if (triangles.size() > most_measured)
       return 0;
     std::vector<Triangle> corners;

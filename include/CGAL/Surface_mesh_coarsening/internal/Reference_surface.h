@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Input_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Triangle_conflicts.h>
 #include <CGAL/Surface_mesh_coarsening/internal/face_geometry.h>
-#include <CGAL/Surface_mesh_coarsening/internal/sort_out.h>
+#include <CGAL/Surface_mesh_coarsening/internal/sort_unique.h>
 
 #include <algorithm>
 #include <cmath>
@@ -192,7 +192,7 @@ private:
     std::vector<Index> used;
     for (const Triangle& t : triangles)
       used.insert(used.end(), t.begin(), t.end());
-    sort_out(used);
+    sort_unique(used);
     for (const Index v : used) {
       const Vector& p = surface_.point(v);
       points.emplace_back(p[0], p[1], p[2]);

@@ -142,6 +142,7 @@ inline Distance_statistics distances(const Triangle_mesh& from, const Triangle_m
   tree.accelerate_distance_queries();
   std::vector<double> areas;
   std::vector<Triangle_mesh::Face_index> faces(from.faces().begin(), from.faces().end());
+  areas.reserve(faces.size());
   for (const auto f : faces)
     areas.push_back(0.5 * std::sqrt(normal(from, f).squared_length()));
   Distance_statistics statistics;

@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/parallel.h>
-#include <CGAL/Surface_mesh_coarsening/internal/sort_out.h>
+#include <CGAL/Surface_mesh_coarsening/internal/sort_unique.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
@@ -164,7 +164,7 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
       test_waiting();
   });
   test_waiting();
-  sort_out(pairs);
+  sort_unique(pairs);
   return pairs;
 }
 

@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/build_flat_mesh.h>
-#include <CGAL/Surface_mesh_coarsening/internal/sort_out.h>
+#include <CGAL/Surface_mesh_coarsening/internal/sort_unique.h>
 
 #include <algorithm>
 #include <vector>
@@ -25,7 +25,7 @@ auto label_clusters(const Numbering<FaceGraph>& n, const FaceClusterMap& map, Cl
   for (const auto f : n.faces)
     of_face.push_back(get(map, f));
   names = of_face;
-  sort_out(names);
+  sort_unique(names);
   for (std::size_t i = 0; i < of_face.size(); ++i)
     labels.set(Index(i), Index(std::lower_bound(names.begin(), names.end(), of_face[i]) - names.begin()));
   return names;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SORT_OUT_H
-#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SORT_OUT_H
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SORT_UNIQUE_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SORT_UNIQUE_H
 
 #include <algorithm>
 #include <vector>
@@ -12,7 +12,7 @@ namespace internal {
 
 // Sorts values and leaves one of each.
 template <class Value>
-void sort_out(std::vector<Value>& values)
+void sort_unique(std::vector<Value>& values)
 {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -22,4 +22,4 @@ void sort_out(std::vector<Value>& values)
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_SORT_OUT_H
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_SORT_UNIQUE_H
