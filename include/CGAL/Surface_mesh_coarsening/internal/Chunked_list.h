@@ -18,6 +18,9 @@ class Chunked_list
 public:
   std::size_t size() const { return size_; }
   const T& operator[](std::size_t i) const { return chunks_[i / chunk][i % chunk]; }
+  T& operator[](std::size_t i) { return chunks_[i / chunk][i % chunk]; }
+  // How many elements follow each other in memory from element `i` on, or would if the chunk were full.
+  std::size_t number_in_chunk_from(std::size_t i) const { return chunk - i % chunk; }
 
   void push_back(const T& x)
   {
@@ -29,17 +32,17 @@ public:
     ++size_;
   }
 
-  // Takes the elements of which `is_gone` holds out; the others keep their order.
+  // Takes the elements out of whose numbers `is_gone` holds; the others keep their order. An element is asked for before it, or
+  // one after it, is moved.
   template <class Predicate>
   void remove_if(const Predicate& is_gone)
   {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < size_; ++i) {
-      const T& x = (*this)[i];
-      if (is_gone(x))
+      if (is_gone(i))
         continue;
       if (kept != i)
-        chunks_[kept / chunk][kept % chunk] = x;
+        (*this)[kept] = (*this)[i];
       ++kept;
     }
     size_ = kept;

@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_ENERGY_MINIMIZATION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_ENERGY_MINIMIZATION_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/Chunked_list.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Boundary_edges.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Cluster_energy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Valid_moves.h>
@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,9 +27,6 @@ namespace internal {
 // simplicial surface. All weights are those of the current sums, so the energy is a function of the clustering and
 // falls with each move.
 //
-// What a test needs of the two faces at an edge is kept with the edge: edges between clusters are few, and they are gone through
-// in order, which is kinder to caches than the faces are.
-//
 // Batch by batch of edges, a round first looks for such moves, at the sums as they are, which can be done for many edges at
 // a time, and then makes those in the order of the edges that still lower the energy.
 template <class Weight>
@@ -38,17 +34,19 @@ class Energy_minimization
 {
   typedef Face_terms<Weight> Face;
   typedef Cluster_sums<Weight> Sums;
+  typedef Boundary_edges<Weight> Edges;
 
 public:
   Energy_minimization(const Clustering_input& input, Cluster_labels& labels, std::size_t number_of_clusters,
                       const Weight& weight, const Checkpoint& checkpoint, Execution execution)
     : input_(input), mesh_(input.mesh), labels_(labels), energy_(weight), checkpoint_(checkpoint),
-      execution_(execution), moves_(labels, number_of_clusters), clusters_(number_of_clusters), round_of_change_(number_of_clusters, 0)
+      execution_(execution), moves_(labels, number_of_clusters), clusters_(number_of_clusters),
+      edges_(input, labels, energy_, number_of_clusters)
   {
     if (input.cells)
       moves_.keep_features(*input.cells);
     energy_.add_up(input_, labels_, clusters_, checkpoint_);
-    list_boundary_edges();
+    edges_.list_all(checkpoint_);
   }
 
   // One round. Returns the number of moves.
@@ -58,11 +56,12 @@ public:
     // Sums that are updated again and again drift by roundings.
     if (round_ % 64 == 0)
       energy_.add_up(input_, labels_, clusters_, Checkpoint()); // must not end half done
-    std::size_t moves = run(false);
+    std::size_t moves = run(Edges::in_last_round | Edges::in_this_round);
     // Edges were passed over whose two clusters had not changed. Whether a move is allowed depends on others, too:
     // the end is reached when no edge at all has a move left.
     if (moves == 0)
-      moves = run(true);
+      moves = run(Edges::at_any_time);
+    edges_.end_round();
     CGAL_expensive_assertion(agrees_with_recount());
     return moves;
   }
@@ -95,21 +94,7 @@ public:
 
 private:
   static constexpr double no_gain = -std::numeric_limits<double>::infinity();
-  static constexpr std::size_t batch = 1024, part_of_batch = 128; // edges
-
-  // An edge between two faces, that of the smaller index first, by its corner in that.
-  struct Plain_edge
-  {
-    std::array<Index, 2> face;
-    Index corner;
-  };
-
-  struct Edge
-  {
-    std::array<Face, 2> data;
-    std::array<Index, 2> face;
-    Index corner;
-  };
+  static constexpr std::size_t batch = 1024, edges_of_part = 128;
 
   // A face of an edge joins a cluster, that of the other face when the move was found.
   struct Move
@@ -119,26 +104,38 @@ private:
     Index to;
   };
 
+  // The sides of an edge whose faces would lower the energy by joining the cluster across, the better one first.
+  struct Candidate
+  {
+    Index edge;
+    int number;
+    std::array<int, 2> side;
+  };
+
+  struct Part_of_batch
+  {
+    std::size_t tests;
+    std::vector<Candidate> candidates;
+    std::vector<Move> found;
+  };
+
   // What a move would make of the energies of the two clusters.
   struct Trial
   {
-    int side;
-    Index to;
     double gain;      // by which the energy falls
     double scale;     // of the changes of energy that it is the difference of
     double magnitude; // of the energies that these are the difference of
   };
 
-  Trial trial(const Edge& e, int side, Index to) const
+  Trial trial(const Face& face, Index from, Index to) const
   {
-    const Sums& source = clusters_[labels_[e.face[side]]];
+    const Sums& source = clusters_[from];
     const Sums& target = clusters_[to];
-    const Face& face = e.data[side];
     if (source.faces == 1 || energy_.cannot_gain(source, target, face))
-      return {side, to, no_gain, 0, 0};
+      return {no_gain, 0, 0};
     const double without = energy_.energy_without(source, face), with = energy_.energy_with(target, face);
     const double lost = source.energy - without, won = with - target.energy;
-    return {side, to, lost - won, std::abs(lost) + std::abs(won), source.energy + target.energy + without + with};
+    return {lost - won, std::abs(lost) + std::abs(won), source.energy + target.energy + without + with};
   }
 
   // Gains this small, relative to what they are the difference of, are taken for none. So moves between equal
@@ -149,117 +146,99 @@ private:
     return t.gain - than.gain > 1e-7 * (t.scale + than.scale);
   }
 
-  void list_boundary_edges()
-  {
-    is_listed_.assign(mesh_.corner_vertex.size(), false);
-    for (Index f = 0; f < Index(mesh_.number_of_faces()); ++f) {
-      checkpoint_.pass();
-      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
-        const Index g = mesh_.face_across[c];
-        if (g != NONE && g > f && labels_[g] != labels_[f])
-          list({{{f, g}}, c});
-      }
-    }
-  }
-
-  std::size_t run(bool all)
+  // Over the edges at clusters that have changed at one of the times.
+  std::size_t run(typename Edges::Times times)
   {
     std::size_t moves = 0;
     const std::size_t edges = edges_.size();
-    for (std::size_t begin = 0; begin < edges; begin += batch) {
-      checkpoint_.pass((std::min)(edges - begin, batch));
-      find_moves(begin, (std::min)(edges, begin + batch), all);
-      for (const std::vector<Move>& found : found_)
-        for (const Move& m : found) {
+    for (std::size_t begin = 0, end; begin < edges; begin = end) {
+      end = edges_.list_changed(begin, batch, times, tested_);
+      checkpoint_.pass(end - begin);
+      find_moves();
+      for (const Part_of_batch& part : parts_)
+        for (const Move& m : part.found) {
           checkpoint_.pass(); // a move takes longer than to look for one
           moves += make(m);
         }
     }
     if (moves > 0)
-      update_list();
+      edges_.update();
     return moves;
   }
 
-  // Section 8.2: of the three cases at an edge, as it is or either face moved, the one of the smallest energy.
-  void find_moves(std::size_t first, std::size_t last, bool all)
+  void find_moves()
   {
-    found_.resize((last - first + part_of_batch - 1) / part_of_batch);
-    tested_.assign(found_.size(), 0);
-    for_each_chunk(execution_, last - first, part_of_batch, [&](std::size_t i, std::size_t begin, std::size_t end) {
-      found_[i].clear();
-      for (std::size_t j = begin; j < end; ++j) {
-        const Edge& e = edges_[first + j];
-        const Index x = labels_[e.face[0]], y = labels_[e.face[1]];
-        if (x == y || (!all && round_of_change_[x] + 1 < round_ && round_of_change_[y] + 1 < round_))
-          continue;
-        ++tested_[i];
-        Trial first_trial = trial(e, 0, y), second_trial = trial(e, 1, x);
-        if (is_better(second_trial, first_trial))
-          std::swap(first_trial, second_trial);
-        for (const Trial& t : {first_trial, second_trial})
-          if (is_gain(t) && moves_.keeps_discs(e.face[t.side], t.to)) {
-            found_[i].push_back({Index(first + j), t.side, t.to});
-            break;
-          }
+    parts_.resize((tested_.size() + edges_of_part - 1) / edges_of_part);
+    for_each_chunk(execution_, tested_.size(), edges_of_part,
+                   [this](std::size_t i, std::size_t begin, std::size_t end) { find_moves(begin, end, parts_[i]); });
+    for (const Part_of_batch& part : parts_)
+      tests_ += part.tests;
+  }
+
+  void find_moves(std::size_t begin, std::size_t end, Part_of_batch& part)
+  {
+    part.tests = 0;
+    part.candidates.clear();
+    part.found.clear();
+    for (std::size_t j = begin; j < end; ++j)
+      edges_.look_up(tested_[j]);
+    for (std::size_t j = begin; j < end; ++j) {
+      const std::array<Index, 2>& clusters = edges_.clusters(tested_[j]);
+      if (clusters[0] == clusters[1])
+        continue;
+      ++part.tests;
+      const Candidate candidate = candidate_at(tested_[j]);
+      if (candidate.number == 0)
+        continue;
+      part.candidates.push_back(candidate);
+      moves_.prefetch_corners(face_of(candidate));
+    }
+    for (const Candidate& x : part.candidates)
+      moves_.prefetch_labels(face_of(x));
+    for (const Candidate& x : part.candidates)
+      moves_.prefetch_stars(face_of(x));
+    for (const Candidate& x : part.candidates)
+      for (int k = 0; k < x.number; ++k) {
+        const Index to = edges_.clusters(x.edge)[1 - x.side[k]];
+        if (moves_.keeps_discs(edges_.faces(x.edge)[x.side[k]], to)) {
+          part.found.push_back({x.edge, x.side[k], to});
+          break;
+        }
       }
-    });
-    for (const std::size_t n : tested_)
-      tests_ += n;
+  }
+
+  Index face_of(const Candidate& x) const { return edges_.faces(x.edge)[x.side[0]]; }
+
+  // Section 8.2: of the three cases at an edge, as it is or either face moved, the one of the smallest energy.
+  Candidate candidate_at(Index edge) const
+  {
+    const std::array<Index, 2>& clusters = edges_.clusters(edge);
+    const typename Edges::Terms& terms = edges_.terms(edge);
+    const std::array<Trial, 2> trials{{trial(terms[0], clusters[0], clusters[1]), trial(terms[1], clusters[1], clusters[0])}};
+    const int better = is_better(trials[1], trials[0]);
+    Candidate candidate{edge, 0, {{better, 1 - better}}};
+    for (const int side : {better, 1 - better})
+      if (is_gain(trials[side]))
+        candidate.side[candidate.number++] = side;
+    return candidate;
   }
 
   bool make(const Move& m)
   {
-    const Edge e = edges_[m.edge];
-    const Index f = e.face[m.side], from = labels_[f];
-    if (from == m.to || !is_gain(trial(e, m.side, m.to)) || !moves_.move(f, m.to))
+    const Index f = edges_.faces(m.edge)[m.side], from = labels_[f];
+    const Face& face = edges_.terms(m.edge)[m.side];
+    if (from == m.to || !is_gain(trial(face, from, m.to)) || !moves_.move(f, m.to))
       return false;
-    accept(f, e.data[m.side], from, m.to);
-    return true;
-  }
-
-  void accept(Index f, const Face& data, Index from, Index to)
-  {
     Sums& source = clusters_[from];
-    Sums& target = clusters_[to];
+    Sums& target = clusters_[m.to];
     CGAL_assertion_code(const double before = source.energy + target.energy;)
-    energy_.remove(source, data);
-    energy_.add(target, data);
+    energy_.remove(source, face);
+    energy_.add(target, face);
     CGAL_assertion(source.energy + target.energy < before);
-    round_of_change_[from] = round_of_change_[to] = round_;
-    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
-      const Index g = mesh_.face_across[c];
-      if (g == NONE || labels_[g] == to)
-        continue;
-      const Index corner = f < g ? c : mesh_.corner_of(g, mesh_.corner_vertex[mesh_.next_corner(f, c)]);
-      if (!is_listed_[corner]) {
-        is_listed_[corner] = true;
-        new_edges_.push_back({{{(std::min)(f, g), (std::max)(f, g)}}, corner});
-      }
-    }
-  }
-
-  // Edges that came to lie within a cluster leave the list at the end of a round; those that came to lie between two, and still
-  // do, are added.
-  void update_list()
-  {
-    const auto is_inner = [&](const auto& e) { return labels_[e.face[0]] == labels_[e.face[1]]; };
-    edges_.remove_if([&](const Edge& e) {
-      if (is_inner(e))
-        is_listed_[e.corner] = false;
-      return is_inner(e);
-    });
-    for (const Plain_edge& e : new_edges_)
-      if (is_inner(e))
-        is_listed_[e.corner] = false;
-      else
-        list(e);
-    new_edges_.clear();
-  }
-
-  void list(const Plain_edge& e)
-  {
-    is_listed_[e.corner] = true;
-    edges_.push_back(Edge{{{energy_.terms_of(input_, e.face[0]), energy_.terms_of(input_, e.face[1])}}, e.face, e.corner});
+    edges_.note_change(from);
+    edges_.note_change(m.to);
+    edges_.note_edges(f, m.to);
+    return true;
   }
 
   const Clustering_input& input_;
@@ -270,12 +249,9 @@ private:
   Execution execution_;
   Valid_moves moves_;
   std::vector<Sums> clusters_;
-  std::vector<Index> round_of_change_;     // of each cluster
-  Chunked_list<Edge> edges_;               // between clusters
-  std::vector<Plain_edge> new_edges_;      // that came to lie between clusters in this round
-  std::vector<bool> is_listed_;            // per corner
-  std::vector<std::vector<Move> > found_;  // per part of a batch
-  std::vector<std::size_t> tested_;        // per part of a batch
+  Edges edges_;
+  std::vector<Index> tested_; // edges of a batch
+  std::vector<Part_of_batch> parts_;
   Index round_ = 0;
   std::size_t tests_ = 0;
 };

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_BOUNDARY_EDGES_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_BOUNDARY_EDGES_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/Chunked_list.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Cluster_energy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/prefetch.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The edges between clusters, in the order in which they came to be, and what a test of one needs: the terms of its two faces,
+// which are kept with it, as the list is gone through in order and the faces of the mesh are not.
+//
+// In most rounds most clusters remain what they were. Which edges lie at one that has changed is seen from the clusters on their
+// two sides, as they were when the edge was last looked at: had they become others since, they would have changed.
+template <class Weight>
+class Boundary_edges
+{
+public:
+  typedef std::array<Face_terms<Weight>, 2> Terms;
+
+  // When a cluster has changed: bits, in any combination.
+  typedef unsigned char Times;
+  static constexpr Times at_any_time = 1, in_last_round = 2, in_this_round = 4;
+
+  Boundary_edges(const Clustering_input& input, const Cluster_labels& labels, const Cluster_energy<Weight>& energy,
+                 std::size_t number_of_clusters)
+    : input_(input), mesh_(input.mesh), labels_(labels), energy_(energy), nowhere_(Index(number_of_clusters)),
+      change_(number_of_clusters, at_any_time | in_last_round)
+  {
+    change_.push_back(0); // nowhere, nothing changes
+  }
+
+  void list_all(const Checkpoint& checkpoint)
+  {
+    is_listed_.assign(mesh_.corner_vertex.size(), false);
+    for (Index f = 0; f < Index(mesh_.number_of_faces()); ++f) {
+      checkpoint.pass();
+      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+        const Index g = mesh_.face_across[c];
+        if (g != NONE && g > f && labels_[g] != labels_[f])
+          list({{{f, g}}, c});
+      }
+    }
+  }
+
+  std::size_t size() const { return edges_.size(); }
+  // The two faces at an edge, that of the smaller index first.
+  const std::array<Index, 2>& faces(Index i) const { return edges_[i].face; }
+  const Terms& terms(Index i) const { return terms_[i]; }
+  // The two clusters, as they were at the last `look_up()`.
+  const std::array<Index, 2>& clusters(Index i) const { return clusters_[i]; }
+  void look_up(Index i) { clusters_[i] = {{labels_[edges_[i].face[0]], labels_[edges_[i].face[1]]}}; }
+
+  void note_change(Index cluster) { change_[cluster] |= in_this_round; }
+
+  // Lists those at a cluster that has changed at one of the times, among `most` edges from the `first` on. Returns where they end.
+  std::size_t list_changed(std::size_t first, std::size_t most, Times times, std::vector<Index>& changed) const
+  {
+    changed.resize(most);
+    std::size_t i = first, n = 0;
+    for (std::size_t seen = 0; seen < most && i < size();) {
+      const std::size_t part = (std::min)({most - seen, size() - i, clusters_.number_in_chunk_from(i)});
+      const std::array<Index, 2>* const clusters = &clusters_[i];
+      for (std::size_t k = 0; k < part; ++k) {
+        changed[n] = Index(i + k);
+        n += ((change_[clusters[k][0]] | change_[clusters[k][1]]) & times) != 0;
+        seen += clusters[k][0] != nowhere_;
+      }
+      i += part;
+    }
+    changed.resize(n);
+    return i;
+  }
+
+  // Notes the edges of a face that has joined cluster `to`: they may lie between clusters now.
+  void note_edges(Index f, Index to)
+  {
+    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+      const Index g = mesh_.face_across[c];
+      if (g == NONE || labels_[g] == to)
+        continue;
+      const Index corner = f < g ? c : mesh_.corner_of(g, mesh_.corner_vertex[mesh_.next_corner(f, c)]);
+      if (!is_listed_[corner]) {
+        is_listed_[corner] = true;
+        new_edges_.push_back({{{(std::min)(f, g), (std::max)(f, g)}}, corner});
+      }
+    }
+  }
+
+  // Edges that came to lie within a cluster leave the list; those that came to lie between two, and still do, are added.
+  void update()
+  {
+    for (std::size_t begin = 0; begin < size();) {
+      begin = list_changed(begin, 1024, in_this_round, changed_);
+      for (const Index i : changed_)
+        look_up(i);
+      for (const Index i : changed_)
+        if (clusters_[i][0] == clusters_[i][1])
+          take_out(i);
+    }
+    if (taken_out_ > size() / 16)
+      close_gaps();
+    constexpr std::size_t ahead = 8;
+    for (std::size_t i = 0; i < new_edges_.size(); ++i) {
+      if (i + 2 * ahead < new_edges_.size()) {
+        prefetch_faces(new_edges_[i + 2 * ahead]);
+        prefetch_points(new_edges_[i + ahead]);
+      }
+      const Edge& e = new_edges_[i];
+      if (labels_[e.face[0]] == labels_[e.face[1]])
+        is_listed_[e.corner] = false;
+      else
+        list(e);
+    }
+    new_edges_.clear();
+  }
+
+  void end_round()
+  {
+    for (Times& times : change_)
+      times = Times((times & at_any_time) | (times & in_this_round ? in_last_round : 0));
+  }
+
+private:
+  // An edge by its corner in the face of the smaller index.
+  struct Edge
+  {
+    std::array<Index, 2> face;
+    Index corner;
+  };
+
+  void list(const Edge& e)
+  {
+    is_listed_[e.corner] = true;
+    edges_.push_back(e);
+    terms_.push_back({{energy_.terms_of(input_, e.face[0]), energy_.terms_of(input_, e.face[1])}});
+    clusters_.push_back({{labels_[e.face[0]], labels_[e.face[1]]}});
+  }
+
+  void take_out(Index i)
+  {
+    clusters_[i] = {{nowhere_, nowhere_}};
+    is_listed_[edges_[i].corner] = false;
+    ++taken_out_;
+  }
+
+  // Moves the edges up that come after others that were taken out. That is not worth it for a few.
+  void close_gaps()
+  {
+    const auto is_gone = [this](std::size_t i) { return clusters_[i][0] == nowhere_; };
+    edges_.remove_if(is_gone);
+    terms_.remove_if(is_gone);
+    clusters_.remove_if(is_gone);
+    taken_out_ = 0;
+  }
+
+  BOOST_FORCEINLINE void prefetch_faces(const Edge& e) const
+  {
+    for (const Index f : e.face) {
+      prefetch(&labels_.labels()[f]);
+      prefetch(&input_.density[f]);
+      prefetch(&input_.area[f]);
+      prefetch(&mesh_.corner_vertex[mesh_.first_corner[f]]);
+    }
+  }
+  BOOST_FORCEINLINE void prefetch_points(const Edge& e) const
+  {
+    for (const Index f : e.face)
+      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+        prefetch(&mesh_.points[mesh_.corner_vertex[c]]);
+  }
+
+  const Clustering_input& input_;
+  const Flat_mesh& mesh_;
+  const Cluster_labels& labels_;
+  const Cluster_energy<Weight>& energy_;
+  const Index nowhere_;          // in the place of the clusters of edges that were taken out
+  std::vector<Times> change_;    // of each cluster
+  std::vector<bool> is_listed_;  // per corner
+  std::vector<Edge> new_edges_;  // that came to lie between clusters since the last update
+  std::vector<Index> changed_;
+  std::size_t taken_out_ = 0;    // edges that are in the lists still
+  // Of each edge:
+  Chunked_list<Edge> edges_;
+  Chunked_list<Terms> terms_;
+  Chunked_list<std::array<Index, 2> > clusters_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_BOUNDARY_EDGES_H
