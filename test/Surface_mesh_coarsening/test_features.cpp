@@ -10,6 +10,8 @@
 #include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -249,10 +251,9 @@ void check_rules(const Model& model, std::size_t number)
   }
 }
 
-void check(const Model& model, std::size_t number, bool fitted = false)
+void check(const Model& model, std::size_t number, const Output& output)
 {
-  const Output output = coarsened(model, number, fitted);
-  BOOST_TEST_CONTEXT(number << (fitted ? " vertices, fitted" : " vertices"))
+  BOOST_TEST_CONTEXT(number << " vertices")
   {
     BOOST_TEST(output.mesh.number_of_vertices() == number);
     BOOST_TEST(output.mesh.is_valid());
@@ -280,6 +281,8 @@ void check(const Model& model, std::size_t number, bool fitted = false)
     }
   }
 }
+
+void check(const Model& model, std::size_t number, bool fitted = false) { check(model, number, coarsened(model, number, fitted)); }
 
 // Checks numbers of vertices from the smallest, which is refused by one less.
 void check_all(const Model& model, std::size_t least, std::size_t lines, std::size_t loops, std::size_t corners,
@@ -580,6 +583,22 @@ BOOST_AUTO_TEST_CASE(vertices_between_two_faces)
     check(model, 67);
   }
   check(Model(soup, 0), 67);
+}
+
+// Where triangles intersect and clusters are made anew, these keep features as well.
+BOOST_AUTO_TEST_CASE(clusters_that_are_made_anew)
+{
+  const Model model(generated::thin_plate(30, 0.02), 60);
+  std::size_t most = 0;
+  for (const std::size_t n : {60, 300}) {
+    Output output;
+    output.report = SMC::coarsen_mesh(model.mesh, n, output.mesh,
+                                      model.parameters().maximum_density(10).vertex_placement(SMC::Quadric_placement()),
+                                      output.parameters());
+    check(model, n, output);
+    most = (std::max)(most, output.report.clusterings);
+  }
+  BOOST_TEST(most > 1);
 }
 
 BOOST_AUTO_TEST_CASE(without_features)

@@ -72,17 +72,6 @@ std::size_t self_intersections(const Output& output)
   return pairs.size();
 }
 
-// A closed shell between two bumpy surfaces very near each other.
-Mesh thin_plate(std::size_t n, double thickness)
-{
-  generated::Soup s = generated::cube_grid(n);
-  for (auto& p : s.points) {
-    const double z = 0.3 * std::sin(4 * p[0]) * std::cos(3 * p[1]);
-    p[2] = z + 0.5 * thickness * p[2];
-  }
-  return test::to_mesh(s);
-}
-
 } // namespace
 
 // A cluster around each corner of a cube: three orthogonal planes meet there.
@@ -201,7 +190,7 @@ BOOST_AUTO_TEST_CASE(fit_is_deterministic_and_the_same_on_a_polyhedron)
 // Two sheets much nearer than the chords of the coarse mesh are off.
 BOOST_AUTO_TEST_CASE(repair_takes_sheets_apart)
 {
-  const Mesh mesh = thin_plate(30, 0.08);
+  const Mesh mesh = test::to_mesh(generated::thin_plate(30, 0.08));
   std::size_t found = 0;
   for (const std::size_t n : {60, 100, 200}) {
     Mesh output;
@@ -221,7 +210,7 @@ BOOST_AUTO_TEST_CASE(repair_takes_sheets_apart)
 // Vertices of the output that are to be vertices of the input are so after repairs, too.
 BOOST_AUTO_TEST_CASE(repair_keeps_to_input_vertices)
 {
-  const Mesh mesh = thin_plate(30, 0.08);
+  const Mesh mesh = test::to_mesh(generated::thin_plate(30, 0.08));
   Mesh output;
   SMC::coarsen_mesh(mesh, 100, output, SMC::parameters::vertex_placement(SMC::Closest_vertex_placement()));
   std::set<test::Mesh::Point> points;
@@ -237,7 +226,7 @@ BOOST_AUTO_TEST_CASE(clusters_are_made_anew_where_triangles_intersect)
   const auto np = SMC::parameters::maximum_density(10).feature_angle(180);
   std::size_t left = 0, left_of_several = 0, most = 0;
   for (const double thickness : {0.01, 0.014}) {
-    const Mesh mesh = thin_plate(30, thickness);
+    const Mesh mesh = test::to_mesh(generated::thin_plate(30, thickness));
     for (const std::size_t n : {20, 40, 80}) {
       Mesh plain, embedded, again;
       SMC::Mwcvd_clustering<Mesh> clustering(mesh, np);
@@ -268,10 +257,30 @@ BOOST_AUTO_TEST_CASE(clusters_are_made_anew_where_triangles_intersect)
   BOOST_TEST(left_of_several < left);
 }
 
+// A component that is left out stays so, and is as if it had never been there.
+BOOST_AUTO_TEST_CASE(clusters_without_dropped_components_are_made_anew)
+{
+  const Mesh plate = test::to_mesh(generated::thin_plate(30, 0.01));
+  Mesh both = plate;
+  CGAL::make_tetrahedron(Mesh::Point(0, 0, 0.1), Mesh::Point(0.01, 0, 0.1), Mesh::Point(0, 0.01, 0.1), Mesh::Point(0, 0, 0.11), both);
+  const CGAL::Constant_property_map<Mesh::Face_index, double> ones(1);
+  std::size_t most = 0;
+  for (const std::size_t n : {30, 40}) {
+    Mesh expected, output;
+    const auto np = SMC::parameters::vertex_placement(SMC::Quadric_placement()).face_density_map(ones);
+    SMC::coarsen_mesh(plate, n, expected, np);
+    const SMC::Coarsening_report report = SMC::coarsen_mesh(both, n, output, np.minimum_component_area(1.));
+    most = (std::max)(most, report.clusterings);
+    BOOST_TEST(report.dropped_components == 1);
+    BOOST_TEST((test::to_soup(output).points == test::to_soup(expected).points));
+  }
+  BOOST_TEST(most > 1);
+}
+
 // Clusters that were edited by hand are not given up, nor are those that do not depend on densities.
 BOOST_AUTO_TEST_CASE(clusters_of_others_are_not_made_anew)
 {
-  const Mesh mesh = thin_plate(30, 0.014);
+  const Mesh mesh = test::to_mesh(generated::thin_plate(30, 0.014));
   for (const std::size_t n : {40, 80}) {
     Mesh output;
     SMC::Mwcvd_clustering<Mesh, SMC::Uniform_weight> uniform(mesh);

@@ -25,11 +25,19 @@ using test::Tool_directory;
 using test::Tool_outcome;
 using test::Tool_process;
 
+// The address sanitizer reserves terabytes.
 #if defined(__SANITIZE_ADDRESS__)
-const std::string little_memory = ""; // the sanitizer reserves terabytes
+constexpr bool can_limit_memory = false;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+constexpr bool can_limit_memory = false;
 #else
-const std::string little_memory = "ulimit -v 400000"; // kilobytes
+constexpr bool can_limit_memory = true;
 #endif
+#else
+constexpr bool can_limit_memory = true;
+#endif
+const std::string little_memory = can_limit_memory ? "ulimit -v 400000" : ""; // kilobytes
 
 boost::test_tools::assertion_result has_tool(boost::unit_test::test_unit_id)
 {
@@ -345,9 +353,8 @@ BOOST_AUTO_TEST_CASE(pipes, *boost::unit_test::timeout(200))
 
 BOOST_AUTO_TEST_CASE(no_memory)
 {
-#if defined(__SANITIZE_ADDRESS__)
-  return;
-#endif
+  if (!can_limit_memory)
+    return;
   const Tool_directory shop;
   shop.write("in.off", mesh_files::off(generated::triangle_sphere(7)));
   check_refused(shop, "in.off out.off -n 1000 --report r.json", {"in.off: there is not enough memory"}, "ulimit -v 30000");

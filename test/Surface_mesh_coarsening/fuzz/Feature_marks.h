@@ -6,9 +6,13 @@
 #include "Fuzz_bytes.h"
 #include "build_mesh.h"
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/connected_components.hpp>
+
 #include <algorithm>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -75,63 +79,45 @@ inline std::string to_string(const Feature_topology& t)
          std::to_string(t.characteristic);
 }
 
-// The edges where a feature is. Those of the border are none.
-inline std::set<Mesh::Edge_index> feature_edges(const Mesh& mesh, const Feature_marks& marks)
+// Whether there is a feature at each edge. Edges of the border have none.
+inline std::map<Mesh::Edge_index, bool> feature_edges(const Mesh& mesh, const Feature_marks& marks)
 {
-  std::set<Mesh::Edge_index> result;
+  std::map<Mesh::Edge_index, bool> result;
   for (const auto e : mesh.edges())
-    if (!mesh.is_border(e) && (marks.edges.at(e) || marks.patches.at(mesh.face(mesh.halfedge(e, 0))) !=
-                                                      marks.patches.at(mesh.face(mesh.halfedge(e, 1)))))
-      result.insert(e);
+    result[e] = !mesh.is_border(e) && (marks.edges.at(e) || marks.patches.at(mesh.face(mesh.halfedge(e, 0))) !=
+                                                              marks.patches.at(mesh.face(mesh.halfedge(e, 1))));
   return result;
 }
 
 inline Feature_topology feature_topology(const Mesh& mesh, const Feature_marks& marks)
 {
-  const std::set<Mesh::Edge_index> lines = feature_edges(mesh, marks);
+  std::map<Mesh::Edge_index, bool> is_feature = feature_edges(mesh, marks);
   Feature_topology result;
-  std::set<Mesh::Face_index> reached;
-  for (const auto seed : mesh.faces()) {
-    if (!reached.insert(seed).second)
-      continue;
-    result.patches_of_regions.push_back(marks.patches.at(seed));
-    for (std::vector<Mesh::Face_index> stack(1, seed); !stack.empty();) {
-      const Mesh::Face_index f = stack.back();
-      stack.pop_back();
-      for (const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh)) {
-        const Mesh::Face_index g = mesh.face(mesh.opposite(h));
-        if (g != Mesh::null_face() && !lines.count(mesh.edge(h)) && reached.insert(g).second)
-          stack.push_back(g);
-      }
-    }
-  }
-  std::map<Mesh::Vertex_index, std::vector<Mesh::Vertex_index> > neighbors;
-  for (const auto e : lines)
-    for (int i = 0; i < 2; ++i)
-      neighbors[mesh.vertex(e, i)].push_back(mesh.vertex(e, 1 - i));
-  result.characteristic = long(neighbors.size()) - long(lines.size());
-  for (const auto v : mesh.vertices()) {
-    const auto star = neighbors.find(v);
-    if (!mesh.is_isolated(v) && (marks.vertices.at(v) || (star != neighbors.end() && star->second.size() != 2)))
-      ++result.corners;
-  }
-  std::set<Mesh::Vertex_index> on_lines;
-  for (const auto& v : neighbors) {
-    if (v.second.size() != 2)
-      result.valences_of_corners.push_back(v.second.size());
-    if (!on_lines.insert(v.first).second)
-      continue;
-    ++result.components;
-    for (std::vector<Mesh::Vertex_index> stack(1, v.first); !stack.empty();) {
-      const Mesh::Vertex_index x = stack.back();
-      stack.pop_back();
-      for (const auto y : neighbors[x])
-        if (on_lines.insert(y).second)
-          stack.push_back(y);
-    }
-  }
+
+  std::map<Mesh::Face_index, std::size_t> region;
+  result.patches_of_regions.resize(CGAL::Polygon_mesh_processing::connected_components(
+    mesh, boost::make_assoc_property_map(region),
+    CGAL::parameters::edge_is_constrained_map(boost::make_assoc_property_map(is_feature))));
+  for (const auto& r : region)
+    result.patches_of_regions[r.second] = marks.patches.at(r.first);
   std::sort(result.patches_of_regions.begin(), result.patches_of_regions.end());
+
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> lines(mesh.num_vertices());
+  for (const auto& e : is_feature)
+    if (e.second)
+      add_edge(mesh.vertex(e.first, 0).idx(), mesh.vertex(e.first, 1).idx(), lines);
+  std::size_t off_lines = 0;
+  for (const auto v : mesh.vertices()) {
+    const std::size_t valence = degree(v.idx(), lines);
+    off_lines += valence == 0;
+    if (valence != 0 && valence != 2)
+      result.valences_of_corners.push_back(valence);
+    result.corners += !mesh.is_isolated(v) && (marks.vertices.at(v) || (valence != 0 && valence != 2));
+  }
   std::sort(result.valences_of_corners.begin(), result.valences_of_corners.end());
+  std::vector<std::size_t> component(num_vertices(lines));
+  result.components = boost::connected_components(lines, component.data()) - off_lines;
+  result.characteristic = long(num_vertices(lines) - off_lines) - long(num_edges(lines));
   return result;
 }
 

@@ -243,6 +243,17 @@ inline Soup cube_grid(std::size_t n)
   return s;
 }
 
+// A closed shell between two bumpy surfaces very near each other.
+inline Soup thin_plate(std::size_t n, double thickness)
+{
+  Soup s = cube_grid(n);
+  for (auto& p : s.points) {
+    const double z = 0.3 * std::sin(4 * p[0]) * std::cos(3 * p[1]);
+    p[2] = z + 0.5 * thickness * p[2];
+  }
+  return s;
+}
+
 // An octahedron whose triangles were cut in four `level` times, on the unit sphere.
 inline Soup triangle_sphere(unsigned level)
 {

@@ -36,7 +36,8 @@ public:
 
   /// \param p the exponent, at least 1 and finite; the paper uses 10.
   /// \throws Invalid_input if it is not.
-  explicit Maximum_density_weight(double p = 10) : p_(p), whole_p_(p <= 64 && p == std::floor(p) ? unsigned(p) : 0)
+  explicit Maximum_density_weight(double p = 10)
+    : p_(p), whole_p_(p >= 1 && p <= 64 && p == std::floor(p) ? unsigned(p) : 0)
   {
     if (!(p >= 1) || std::isinf(p))
       throw Invalid_input("the exponent of the maximum density weight is " + std::to_string(p));
