@@ -106,10 +106,11 @@ inline Feature_topology feature_topology(const Mesh& mesh, const Feature_marks& 
   for (const auto& e : is_feature)
     if (e.second)
       add_edge(mesh.vertex(e.first, 0).idx(), mesh.vertex(e.first, 1).idx(), lines);
-  std::size_t off_lines = 0;
+  std::size_t off_lines = 0; // removed vertices among them
+  for (std::size_t i = 0; i < num_vertices(lines); ++i)
+    off_lines += degree(i, lines) == 0;
   for (const auto v : mesh.vertices()) {
     const std::size_t valence = degree(v.idx(), lines);
-    off_lines += valence == 0;
     if (valence != 0 && valence != 2)
       result.valences_of_corners.push_back(valence);
     result.corners += !mesh.is_isolated(v) && (marks.vertices.at(v) || (valence != 0 && valence != 2));
