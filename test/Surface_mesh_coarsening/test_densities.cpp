@@ -112,7 +112,8 @@ BOOST_AUTO_TEST_CASE(near_borders)
   for (const auto& p : std::vector<generated::Point>{{1, 0, 100}, {0, 1, 100}, {0, 0, 101}})
     soup.points.push_back(p);
   const std::size_t v = soup.points.size() - 4;
-  for (const generated::Polygon& p : {generated::Polygon{v, v + 2, v + 1}, {v, v + 1, v + 3}, {v, v + 3, v + 2}, {v + 1, v + 2, v + 3}})
+  for (const generated::Polygon& p :
+       {generated::Polygon{v, v + 2, v + 1}, {v, v + 1, v + 3}, {v, v + 3, v + 2}, {v + 1, v + 2, v + 3}})
     soup.polygons.push_back(p);
   const Mesh mesh = test::to_mesh(soup);
   const double r_new = 50;

@@ -282,7 +282,10 @@ void check(const Model& model, std::size_t number, const Output& output)
   }
 }
 
-void check(const Model& model, std::size_t number, bool fitted = false) { check(model, number, coarsened(model, number, fitted)); }
+void check(const Model& model, std::size_t number, bool fitted = false)
+{
+  check(model, number, coarsened(model, number, fitted));
+}
 
 // Checks numbers of vertices from the smallest, which is refused by one less.
 void check_all(const Model& model, std::size_t least, std::size_t lines, std::size_t loops, std::size_t corners,
@@ -332,7 +335,8 @@ Soup voxels(const std::set<std::array<int, 3> >& cubes, int n)
         for (int i = 0; i < n; ++i)
           for (int j = 0; j < n; ++j) {
             generated::Polygon p;
-            for (const std::pair<int, int>& d : {std::make_pair(0, 0), std::make_pair(1, 0), std::make_pair(1, 1), std::make_pair(0, 1)}) {
+            for (const std::pair<int, int>& d :
+                 {std::make_pair(0, 0), std::make_pair(1, 0), std::make_pair(1, 1), std::make_pair(0, 1)}) {
               std::array<int, 3> at;
               at[axis] = n * (cube[axis] + far);
               at[(axis + 1) % 3] = n * cube[(axis + 1) % 3] + i + d.first;
@@ -366,7 +370,10 @@ Soup cylinder(std::size_t m, std::size_t n, bool both)
   return s;
 }
 
-double length(const Mesh& m, Edge e) { return std::sqrt(CGAL::squared_distance(m.point(m.vertex(e, 0)), m.point(m.vertex(e, 1)))); }
+double length(const Mesh& m, Edge e)
+{
+  return std::sqrt(CGAL::squared_distance(m.point(m.vertex(e, 0)), m.point(m.vertex(e, 1))));
+}
 
 // The root mean square distance of the marked edges of a mesh from those of another.
 template <class IsLine, class IsOther>
@@ -488,7 +495,8 @@ BOOST_AUTO_TEST_CASE(corners_keep_their_points)
 {
   // Far from the origin, differences round.
   for (const double factor : {1., 1e-3, 0.7e9}) {
-    Soup soup = generated::translated(generated::rotated(generated::scaled(generated::cube_grid(8), 0.3), 0.7, 0.4), 100.1, -3.3, 17.7);
+    Soup soup = generated::rotated(generated::scaled(generated::cube_grid(8), 0.3), 0.7, 0.4);
+    soup = generated::translated(soup, 100.1, -3.3, 17.7);
     Model model(generated::scaled(soup, factor), 30);
     const Output output = coarsened(model, 60, true);
     std::set<Point> points(model.mesh.points().begin(), model.mesh.points().end());

@@ -212,8 +212,8 @@ BOOST_AUTO_TEST_CASE(other_face_graphs_and_components_that_are_left_out)
 {
   typedef CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel> Polyhedron;
   Polyhedron mesh, output;
-  test::to_face_graph(generated::joined(generated::triangle_sphere(3), generated::translated(generated::scaled(generated::tetrahedron(), 0.1), 9, 0, 0)),
-                      mesh);
+  const generated::Soup small = generated::translated(generated::scaled(generated::tetrahedron(), 0.1), 9, 0, 0);
+  test::to_face_graph(generated::joined(generated::triangle_sphere(3), small), mesh);
   SMC::Mwcvd_clustering<Polyhedron> clustering(mesh, SMC::parameters::minimum_component_area(10.));
   clustering.seed(60);
   clustering.grow();

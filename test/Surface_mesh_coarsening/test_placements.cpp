@@ -262,7 +262,8 @@ BOOST_AUTO_TEST_CASE(clusters_without_dropped_components_are_made_anew)
 {
   const Mesh plate = test::to_mesh(generated::thin_plate(30, 0.01));
   Mesh both = plate;
-  CGAL::make_tetrahedron(Mesh::Point(0, 0, 0.1), Mesh::Point(0.01, 0, 0.1), Mesh::Point(0, 0.01, 0.1), Mesh::Point(0, 0, 0.11), both);
+  CGAL::make_tetrahedron(Mesh::Point(0, 0, 0.1), Mesh::Point(0.01, 0, 0.1), Mesh::Point(0, 0.01, 0.1), Mesh::Point(0, 0, 0.11),
+                         both);
   const CGAL::Constant_property_map<Mesh::Face_index, double> ones(1);
   std::size_t most = 0;
   for (const std::size_t n : {30, 40}) {

@@ -24,7 +24,8 @@ class Border_arcs
 public:
   /// \cond SKIP_IN_MANUAL
   explicit Border_arcs(const Clustered_surface& surface)
-    : mesh_(surface.input().mesh), labels_(surface.labels()), features_(surface.features()), place_of_(surface.number_of_clusters(), internal::NONE)
+    : mesh_(surface.input().mesh), labels_(surface.labels()), features_(surface.features()),
+      place_of_(surface.number_of_clusters(), internal::NONE)
   {
     std::vector<bool> done(mesh_.number_of_vertices(), false);
     for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v)

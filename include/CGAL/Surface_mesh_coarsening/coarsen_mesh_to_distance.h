@@ -41,7 +41,8 @@ struct Distance_report
 /// fine clustering is made, and merged down to levels of detail (see `Cluster_levels`). Among these the search brackets the
 /// number of vertices, by distances estimated at points of both surfaces: first those of the placement's `Start`, if it has one
 /// (see `GlobalVertexPlacement`), then its own. The distance of the result is bounded by
-/// `CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance()`, which looks at all of both surfaces and not at points of them; if the bound is too large, a finer level is taken.
+/// `CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance()`, which looks at all of both surfaces and not at
+/// points of them; if the bound is too large, a finer level is taken.
 ///
 /// The distance is that between surfaces: polygons of the input are fans of triangles around the corner of the smallest number,
 /// and triangles without area do not count. The output has the other properties that `coarsen_mesh()` promises.

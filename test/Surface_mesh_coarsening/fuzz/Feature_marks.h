@@ -75,8 +75,8 @@ inline std::string to_string(const Feature_topology& t)
   result += ", valences";
   for (const std::size_t valence : t.valences_of_corners)
     result += ' ' + std::to_string(valence);
-  return result + ", " + std::to_string(t.corners) + " corners, " + std::to_string(t.components) + " components, characteristic " +
-         std::to_string(t.characteristic);
+  return result + ", " + std::to_string(t.corners) + " corners, " + std::to_string(t.components) +
+         " components, characteristic " + std::to_string(t.characteristic);
 }
 
 // Whether there is a feature at each edge. Edges of the border have none.

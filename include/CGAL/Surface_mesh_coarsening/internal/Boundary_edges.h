@@ -62,7 +62,8 @@ public:
 
   void note_change(Index cluster) { change_[cluster] |= in_this_round; }
 
-  // Lists those at a cluster that has changed at one of the times, among `most` edges from the `first` on. Returns where they end.
+  // Lists those at a cluster that has changed at one of the times, among `most` edges from the `first` on. Returns where these
+  // end.
   std::size_t list_changed(std::size_t first, std::size_t most, Times times, std::vector<Index>& changed) const
   {
     changed.resize(most);

@@ -161,7 +161,8 @@ private:
     }
     std::sort(ends.begin(), ends.end());
     for (std::size_t i = 1; i < ends.size(); ++i)
-      if (std::get<3>(ends[i]) != NONE && std::get<0>(ends[i]) == std::get<0>(ends[i - 1]) && std::get<1>(ends[i]) == std::get<1>(ends[i - 1]))
+      if (std::get<3>(ends[i]) != NONE && std::get<0>(ends[i]) == std::get<0>(ends[i - 1]) &&
+          std::get<1>(ends[i]) == std::get<1>(ends[i - 1]))
         lines_[std::get<3>(ends[i])].least_crossings = 2;
   }
 

@@ -30,7 +30,8 @@ class Merge_history
 {
 public:
   Merge_history(const Clustering_input& input, const Cluster_labels& labels, Index clusters, const Checkpoint& checkpoint)
-    : checkpoint_(checkpoint), dual_(labels, all_faces(input), clusters), finest_(clusters), sums_(clusters), version_(clusters, 0)
+    : checkpoint_(checkpoint), dual_(labels, all_faces(input), clusters), finest_(clusters), sums_(clusters),
+      version_(clusters, 0)
   {
     add_up_moments(input, labels, sums_, checkpoint);
     merge_all();

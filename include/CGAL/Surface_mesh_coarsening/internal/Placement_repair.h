@@ -162,7 +162,8 @@ private:
     distance_before_ = squared_distance_around(vertices);
     Placement_change best;
     Effect least;
-    for (const Placement_change& change : Repair_proposals(surface_, border_, coarse_, reference_, positions_, at_input_vertices_).at(faulty, vertices)) {
+    const Repair_proposals proposals(surface_, border_, coarse_, reference_, positions_, at_input_vertices_);
+    for (const Placement_change& change : proposals.at(faulty, vertices)) {
       const Effect effect = effect_of(change, vertices, least);
       if (is_better(effect, least)) {
         least = effect;

@@ -26,7 +26,8 @@ class Border_deviations
 {
 public:
   explicit Border_deviations(const Flat_mesh& m, const Checkpoint& checkpoint = Checkpoint())
-    : mesh_(m), checkpoint_(checkpoint), radius_(m.number_of_vertices(), std::numeric_limits<double>::infinity()), reach_(m.number_of_vertices(), 0)
+    : mesh_(m), checkpoint_(checkpoint), radius_(m.number_of_vertices(), std::numeric_limits<double>::infinity()),
+      reach_(m.number_of_vertices(), 0)
   {}
 
   void raise(std::vector<double>& deviations)

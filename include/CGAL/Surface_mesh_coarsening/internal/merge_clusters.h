@@ -43,7 +43,8 @@ public:
   template <class FaceRange>
   Cluster_merging(const Cluster_labels& labels, const FaceRange& faces, Index clusters, const std::vector<double>& areas,
                   bool by_threes, bool may_join_at_vertices)
-    : dual_(labels, faces, clusters), by_threes_(by_threes), may_join_at_vertices_(may_join_at_vertices), count_(clusters), merged_into_(clusters), area_(clusters, 0)
+    : dual_(labels, faces, clusters), by_threes_(by_threes), may_join_at_vertices_(may_join_at_vertices), count_(clusters),
+      merged_into_(clusters), area_(clusters, 0)
   {
     is_queued_.assign(dual_.number_of_triangles(), false);
     std::iota(merged_into_.begin(), merged_into_.end(), Index(0));
