@@ -294,6 +294,7 @@ private:
     if (triangles.size() > most_measured)
       return 0;
     std::vector<Triangle> corners;
+    corners.reserve(triangles.size());
     for (const Index t : triangles)
       corners.push_back(coarse_.triangles()[t]);
     return reference_.squared_distance(clusters, corners, positions_, limit);

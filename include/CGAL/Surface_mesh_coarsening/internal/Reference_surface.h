@@ -65,6 +65,7 @@ public:
   {
     constexpr std::size_t most_samples = 24;
     std::vector<Ball> balls;
+    balls.reserve(triangles.size());
     for (const Triangle& t : triangles)
       balls.push_back(ball_around(t, positions));
     std::size_t last = 0; // the triangle nearest to the sample before
