@@ -125,7 +125,8 @@ private:
     // On a regular mesh the neighborhood of level k has 1 + 3 k (k + 1) / 2 faces, and some three quarters of all
     // faces lie in one.
     const double faces_each = 0.75 * double(faces.size()) / double(wanted);
-    Component_seeds seeds = seeds_of_level(faces, faces_each <= 1 ? 0 : Index(std::lround(std::sqrt((faces_each - 1) / 1.5 + 0.25))));
+    const Index level = faces_each <= 1 ? 0 : Index(std::lround(std::sqrt((faces_each - 1) / 1.5 + 0.25)));
+    Component_seeds seeds = seeds_of_level(faces, level);
     if (seeds.faces.size() < wanted) {
       while (seeds.faces.size() < wanted && seeds.level > 0)
         seeds = seeds_of_level(faces, seeds.level - 1);
