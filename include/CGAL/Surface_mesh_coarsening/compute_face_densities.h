@@ -15,7 +15,8 @@ namespace Surface_mesh_coarsening {
 /// The deviation of a face is the mean of \f$ \| n - n_k \| \f$ over all pairs of a vertex of the face and a face
 /// \f$ k \f$ around that vertex. It is mapped linearly from \f$ [0, m] \f$, with \f$ m \f$ the largest deviation, to
 /// \f$ [1, r] \f$, with \f$ r \f$ the maximum density. If no face deviates by more than \f$ 10^{-6} \f$, all densities
-/// are 1. Faces without area deviate from nothing. Around a vertex of more than 256 faces each is compared with 256 of them, evenly spread.
+/// are 1. Faces without area deviate from nothing. Around a vertex of more than 256 faces each is compared with 256 of them,
+/// evenly spread.
 ///
 /// Near a border that is curved, deviations are raised to at least \f$ 32 \sqrt{A} / (R + s) \f$, but not above
 /// \f$ 4 m \f$. Here \f$ A \f$ is the area of the face, \f$ R \f$ the radius of curvature of the border, measured over three

@@ -100,8 +100,9 @@ public:
   // Edges that came to lie within a cluster leave the list; those that came to lie between two, and still do, are added.
   void update()
   {
+    constexpr std::size_t at_a_time = 1024; // they stay in the caches until they are looked at again
     for (std::size_t begin = 0; begin < size();) {
-      begin = list_changed(begin, 1024, in_this_round, changed_);
+      begin = list_changed(begin, at_a_time, in_this_round, changed_);
       for (const Index i : changed_)
         look_up(i);
       for (const Index i : changed_)

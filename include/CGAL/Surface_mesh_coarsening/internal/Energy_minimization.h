@@ -39,7 +39,7 @@ class Energy_minimization
 public:
   Energy_minimization(const Clustering_input& input, Cluster_labels& labels, std::size_t number_of_clusters,
                       const Weight& weight, const Checkpoint& checkpoint, Execution execution)
-    : input_(input), mesh_(input.mesh), labels_(labels), energy_(weight), checkpoint_(checkpoint),
+    : input_(input), labels_(labels), energy_(weight), checkpoint_(checkpoint),
       execution_(execution), moves_(labels, number_of_clusters), clusters_(number_of_clusters),
       edges_(input, labels, energy_, number_of_clusters)
   {
@@ -242,7 +242,6 @@ private:
   }
 
   const Clustering_input& input_;
-  const Flat_mesh& mesh_;
   Cluster_labels& labels_;
   Cluster_energy<Weight> energy_;
   Checkpoint checkpoint_;
