@@ -201,9 +201,11 @@ class Editor
       CGAL::Euler::add_vertex_and_face_to_border(mesh.prev(h), h, mesh);
   }
 
+  // CGAL's link condition takes it for granted that no two edges have the same ends: otherwise collapsing may break the mesh.
   void collapse()
   {
-    if (CGAL::is_triangle_mesh(mesh) && CGAL::Euler::does_satisfy_link_condition(mesh.edge(h), mesh))
+    if (CGAL::is_triangle_mesh(mesh) && !has_double_edges(mesh) &&
+        CGAL::Euler::does_satisfy_link_condition(mesh.edge(h), mesh))
       CGAL::Euler::collapse_edge(mesh.edge(h), mesh);
   }
 
