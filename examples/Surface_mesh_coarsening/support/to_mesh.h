@@ -91,8 +91,10 @@ class Soup_connectivity
 
 public:
   // The mesh has the vertices of the soup, and nothing else.
-  Soup_connectivity(const Soup& soup, Mesh& mesh)
-    : mesh_(mesh), border_from_(soup.points.size(), Mesh::null_halfedge())
+  explicit Soup_connectivity(Mesh& mesh)
+    : mesh_(mesh), border_from_(mesh.number_of_vertices(), Mesh::null_halfedge()) {}
+
+  void add_faces(const Soup& soup)
   {
     for (std::size_t f = 0; f < soup.polygons.size(); ++f)
       mesh_.add_face();
@@ -108,7 +110,7 @@ inline Mesh to_mesh(const Soup& soup)
   Mesh mesh;
   for (const auto& p : soup.points)
     mesh.add_vertex(p);
-  Soup_connectivity(soup, mesh);
+  Soup_connectivity(mesh).add_faces(soup);
   return mesh;
 }
 
