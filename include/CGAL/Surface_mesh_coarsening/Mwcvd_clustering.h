@@ -95,7 +95,8 @@ public:
   /// @{
 
   /// finds seeds from which `grow()` makes exactly `number_of_clusters` clusters: those of the highest level that gives
-  /// as many or more, component by component, the number being shared out by mass, which is area times density.
+  /// twice as many, or as many where the mesh is too coarse for that, component by component, the number being shared out by
+  /// mass, which is area times density.
   /// \return the number of seeds
   /// \throws Unreachable_number_of_vertices if the mesh has fewer vertices, or if its topology does not allow so few.
   std::size_t seed(std::size_t number_of_clusters)

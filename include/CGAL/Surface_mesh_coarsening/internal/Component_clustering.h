@@ -41,7 +41,10 @@ public:
     if (plan.level() != NONE)
       return seeds_of_level(faces, plan.level());
     Component_seeds seeds = largest_level_of(faces, plan.least_seeds());
-    return plan.is_on_ladder() ? seeds_of_level(faces, Component_plan::rung(seeds.level)) : seeds;
+    if (plan.is_on_ladder())
+      return seeds_of_level(faces, Component_plan::rung(seeds.level));
+    // Merging from all faces takes long, and leads to nothing better than from those of the next level.
+    return seeds.level > 0 ? seeds : largest_level_of(faces, plan.wanted());
   }
 
   // Labels the faces from 0 and returns the number of clusters; 0 if the faces are too few, or the seeds.
@@ -74,7 +77,7 @@ public:
     is_pinched_ = false;
     if (splitting.number_of_clusters() <= plan.wanted())
       return splitting.number_of_clusters();
-    Cluster_merging merging(labels, faces, splitting.number_of_clusters(), input_.area, !plan.is_on_ladder(),
+    Cluster_merging merging(input_, labels, faces, splitting.number_of_clusters(), !plan.is_on_ladder(),
                             plan.from_pieces() && plan.is_on_ladder() && !input_.cells);
     if (input_.cells)
       merging.keep_features(*input_.cells, labels, faces);

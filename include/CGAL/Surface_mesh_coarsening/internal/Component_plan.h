@@ -14,7 +14,7 @@ namespace internal {
 
 // How a connected component is brought to its number of clusters.
 //
-// The usual way is the paper's: seeds of the largest level that gives enough, growth, and merging, three clusters at a
+// The usual way is the paper's: seeds of the largest level that gives twice as many, growth, and merging, three clusters at a
 // time. It may end too high where the faces or the topology leave little freedom. Then, and always where fewer clusters are
 // wanted than are `always_enough()`, there is a ladder of levels, the same for every number of clusters below that.
 //
@@ -61,9 +61,10 @@ public:
     level_ = level;
   }
 
-  // The level of the seeds; NONE: the largest that gives least_seeds(), or the rung below it.
+  // The level of the seeds; NONE: the largest that gives least_seeds(), or the rung below it. Seeds are spread by the number
+  // of faces alone: with more of them than clusters, merging can even out what they have of the mass.
   Index level() const { return level_; }
-  std::size_t least_seeds() const { return on_ladder_ ? (std::max)(wanted_, enough_) : wanted_; }
+  std::size_t least_seeds() const { return on_ladder_ ? (std::max)(wanted_, enough_) : 2 * wanted_; }
   bool is_on_ladder() const { return on_ladder_; }
   bool from_pieces() const { return from_pieces_; }
   std::size_t wanted() const { return wanted_; }

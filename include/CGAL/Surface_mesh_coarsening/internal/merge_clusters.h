@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MERGE_CLUSTERS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MERGE_CLUSTERS_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Dual_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Feature_merging.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
@@ -29,28 +30,34 @@ inline double rounded_for_comparison(double x)
   return std::ldexp(std::nearbyint(std::ldexp(mantissa, 16)), exponent - 16);
 }
 
-// Section 6 of the paper, fewer seeds: the three clusters around a vertex that have the smallest summed area become one,
-// again and again, until a component has as many clusters as it should. Two are merged where one too many is left, or where
-// only two may be.
+// Section 6 of the paper, fewer seeds: the three clusters around a vertex that are smallest together become one, again and
+// again, until a component has as many clusters as it should. Two are merged where one too many is left, or where only two
+// may be.
+//
+// The size of a cluster is the area in the paper. Here it is the mass, of which the clusters of low energy have about the
+// same: what merging does not even out, the minimization has to carry across the mesh face by face. But clusters of few
+// faces cannot be round, whatever their mass; so their faces count where that makes them smaller.
 //
 // Works on the valid clusters of one component, numbered from 0.
 class Cluster_merging
 {
 public:
   // `by_threes`: whether three clusters may be merged at a time. If not, the order of the merges does not depend on the
-  // number wanted. `may_join_at_vertices`: whether, when nothing else is left, clusters may be merged that meet in a vertex
-  // only, in an edge of the fan there; that leaves it to Joining_at_vertices to make discs of them.
+  // number wanted, and size is mass alone. `may_join_at_vertices`: whether, when nothing else is left, clusters may be merged
+  // that meet in a vertex only, in an edge of the fan there; that leaves it to Joining_at_vertices to make discs of them.
   template <class FaceRange>
-  Cluster_merging(const Cluster_labels& labels, const FaceRange& faces, Index clusters, const std::vector<double>& areas,
+  Cluster_merging(const Clustering_input& input, const Cluster_labels& labels, const FaceRange& faces, Index clusters,
                   bool by_threes, bool may_join_at_vertices)
     : dual_(labels, faces, clusters), by_threes_(by_threes), may_join_at_vertices_(may_join_at_vertices), count_(clusters),
-      merged_into_(clusters), area_(clusters, 0)
+      merged_into_(clusters), size_(clusters)
   {
     is_queued_.assign(dual_.number_of_triangles(), false);
     std::iota(merged_into_.begin(), merged_into_.end(), Index(0));
     for (const Index f : faces) {
-      area_[labels[f]] += areas[f];
-      area_of_all_ += areas[f];
+      Size& size = size_[labels[f]];
+      size.mass += input.mass(f);
+      ++size.faces;
+      mass_of_all_ += input.mass(f);
     }
   }
 
@@ -97,7 +104,17 @@ public:
 
 private:
   typedef Dual_surface::Edge Edge;
-  typedef std::pair<double, Index> Candidate; // summed area and triangle
+  typedef std::pair<double, Index> Candidate; // summed size and triangle
+
+  struct Size
+  {
+    double mass = 0;
+    Index faces = 0;
+    Size operator+(const Size& other) const { return {mass + other.mass, faces + other.faces}; }
+  };
+
+  // So many faces count as much as the mass that a cluster has on average.
+  static constexpr double faces_of_round_cluster = 64;
 
   // A merge is tried again after one of its clusters has changed. What may make it possible farther off is looked for when
   // nothing is left to try.
@@ -130,28 +147,28 @@ private:
     queue_.emplace(key, t);
   }
 
-  // The summed area of the three clusters, or of the two that are smallest, whichever number would be merged; -1 if there
+  // The summed size of the three clusters, or of the two that are smallest, whichever number would be merged; -1 if there
   // are no two.
   double key_of(Index t) const
   {
     if (by_threes_ && excess() > 1) {
-      double sum = 0;
+      Size sum;
       for (Edge e = 3 * t; e != 3 * t + 3; ++e)
         if (!dual_.is_loop(dual_.source(e)))
-          sum += area_[dual_.source(e)];
-      return rounded_for_comparison(sum);
+          sum = sum + size_[dual_.source(e)];
+      return number_of(sum);
     }
     double least = -1;
     for (Edge e = 3 * t; e != 3 * t + 3; ++e)
-      if (is_candidate(e) && (least < 0 || area_of(e) < least))
-        least = area_of(e);
+      if (is_candidate(e) && (least < 0 || size_of(e) < least))
+        least = size_of(e);
     return least;
   }
 
   // A cluster that is large already, such as that of a face as large as many others, is not made larger without need.
   bool may_be_third(Index merged, Index third) const
   {
-    return area_[merged] + area_[third] <= 4 * area_of_all_ / double(wanted_);
+    return (size_[merged] + size_[third]).mass <= 4 * mean_mass();
   }
 
   bool is_candidate(Edge e) const
@@ -159,7 +176,14 @@ private:
     return (dual_.is_arc(e) || joins_at_vertices_) && !dual_.is_loop(dual_.source(e)) && !dual_.is_loop(dual_.target(e)) &&
            (!features_ || features_->may_merge(dual_.source(e), dual_.target(e), [this](Index x) { return cluster(x); }));
   }
-  double area_of(Edge e) const { return rounded_for_comparison(area_[dual_.source(e)] + area_[dual_.target(e)]); }
+  double size_of(Edge e) const { return number_of(size_[dual_.source(e)] + size_[dual_.target(e)]); }
+
+  double mean_mass() const { return mass_of_all_ / double(wanted_); }
+  double number_of(const Size& x) const
+  {
+    const double mass_of_faces = double(x.faces) / faces_of_round_cluster * mean_mass();
+    return rounded_for_comparison(by_threes_ ? (std::min)(x.mass, mass_of_faces) : x.mass);
+  }
 
   void work_off()
   {
@@ -197,12 +221,12 @@ private:
     dual_.for_each_edge_from(merged, [&](Edge f) { enqueue(f / 3); });
   }
 
-  // Of those of the edges that may be contracted, the one of the smallest summed area; NONE if there is none.
+  // Of those of the edges that may be contracted, the one of the smallest summed size; NONE if there is none.
   Edge smallest_of(const std::array<Edge, 3>& edges)
   {
     Edge smallest = NONE;
     for (const Edge e : edges)
-      if (is_candidate(e) && (smallest == NONE || area_of(e) < area_of(smallest)) && dual_.may_contract(e))
+      if (is_candidate(e) && (smallest == NONE || size_of(e) < size_of(smallest)) && dual_.may_contract(e))
         smallest = e;
     return smallest;
   }
@@ -215,7 +239,7 @@ private:
     if (features_)
       features_->merge(kept, gone, [this](Index x) { return cluster(x); });
     merged_into_[gone] = kept;
-    area_[kept] += area_[gone];
+    size_[kept] = size_[kept] + size_[gone];
     --count_;
     return kept;
   }
@@ -228,8 +252,8 @@ private:
   bool by_threes_, may_join_at_vertices_, joins_at_vertices_ = false;
   std::size_t count_, wanted_ = 0;
   mutable std::vector<Index> merged_into_; // ways get shorter when they are gone
-  std::vector<double> area_;
-  double area_of_all_ = 0;
+  std::vector<Size> size_;
+  double mass_of_all_ = 0;
   Queue queue_;
   std::vector<bool> is_queued_; // of each triangle
 };
