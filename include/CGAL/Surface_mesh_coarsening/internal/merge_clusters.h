@@ -34,7 +34,7 @@ inline double rounded_for_comparison(double x)
 // again, until a component has as many clusters as it should. Two are merged where one too many is left, or where only two
 // may be.
 //
-// The size of a cluster is the area in the paper. Here it is the mass, of which the clusters of low energy have about the
+// The size of a cluster is its area in the paper. Here it is its mass, of which the clusters of low energy have about the
 // same: what merging does not even out, the minimization has to carry across the mesh face by face. But clusters of few
 // faces cannot be round, whatever their mass; so their faces count where that makes them smaller.
 //
@@ -43,7 +43,7 @@ class Cluster_merging
 {
 public:
   // `by_threes`: whether three clusters may be merged at a time. If not, the order of the merges does not depend on the
-  // number wanted, and size is mass alone. `may_join_at_vertices`: whether, when nothing else is left, clusters may be merged
+  // number wanted, and size is area. `may_join_at_vertices`: whether, when nothing else is left, clusters may be merged
   // that meet in a vertex only, in an edge of the fan there; that leaves it to Joining_at_vertices to make discs of them.
   template <class FaceRange>
   Cluster_merging(const Clustering_input& input, const Cluster_labels& labels, const FaceRange& faces, Index clusters,
@@ -55,9 +55,10 @@ public:
     std::iota(merged_into_.begin(), merged_into_.end(), Index(0));
     for (const Index f : faces) {
       Size& size = size_[labels[f]];
-      size.mass += input.mass(f);
+      const double mass = by_threes ? input.mass(f) : input.area[f];
+      size.mass += mass;
       ++size.faces;
-      mass_of_all_ += input.mass(f);
+      mass_of_all_ += mass;
     }
   }
 
@@ -108,7 +109,7 @@ private:
 
   struct Size
   {
-    double mass = 0;
+    double mass = 0; // area, unless by threes
     Index faces = 0;
     Size operator+(const Size& other) const { return {mass + other.mass, faces + other.faces}; }
   };
