@@ -225,9 +225,9 @@ BOOST_AUTO_TEST_CASE(clusters_are_made_anew_where_triangles_intersect)
 {
   const auto np = SMC::parameters::maximum_density(10).feature_angle(180);
   std::size_t left = 0, left_of_several = 0, most = 0;
-  for (const double thickness : {0.01, 0.014}) {
+  for (const double thickness : {0.006, 0.008}) {
     const Mesh mesh = test::to_mesh(generated::thin_plate(30, thickness));
-    for (const std::size_t n : {20, 40, 80}) {
+    for (const std::size_t n : {20, 50, 80}) {
       Mesh plain, embedded, again;
       SMC::Mwcvd_clustering<Mesh> clustering(mesh, np);
       clustering.seed(n);
@@ -260,13 +260,13 @@ BOOST_AUTO_TEST_CASE(clusters_are_made_anew_where_triangles_intersect)
 // A component that is left out stays so, and is as if it had never been there.
 BOOST_AUTO_TEST_CASE(clusters_without_dropped_components_are_made_anew)
 {
-  const Mesh plate = test::to_mesh(generated::thin_plate(30, 0.01));
+  const Mesh plate = test::to_mesh(generated::thin_plate(30, 0.008));
   Mesh both = plate;
   CGAL::make_tetrahedron(Mesh::Point(0, 0, 0.1), Mesh::Point(0.01, 0, 0.1), Mesh::Point(0, 0.01, 0.1), Mesh::Point(0, 0, 0.11),
                          both);
   const CGAL::Constant_property_map<Mesh::Face_index, double> ones(1);
   std::size_t most = 0;
-  for (const std::size_t n : {30, 40}) {
+  for (const std::size_t n : {40, 50}) {
     Mesh expected, output;
     const auto np = SMC::parameters::vertex_placement(SMC::Quadric_placement()).face_density_map(ones);
     SMC::coarsen_mesh(plate, n, expected, np);
@@ -281,8 +281,9 @@ BOOST_AUTO_TEST_CASE(clusters_without_dropped_components_are_made_anew)
 // Clusters that were edited by hand are not given up, nor are those that do not depend on densities.
 BOOST_AUTO_TEST_CASE(clusters_of_others_are_not_made_anew)
 {
-  const Mesh mesh = test::to_mesh(generated::thin_plate(30, 0.014));
-  for (const std::size_t n : {40, 80}) {
+  const Mesh mesh = test::to_mesh(generated::thin_plate(30, 0.004));
+  std::size_t left_of_uniform = 0, left_of_edited = 0;
+  for (const std::size_t n : {40, 60, 80}) {
     Mesh output;
     SMC::Mwcvd_clustering<Mesh, SMC::Uniform_weight> uniform(mesh);
     SMC::Mwcvd_clustering<Mesh> edited(mesh);
@@ -297,5 +298,9 @@ BOOST_AUTO_TEST_CASE(clusters_of_others_are_not_made_anew)
     BOOST_TEST(uniform.report().clusterings == 1);
     BOOST_TEST(edited.report().clusterings == 1);
     BOOST_TEST(edited.is_frozen(0));
+    left_of_uniform += uniform.report().intersections_left;
+    left_of_edited += edited.report().intersections_left;
   }
+  BOOST_TEST(left_of_uniform > 0); // or there would be no reason to
+  BOOST_TEST(left_of_edited > 0);
 }
