@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_features.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Grouped.h>
+#include <CGAL/Surface_mesh_coarsening/internal/without_last_digits.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -70,7 +71,7 @@ public:
   double density(std::size_t face) const { return input_.density[face]; }
 
   /// returns the centroid (7) of a cluster: the mean of the centroids of its faces, weighted with density times area;
-  /// unweighted if the faces have no area.
+  /// unweighted if the faces have no area. It is rounded to 40 binary digits, so that it does not depend on the compiler.
   Point cluster_centroid(std::size_t cluster) const
   {
     using namespace internal;
@@ -82,7 +83,7 @@ public:
       mass += input_.mass(f);
       sum = sum + center;
     }
-    return mass > 0 ? (1 / mass) * moment : (1 / double(faces(cluster).size())) * sum;
+    return without_last_digits(mass > 0 ? (1 / mass) * moment : (1 / double(faces(cluster).size())) * sum);
   }
 
 private:

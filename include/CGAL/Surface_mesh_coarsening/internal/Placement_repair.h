@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Repair_proposals.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Triangle_conflicts.h>
 #include <CGAL/Surface_mesh_coarsening/internal/sort_unique.h>
+#include <CGAL/Surface_mesh_coarsening/internal/without_last_digits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -181,7 +182,9 @@ private:
       return a.gain > 0;
     if (is_in_hurry_ && a.gain != b.gain)
       return a.gain > b.gain;
-    return a.harm * double(b.gain) < b.harm * double(a.gain);
+    // Roundings decide nothing where a mesh is symmetric and harms are the same.
+    const double harm = a.harm * double(b.gain), other = b.harm * double(a.gain);
+    return other - harm > 1e-9 * (std::abs(harm) + std::abs(other) + distance_before_ * double(a.gain + b.gain));
   }
 
   std::vector<Index> corners_of(const std::vector<Index>& triangles) const
@@ -360,7 +363,7 @@ private:
       const Vector way = goes_back ? surface_.cluster_centroid(v) - positions_[v]
                                    : size_around(coarse_, positions_, v) * reference_.normal(v);
       const double part = goes_back ? 0.5 : time % 3 == 1 ? 0.03 : -0.03;
-      make({{{v, positions_[v] + part * way}}, NONE, 0});
+      make({{{v, without_last_digits(positions_[v] + part * way)}}, NONE, 0});
     }
   }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -38,24 +39,29 @@ public:
   const Vector& normal(Index cluster) const { return normals_[cluster]; }
 
   // Whether a coarse triangle looks away from the surface at the closest point of its clusters. That is looked for only where
-  // the mean normals are not enough.
+  // the mean normals are not enough. Where the point lies on an edge, or several are as close, roundings do not choose: all
+  // faces there count.
   bool is_against(const Triangle& t, const std::vector<Vector>& positions) const
   {
     const Vector n = normal_of(positions, t), mean = normals_[t[0]] + normals_[t[1]] + normals_[t[2]];
-    if (dot(n, mean) > 0.5 * std::sqrt(dot(n, n) * dot(mean, mean)))
+    const double size = std::sqrt(dot(n, n));
+    if (dot(n, mean) > 0.5 * size * std::sqrt(dot(mean, mean)))
       return false;
     const Vector middle = (1. / 3) * (positions[t[0]] + positions[t[1]] + positions[t[2]]);
-    double nearest = -1;
-    Vector there{{0, 0, 0}};
+    double nearest = std::numeric_limits<double>::infinity();
+    std::vector<std::pair<double, Index> > faces;
     for (const Index x : t)
       for (const Index f : surface_.faces(x)) {
-        const Input_surface::Closest closest = input_.closest_on_face(middle, f);
-        if (nearest < 0 || closest.squared_distance < nearest) {
-          nearest = closest.squared_distance;
-          there = vector_area(surface_.input().mesh, f);
-        }
+        const double squared_distance = input_.closest_on_face(middle, f).squared_distance;
+        if (squared_distance <= same_as(nearest, size))
+          faces.emplace_back(squared_distance, f);
+        nearest = (std::min)(nearest, squared_distance);
       }
-    return dot(n, there) < 0;
+    Vector there{{0, 0, 0}};
+    for (const auto& [squared_distance, f] : faces)
+      if (squared_distance <= same_as(nearest, size))
+        there = there + vector_area(surface_.input().mesh, f);
+    return dot(n, there) < -1e-9 * size * std::sqrt(dot(there, there));
   }
 
   // The sum over some clusters of about their area times their mean squared distance from coarse triangles. Stops where it
@@ -95,6 +101,12 @@ public:
   }
 
 private:
+  // Up to where squared distances are the same but for rounding, in a triangle of about that squared size.
+  static double same_as(double squared_distance, double squared_size)
+  {
+    return 1.000000001 * squared_distance + 1e-18 * squared_size;
+  }
+
   Vector mean_normal(std::size_t cluster) const
   {
     Vector sum{{0, 0, 0}};

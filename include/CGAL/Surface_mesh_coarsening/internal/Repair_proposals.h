@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Reference_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/without_last_digits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,8 +67,12 @@ public:
         if (u != NONE && coarse_.may_flip(t, i, u))
           changes.push_back({{}, t, i});
       }
-    if (!at_input_vertices_)
-      add_common_moves(faulty, vertices, changes);
+    if (at_input_vertices_)
+      return changes;
+    add_common_moves(faulty, vertices, changes);
+    for (Placement_change& change : changes)
+      for (Vertex_move& move : change.moves)
+        move.to = without_last_digits(move.to);
     return changes;
   }
 
