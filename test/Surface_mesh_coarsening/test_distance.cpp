@@ -67,6 +67,26 @@ BOOST_AUTO_TEST_CASE(distances_out_of_reach_are_refused)
   BOOST_CHECK_EQUAL(output.number_of_vertices(), 4u);
 }
 
+BOOST_AUTO_TEST_CASE(a_surface_without_area_is_refused)
+{
+  const Mesh line = test::to_mesh(generated::scaled(generated::triangle_sphere(2), 1, 0, 0));
+  Mesh output = test::to_mesh(generated::tetrahedron());
+  BOOST_CHECK_THROW(SMC::coarsen_mesh_to_distance(line, 0.1, output), SMC::Invalid_input);
+  BOOST_CHECK_EQUAL(output.number_of_vertices(), 4u);
+}
+
+// A torus needs more vertices than the search would begin with.
+BOOST_AUTO_TEST_CASE(the_smallest_number_may_be_larger_than_the_first)
+{
+  const Mesh mesh = test::to_mesh(generated::triangulated(generated::torus(9, 9)));
+  Mesh output;
+  const SMC::Distance_report report = SMC::coarsen_mesh_to_distance(mesh, 100., output);
+  BOOST_CHECK_EQUAL(report.vertices, output.number_of_vertices());
+  BOOST_CHECK_GE(report.vertices, 7u);
+  BOOST_CHECK_LE(report.vertices, 10u);
+  BOOST_CHECK_EQUAL(int(num_vertices(output)) - int(num_edges(output)) + int(num_faces(output)), 0);
+}
+
 BOOST_AUTO_TEST_CASE(a_plane_needs_what_its_topology_needs)
 {
   const Mesh mesh = test::to_mesh(generated::triangulated(generated::grid(30, 30)));

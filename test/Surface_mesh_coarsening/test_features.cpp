@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
 
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -618,6 +619,24 @@ BOOST_AUTO_TEST_CASE(without_features)
     BOOST_TEST(!output.is_line[e]);
   for (const Face f : output.mesh.faces())
     BOOST_TEST(output.patch[f] == 0);
+}
+
+// Where no patches are given, the regions between lines are numbered.
+BOOST_AUTO_TEST_CASE(regions_between_lines)
+{
+  const Mesh mesh = test::to_mesh(generated::triangulated(generated::cube_grid(6)));
+  Mesh output;
+  const auto patch = output.add_property_map<Face, int>("f:patch", -1).first;
+  SMC::coarsen_mesh(mesh, 60, output, SMC::parameters::feature_angle(30), SMC::parameters::face_patch_map(patch));
+  std::set<int> patches;
+  for (const Face f : output.faces())
+    patches.insert(patch[f]);
+  BOOST_TEST(patches.size() == 6);
+  for (const Edge e : output.edges()) {
+    const Face f = output.face(output.halfedge(e, 0)), g = output.face(output.halfedge(e, 1));
+    const bool is_flat = PMP::compute_face_normal(f, output) * PMP::compute_face_normal(g, output) > 0.5;
+    BOOST_TEST((patch[f] == patch[g]) == is_flat);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(refusals)

@@ -18,6 +18,7 @@
 #include <boost/property_map/function_property_map.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -259,6 +260,44 @@ BOOST_AUTO_TEST_CASE(labels_go_by_majority)
     for (const auto& vote : votes)
       BOOST_CHECK_LE(vote.second, votes[at[Mesh::Vertex_index(Mesh::size_type(x))]]);
   }
+}
+
+// Names cannot be interpolated: they come from the corner that counts most, or the face.
+BOOST_AUTO_TEST_CASE(values_without_means)
+{
+  Result r(generated::with_noise(generated::triangle_sphere(4), 0.01), 60);
+  const auto name = r.input.add_property_map<Mesh::Vertex_index, std::string>("v:name").first;
+  const auto face_name = r.input.add_property_map<Mesh::Face_index, std::string>("f:name").first;
+  for (const auto v : r.input.vertices())
+    name[v] = "vertex " + std::to_string(std::size_t(v));
+  for (const auto f : r.input.faces())
+    face_name[f] = std::to_string(r.cluster[f]);
+  SMC::Property_transfer<Mesh, Mesh> transfer(r.input, r.cluster, r.output);
+  const auto to = r.output.add_property_map<Mesh::Vertex_index, std::string>("v:name").first;
+  const auto cluster_name = r.output.add_property_map<Mesh::Vertex_index, std::string>("v:cluster").first;
+  const auto to_face = r.output.add_property_map<Mesh::Face_index, std::string>("f:name").first;
+  transfer.transfer_vertex_property(name, to);
+  transfer.transfer_face_property_to_vertices(face_name, cluster_name);
+  transfer.transfer_face_property(face_name, to_face);
+  for (const auto v : r.output.vertices()) {
+    const Location& location = r.source[v];
+    auto h = r.input.halfedge(location.face);
+    const auto largest = std::max_element(location.coordinates.begin(), location.coordinates.end());
+    for (auto i = location.coordinates.begin(); i != largest; ++i)
+      h = r.input.next(h);
+    BOOST_CHECK_EQUAL(to[v], name[r.input.source(h)]);
+    BOOST_CHECK_EQUAL(cluster_name[v], face_name[location.face]);
+  }
+  for (const auto f : r.output.faces()) {
+    std::set<std::string> of_corners;
+    for (const auto v : r.output.vertices_around_face(r.output.halfedge(f)))
+      of_corners.insert(std::to_string(std::size_t(v)));
+    BOOST_CHECK_EQUAL(of_corners.count(to_face[f]), 1u);
+  }
+  const auto conservative = SMC::Transfer_policy::CONSERVATIVE;
+  BOOST_CHECK_THROW(transfer.transfer_vertex_property(name, to, conservative), SMC::Invalid_input);
+  BOOST_CHECK_THROW(transfer.transfer_face_property_to_vertices(face_name, to, conservative), SMC::Invalid_input);
+  BOOST_CHECK_THROW(transfer.transfer_face_property(face_name, to_face, conservative), SMC::Invalid_input);
 }
 
 // A tube whose texture is wound around it, once: u runs from 0 to 1 and is cut along a line.

@@ -71,7 +71,7 @@ public:
   double density(std::size_t face) const { return input_.density[face]; }
 
   /// returns the centroid (7) of a cluster: the mean of the centroids of its faces, weighted with density times area;
-  /// unweighted if the faces have no area. It is rounded to 40 binary digits, so that it does not depend on the compiler.
+  /// unweighted if the faces have no area. It is rounded to 43 binary digits, so that it does not depend on the compiler.
   Point cluster_centroid(std::size_t cluster) const
   {
     using namespace internal;

@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Rounds the coordinates of a computed position to 40 binary digits of the largest. What differs by roundings alone, as of
+// Rounds the coordinates of a computed position to 43 binary digits of the largest. What differs by roundings alone, as of
 // programs with fused operations and without, becomes the same: exact tests of whether triangles intersect would tell it apart
 // where these just touch, as on symmetric meshes.
 inline Vector without_last_digits(const Vector& p)
@@ -22,7 +22,7 @@ inline Vector without_last_digits(const Vector& p)
     return p;
   int exponent = 0;
   std::frexp(largest, &exponent);
-  const int digits = 40 - exponent;
+  const int digits = 43 - exponent;
   Vector rounded;
   for (int k = 0; k < 3; ++k)
     rounded[k] = std::ldexp(std::nearbyint(std::ldexp(p[k], digits)), -digits) + 0.; // no negative zero
