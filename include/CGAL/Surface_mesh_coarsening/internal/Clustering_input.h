@@ -28,9 +28,10 @@ struct Clustering_input
   std::vector<double> area;
   std::vector<double> density;
   std::vector<Index> parent; // empty if the faces are those of the caller's mesh
-  // Where there are features: what the faces are made of, and the centroids of that.
+  // Where there are features: what the faces are made of, the centroids of that, and of how many faces it is, parts included.
   std::shared_ptr<const Feature_cells> cells;
   std::vector<Vector> joined_centroid;
+  std::vector<double> joined_faces;
 
   double mass(Index f) const { return density[f] * area[f]; }
   Vector centroid(Index f) const
@@ -39,6 +40,7 @@ struct Clustering_input
       return joined_centroid[f];
     return mesh.degree(f) == 3 ? mean_of_corners(mesh, f) : face_geometry(mesh, f).centroid;
   }
+  double number_of_faces_in(Index f) const { return joined_faces.empty() ? 1 : joined_faces[f]; }
   Index parent_of(Index f) const { return parent.empty() ? f : parent[f]; }
 
   // Computes the areas.

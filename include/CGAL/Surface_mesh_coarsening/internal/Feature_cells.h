@@ -209,9 +209,13 @@ private:
   void sum_up(Clustering_input& result) const
   {
     const std::size_t n = node_of_polygon_.size();
+    std::vector<Index> pieces_of_face(base_.mesh.number_of_faces(), 0);
+    for (const Index f : face_of_piece_)
+      ++pieces_of_face[f];
     std::vector<double> mass(n, 0), density(n, 0), number(n, 0);
     std::vector<Vector> moment(n, Vector{{0, 0, 0}}), sum(n, Vector{{0, 0, 0}});
     result.area.assign(n, 0);
+    result.joined_faces.assign(n, 0);
     for (std::size_t p = 0; p < polygon_of_piece_.size(); ++p) {
       const Index polygon = polygon_of_piece_[p];
       const double piece_mass = pieces_.mass(Index(p));
@@ -221,6 +225,7 @@ private:
       sum[polygon] = sum[polygon] + pieces_.centroid(Index(p));
       density[polygon] += pieces_.density[p];
       number[polygon] += 1;
+      result.joined_faces[polygon] += 1. / double(pieces_of_face[face_of_piece_[p]]);
     }
     for (std::size_t polygon = 0; polygon < n; ++polygon) {
       result.parent.push_back(pieces_.parent[first_piece_[polygon]]);

@@ -57,7 +57,7 @@ public:
       Size& size = size_[labels[f]];
       const double mass = by_threes ? input.mass(f) : input.area[f];
       size.mass += mass;
-      ++size.faces;
+      size.faces += input.number_of_faces_in(f);
       mass_of_all_ += mass;
     }
   }
@@ -110,7 +110,7 @@ private:
   struct Size
   {
     double mass = 0; // area, unless by threes
-    Index faces = 0;
+    double faces = 0;
     Size operator+(const Size& other) const { return {mass + other.mass, faces + other.faces}; }
   };
 
@@ -182,7 +182,7 @@ private:
   double mean_mass() const { return mass_of_all_ / double(wanted_); }
   double number_of(const Size& x) const
   {
-    const double mass_of_faces = double(x.faces) / faces_of_round_cluster * mean_mass();
+    const double mass_of_faces = x.faces / faces_of_round_cluster * mean_mass();
     return rounded_for_comparison(by_threes_ ? (std::min)(x.mass, mass_of_faces) : x.mass);
   }
 
