@@ -22,6 +22,7 @@
 #include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/property_map.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -554,13 +555,14 @@ BOOST_AUTO_TEST_CASE(polygon_soup)
 {
   const Mesh mesh = test::to_mesh(open_soup());
   const auto clusters = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
-  // The two have different centroids, with densities and without, so that repairs would differ.
-  const auto no_repair = SMC::parameters::repair_output(false);
+  // The dual is made without densities unless they are given; so that both have the same centroids, and are repaired alike,
+  // the clusters are made with densities of 1.
+  const CGAL::Constant_property_map<Mesh::Face_index, double> uniform(1);
   Mesh output;
-  SMC::coarsen_mesh(mesh, 50, output, no_repair.face_cluster_map(clusters));
+  SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::face_density_map(uniform).face_cluster_map(clusters));
   std::vector<test::Point> points;
   std::vector<std::vector<std::size_t> > triangles;
-  SMC::extract_dual_soup(mesh, clusters, points, triangles, no_repair);
+  SMC::extract_dual_soup(mesh, clusters, points, triangles);
   BOOST_CHECK_EQUAL(points.size(), output.number_of_vertices());
   std::vector<reference::Triangle> soup_triangles;
   for (const auto& t : triangles)
@@ -568,7 +570,7 @@ BOOST_AUTO_TEST_CASE(polygon_soup)
   BOOST_CHECK(test::normalized(soup_triangles) == test::normalized(test::triangles_of(test::to_soup(output))));
   // What the ranges hold already stays, and indices count it.
   std::vector<std::array<std::size_t, 3> > more{{{0, 1, 2}}};
-  SMC::extract_dual_soup(mesh, clusters, points, more, no_repair);
+  SMC::extract_dual_soup(mesh, clusters, points, more);
   BOOST_CHECK_EQUAL(points.size(), 2 * output.number_of_vertices());
   BOOST_CHECK_EQUAL(more.size(), 1 + triangles.size());
   BOOST_CHECK_EQUAL(more[1][0], 50 + triangles[0][0]);
@@ -576,9 +578,9 @@ BOOST_AUTO_TEST_CASE(polygon_soup)
   std::vector<std::vector<int> > of_ints;
   std::vector<std::array<int, 3> > of_three_ints;
   points.clear();
-  SMC::extract_dual_soup(mesh, clusters, points, of_ints, no_repair);
+  SMC::extract_dual_soup(mesh, clusters, points, of_ints);
   points.clear();
-  SMC::extract_dual_soup(mesh, clusters, points, of_three_ints, no_repair);
+  SMC::extract_dual_soup(mesh, clusters, points, of_three_ints);
   BOOST_REQUIRE_EQUAL(of_ints.size(), triangles.size());
   BOOST_REQUIRE_EQUAL(of_three_ints.size(), triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
