@@ -16,6 +16,10 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
+// When a cluster has changed: bits, in any combination.
+typedef unsigned char Change_times;
+constexpr Change_times at_any_time = 1, in_last_round = 2, in_this_round = 4;
+
 // The edges between clusters, in the order in which they came to be, and what a test of one needs: the terms of its two faces,
 // which are kept with it, as the list is gone through in order and the faces of the mesh are not.
 //
@@ -26,10 +30,6 @@ class Boundary_edges
 {
 public:
   typedef std::array<Face_terms<Weight>, 2> Terms;
-
-  // When a cluster has changed: bits, in any combination.
-  typedef unsigned char Times;
-  static constexpr Times at_any_time = 1, in_last_round = 2, in_this_round = 4;
 
   Boundary_edges(const Clustering_input& input, const Cluster_labels& labels, const Cluster_energy<Weight>& energy,
                  std::size_t number_of_clusters)
@@ -64,7 +64,7 @@ public:
 
   // Lists those at a cluster that has changed at one of the times, among `most` edges from the `first` on. Returns where these
   // end.
-  std::size_t list_changed(std::size_t first, std::size_t most, Times times, std::vector<Index>& changed) const
+  std::size_t list_changed(std::size_t first, std::size_t most, Change_times times, std::vector<Index>& changed) const
   {
     changed.resize(most);
     std::size_t i = first, n = 0;
@@ -128,8 +128,8 @@ public:
 
   void end_round()
   {
-    for (Times& times : change_)
-      times = Times((times & at_any_time) | (times & in_this_round ? in_last_round : 0));
+    for (Change_times& times : change_)
+      times = Change_times((times & at_any_time) | (times & in_this_round ? in_last_round : 0));
   }
 
 private:
@@ -186,7 +186,7 @@ private:
   const Cluster_labels& labels_;
   const Cluster_energy<Weight>& energy_;
   const Index nowhere_;          // in the place of the clusters of edges that were taken out
-  std::vector<Times> change_;    // of each cluster
+  std::vector<Change_times> change_; // of each cluster
   std::vector<bool> is_listed_;  // per corner
   std::vector<Edge> new_edges_;  // that came to lie between clusters since the last update
   std::vector<Index> changed_;

@@ -56,11 +56,11 @@ public:
     // Sums that are updated again and again drift by roundings.
     if (round_ % 64 == 0)
       energy_.add_up(input_, labels_, clusters_, Checkpoint()); // must not end half done
-    std::size_t moves = run(Edges::in_last_round | Edges::in_this_round);
+    std::size_t moves = run(in_last_round | in_this_round);
     // Edges were passed over whose two clusters had not changed. Whether a move is allowed depends on others, too:
     // the end is reached when no edge at all has a move left.
     if (moves == 0)
-      moves = run(Edges::at_any_time);
+      moves = run(at_any_time);
     edges_.end_round();
     CGAL_expensive_assertion(agrees_with_recount());
     return moves;
@@ -147,7 +147,7 @@ private:
   }
 
   // Over the edges at clusters that have changed at one of the times.
-  std::size_t run(typename Edges::Times times)
+  std::size_t run(Change_times times)
   {
     std::size_t moves = 0;
     const std::size_t edges = edges_.size();
