@@ -7,7 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_features.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Grouped.h>
-#include <CGAL/Surface_mesh_coarsening/internal/without_last_digits.h>
+#include <CGAL/Surface_mesh_coarsening/internal/rounding.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -71,7 +71,8 @@ public:
   double density(std::size_t face) const { return input_.density[face]; }
 
   /// returns the centroid (7) of a cluster: the mean of the centroids of its faces, weighted with density times area;
-  /// unweighted if the faces have no area. It is rounded to 43 binary digits, so that it does not depend on the compiler.
+  /// unweighted if the faces have no area. Coordinates are rounded to 43 binary digits of the largest, as far as compilers
+  /// agree.
   Point cluster_centroid(std::size_t cluster) const
   {
     using namespace internal;

@@ -61,10 +61,9 @@ public:
     level_ = level;
   }
 
-  // The level of the seeds; NONE: the largest that gives least_seeds(), or the rung below it. Seeds are spread by the number
-  // of faces alone: with more of them than clusters, merging can even out what they have of the mass.
+  // The level of the seeds; NONE: the largest that gives least_seeds(), or the rung below it.
   Index level() const { return level_; }
-  std::size_t least_seeds() const { return on_ladder_ ? (std::max)(wanted_, enough_) : 2 * wanted_; }
+  std::size_t least_seeds() const { return on_ladder_ ? (std::max)(wanted_, enough_) : seeds_per_cluster * wanted_; }
   bool is_on_ladder() const { return on_ladder_; }
   bool from_pieces() const { return from_pieces_; }
   std::size_t wanted() const { return wanted_; }
@@ -122,6 +121,10 @@ public:
   }
 
 private:
+  // Seeds are spread by the number of faces alone: with more of them than clusters, merging can even out what they have of the
+  // mass.
+  static constexpr std::size_t seeds_per_cluster = 2;
+
   static Index rung_above(Index level)
   {
     if (level < 2)

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Moments.h>
 #include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/merge_clusters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/rounding.h>
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Repair_proposals.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Triangle_conflicts.h>
 #include <CGAL/Surface_mesh_coarsening/internal/sort_unique.h>
-#include <CGAL/Surface_mesh_coarsening/internal/without_last_digits.h>
+#include <CGAL/Surface_mesh_coarsening/internal/rounding.h>
 
 #include <algorithm>
 #include <cmath>

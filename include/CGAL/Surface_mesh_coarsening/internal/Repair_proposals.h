@@ -6,7 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Reference_surface.h>
-#include <CGAL/Surface_mesh_coarsening/internal/without_last_digits.h>
+#include <CGAL/Surface_mesh_coarsening/internal/rounding.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,10 +7,10 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Dual_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Feature_merging.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/rounding.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <numeric>
 #include <optional>
@@ -21,14 +21,6 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
-
-// Rounds a sum to 16 binary digits, so that sums which are equal but for rounding compare equal.
-inline double rounded_for_comparison(double x)
-{
-  int exponent = 0;
-  const double mantissa = std::frexp(x, &exponent);
-  return std::ldexp(std::nearbyint(std::ldexp(mantissa, 16)), exponent - 16);
-}
 
 // Section 6 of the paper, fewer seeds: the three clusters around a vertex that are smallest together become one, again and
 // again, until a component has as many clusters as it should. Two are merged where one too many is left, or where only two
