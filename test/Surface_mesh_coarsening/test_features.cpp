@@ -4,6 +4,7 @@
 
 #define BOOST_TEST_MODULE features
 #include "support/face_graphs.h"
+#include "support/line_distance.h"
 
 #include "models.h"
 
@@ -196,11 +197,31 @@ std::size_t number_of_regions(Mesh m, const IsLine& is_line)
   return PMP::connected_components(m, region, CGAL::parameters::edge_is_constrained_map(line));
 }
 
+// What the cells and the rest of the faces have of these together is what the faces are, and have.
+void check_sums_of_cells(const SMC::internal::Clustering_input& input)
+{
+  const SMC::internal::Clustering_input& base = input.cells->base();
+  double faces = 0, area = 0, mass = 0, area_of_base = 0, mass_of_base = 0;
+  for (Index f = 0; f < Index(input.area.size()); ++f) {
+    faces += input.number_of_faces_in(f);
+    area += input.area[f];
+    mass += input.mass(f);
+  }
+  for (Index f = 0; f < Index(base.area.size()); ++f) {
+    area_of_base += base.area[f];
+    mass_of_base += base.mass(f);
+  }
+  BOOST_TEST(faces == double(base.area.size()), boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(area == area_of_base, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(mass == mass_of_base, boost::test_tools::tolerance(1e-9));
+}
+
 // The rules, by brute force, for clusters after growth and minimization.
 void check_rules(const Model& model, std::size_t number)
 {
   using namespace SMC::internal;
   const Prepared p(model);
+  check_sums_of_cells(p.input);
   SMC::Coarsening_report report;
   Initial_clustering initial(p.input, report, Checkpoint());
   initial.seed(number);
@@ -369,35 +390,6 @@ Soup cylinder(std::size_t m, std::size_t n, bool both)
     }
   }
   return s;
-}
-
-double length(const Mesh& m, Edge e)
-{
-  return std::sqrt(CGAL::squared_distance(m.point(m.vertex(e, 0)), m.point(m.vertex(e, 1))));
-}
-
-// The root mean square distance of the marked edges of a mesh from those of another.
-template <class IsLine, class IsOther>
-double line_distance(const Mesh& m, const IsLine& is_line, const Mesh& other, const IsOther& is_other)
-{
-  std::vector<test::Kernel::Segment_3> segments;
-  for (const Edge e : other.edges())
-    if (is_other(e))
-      segments.emplace_back(other.point(other.vertex(e, 0)), other.point(other.vertex(e, 1)));
-  double sum = 0, total = 0;
-  for (const Edge e : m.edges()) {
-    if (!is_line(e))
-      continue;
-    for (int i = 0; i < 10; ++i) {
-      const Point p = m.point(m.vertex(e, 0)) + (i + 0.5) / 10 * (m.point(m.vertex(e, 1)) - m.point(m.vertex(e, 0)));
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const auto& s : segments)
-        nearest = (std::min)(nearest, CGAL::squared_distance(p, s));
-      sum += length(m, e) * nearest;
-      total += length(m, e);
-    }
-  }
-  return std::sqrt(sum / total);
 }
 
 } // namespace
@@ -665,8 +657,8 @@ BOOST_AUTO_TEST_CASE(fandisk, *utf::precondition(test::If_found{models::fandisk}
   const auto is_line = [&](Edge e) { return model.is_line[e]; };
   const auto is_coarse_line = [&](Edge e) { return with.is_line[e]; };
   const SMC::Coarsening_quality quality = SMC::measure_coarsening(model.mesh, with.mesh);
-  BOOST_TEST(line_distance(model.mesh, is_line, with.mesh, is_coarse_line) < 0.0002 * quality.diagonal);
-  BOOST_TEST(line_distance(with.mesh, is_coarse_line, model.mesh, is_line) < 0.0002 * quality.diagonal);
+  BOOST_TEST(test::line_distance(model.mesh, is_line, with.mesh, is_coarse_line) < 0.0002 * quality.diagonal);
+  BOOST_TEST(test::line_distance(with.mesh, is_coarse_line, model.mesh, is_line) < 0.0002 * quality.diagonal);
   BOOST_TEST(!PMP::does_self_intersect(with.mesh));
   Model plain(test::read_soup(models::fandisk));
   const double without = SMC::measure_coarsening(plain.mesh, coarsened(plain, 527, true).mesh).rms_distance;
