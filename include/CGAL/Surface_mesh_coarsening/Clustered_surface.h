@@ -71,8 +71,8 @@ public:
   double density(std::size_t face) const { return input_.density[face]; }
 
   /// returns the centroid (7) of a cluster: the mean of the centroids of its faces, weighted with density times area;
-  /// unweighted if the faces have no area. Coordinates are rounded to 43 binary digits of the largest, as far as compilers
-  /// agree.
+  /// unweighted if the faces have no area. Coordinates are rounded to 43 binary digits of the largest, of which
+  /// compilers hardly ever make different ones.
   Point cluster_centroid(std::size_t cluster) const
   {
     using namespace internal;

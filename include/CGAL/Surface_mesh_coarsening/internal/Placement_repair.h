@@ -8,8 +8,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Reference_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Repair_proposals.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Triangle_conflicts.h>
-#include <CGAL/Surface_mesh_coarsening/internal/sort_unique.h>
 #include <CGAL/Surface_mesh_coarsening/internal/rounding.h>
+#include <CGAL/Surface_mesh_coarsening/internal/sort_unique.h>
 
 #include <algorithm>
 #include <cmath>

@@ -15,7 +15,7 @@ namespace internal {
 // What differs by roundings alone, as of programs with fused operations and without, becomes the same, but for the rare values
 // in the middle between two.
 
-// Rounds to as many binary digits as `largest`, which is not smaller, has if it is rounded to `digits` of them.
+// Rounds to a multiple of what the last of the first `digits` binary digits of `largest` stands for.
 inline double rounded_like(double x, double largest, int digits)
 {
   int exponent = 0;
