@@ -5,11 +5,13 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/Chunked_list.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Cluster_energy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/prefetch.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -33,13 +35,17 @@ public:
 
   Boundary_edges(const Clustering_input& input, const Cluster_labels& labels, const Cluster_energy<Weight>& energy,
                  std::size_t number_of_clusters)
-    : input_(input), mesh_(input.mesh), labels_(labels), energy_(energy), nowhere_(Index(number_of_clusters)),
+    : input_(input),
+      mesh_(input.mesh),
+      labels_(labels),
+      energy_(energy),
+      nowhere_(Index(number_of_clusters)),
       change_(number_of_clusters, at_any_time | in_last_round)
   {
     change_.push_back(0); // nowhere, nothing changes
   }
 
-  void list_all(const Checkpoint& checkpoint)
+  void list_all(const Checkpoint& checkpoint, Execution execution)
   {
     is_listed_.assign(mesh_.corner_vertex.size(), false);
     for (Index f = 0; f < Index(mesh_.number_of_faces()); ++f) {
@@ -47,9 +53,12 @@ public:
       for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
         const Index g = mesh_.face_across[c];
         if (g != NONE && g > f && labels_[g] != labels_[f])
-          list({{{f, g}}, c});
+          new_edges_.push_back({{{f, g}}, c});
       }
+      if (new_edges_.size() >= new_at_a_time)
+        list_new(execution);
     }
+    list_new(execution);
   }
 
   std::size_t size() const { return edges_.size(); }
@@ -66,19 +75,13 @@ public:
   // end.
   std::size_t list_changed(std::size_t first, std::size_t most, Change_times times, std::vector<Index>& changed) const
   {
-    changed.resize(most);
-    std::size_t i = first, n = 0;
+    changed.clear();
+    std::size_t i = first;
     for (std::size_t seen = 0; seen < most && i < size();) {
-      const std::size_t part = (std::min)({most - seen, size() - i, clusters_.number_in_chunk_from(i)});
-      const std::array<Index, 2>* const clusters = &clusters_[i];
-      for (std::size_t k = 0; k < part; ++k) {
-        changed[n] = Index(i + k);
-        n += ((change_[clusters[k][0]] | change_[clusters[k][1]]) & times) != 0;
-        seen += clusters[k][0] != nowhere_;
-      }
-      i += part;
+      const std::size_t end = (std::min)({i + most - seen, size(), i + clusters_.number_in_chunk_from(i)});
+      seen += append_changed(i, end, times, changed);
+      i = end;
     }
-    changed.resize(n);
     return i;
   }
 
@@ -98,32 +101,15 @@ public:
   }
 
   // Edges that came to lie within a cluster leave the list; those that came to lie between two, and still do, are added.
-  void update()
+  void update(Execution execution)
   {
-    constexpr std::size_t at_a_time = 1024; // they stay in the caches until they are looked at again
-    for (std::size_t begin = 0; begin < size();) {
-      begin = list_changed(begin, at_a_time, in_this_round, changed_);
-      for (const Index i : changed_)
-        look_up(i);
-      for (const Index i : changed_)
-        if (clusters_[i][0] == clusters_[i][1])
-          take_out(i);
-    }
+    look_up_changed(execution);
+    for (const std::vector<Index>& part : inner_)
+      for (const Index i : part)
+        take_out(i);
     if (taken_out_ > size() / 16)
       close_gaps();
-    constexpr std::size_t ahead = 8;
-    for (std::size_t i = 0; i < new_edges_.size(); ++i) {
-      if (i + 2 * ahead < new_edges_.size()) {
-        prefetch_faces(new_edges_[i + 2 * ahead]);
-        prefetch_points(new_edges_[i + ahead]);
-      }
-      const Edge& e = new_edges_[i];
-      if (labels_[e.face[0]] == labels_[e.face[1]])
-        is_listed_[e.corner] = false;
-      else
-        list(e);
-    }
-    new_edges_.clear();
+    list_new(execution);
   }
 
   void end_round()
@@ -140,12 +126,82 @@ private:
     Index corner;
   };
 
-  void list(const Edge& e)
+  static constexpr std::size_t new_at_a_time = 1024; // they stay in the caches
+
+  // Does what `list_changed()` does with the edges from `begin` to `end`, which follow each other in memory. Returns how many
+  // have not been taken out.
+  std::size_t append_changed(std::size_t begin, std::size_t end, Change_times times, std::vector<Index>& changed) const
+  {
+    const std::array<Index, 2>* const clusters = &clusters_[begin];
+    std::size_t n = changed.size(), seen = 0;
+    changed.resize(n + end - begin);
+    for (std::size_t k = 0; k < end - begin; ++k) {
+      changed[n] = Index(begin + k);
+      n += ((change_[clusters[k][0]] | change_[clusters[k][1]]) & times) != 0;
+      seen += clusters[k][0] != nowhere_;
+    }
+    changed.resize(n);
+    return seen;
+  }
+
+  // Looks edges up whose clusters have changed, and finds those that lie within one now.
+  void look_up_changed(Execution execution)
+  {
+    constexpr std::size_t chunk = Chunked_list<Edge>::chunk;
+    inner_.resize((size() + chunk - 1) / chunk);
+    for_each_chunk(execution, size(), chunk, [this](std::size_t part, std::size_t begin, std::size_t end) {
+      std::vector<Index>& inner = inner_[part];
+      inner.clear();
+      append_changed(begin, end, in_this_round, inner);
+      for (const Index i : inner)
+        look_up(i);
+      const auto is_between_two = [this](Index i) { return clusters_[i][0] != clusters_[i][1]; };
+      inner.erase(std::remove_if(inner.begin(), inner.end(), is_between_two), inner.end());
+    });
+  }
+
+  void list(const Edge& e, const Terms& terms)
   {
     is_listed_[e.corner] = true;
     edges_.push_back(e);
-    terms_.push_back({{energy_.terms_of(input_, e.face[0]), energy_.terms_of(input_, e.face[1])}});
+    terms_.push_back(terms);
     clusters_.push_back({{labels_[e.face[0]], labels_[e.face[1]]}});
+  }
+
+  Terms terms_of(const Edge& e) const { return {{energy_.terms_of(input_, e.face[0]), energy_.terms_of(input_, e.face[1])}}; }
+
+  void list_new(Execution execution)
+  {
+    constexpr std::size_t part = 64;
+    for (std::size_t first = 0; first < new_edges_.size(); first += new_at_a_time) {
+      const std::size_t last = (std::min)(first + new_at_a_time, new_edges_.size());
+      fresh_.resize(last - first);
+      for_each_chunk(execution, last - first, part,
+                     [&](std::size_t, std::size_t begin, std::size_t end) { compute_terms(first, first + begin, first + end); });
+      for (std::size_t i = first; i < last; ++i) {
+        if (fresh_[i - first])
+          list(new_edges_[i], *fresh_[i - first]);
+        else
+          is_listed_[new_edges_[i].corner] = false;
+      }
+    }
+    new_edges_.clear();
+  }
+
+  // Those of the new edges from `begin` to `end` that lie between clusters; `first` is the one that `fresh_` begins with.
+  void compute_terms(std::size_t first, std::size_t begin, std::size_t end)
+  {
+    constexpr std::size_t ahead = 8;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i + 2 * ahead < new_edges_.size()) {
+        prefetch_faces(new_edges_[i + 2 * ahead]);
+        prefetch_points(new_edges_[i + ahead]);
+      }
+      const Edge& e = new_edges_[i];
+      fresh_[i - first].reset();
+      if (labels_[e.face[0]] != labels_[e.face[1]])
+        fresh_[i - first].emplace(terms_of(e));
+    }
   }
 
   void take_out(Index i)
@@ -185,12 +241,13 @@ private:
   const Flat_mesh& mesh_;
   const Cluster_labels& labels_;
   const Cluster_energy<Weight>& energy_;
-  const Index nowhere_;          // in the place of the clusters of edges that were taken out
-  std::vector<Change_times> change_; // of each cluster
-  std::vector<bool> is_listed_;  // per corner
-  std::vector<Edge> new_edges_;  // that came to lie between clusters since the last update
-  std::vector<Index> changed_;
-  std::size_t taken_out_ = 0;    // edges that are in the lists still
+  const Index nowhere_;                      // in the place of the clusters of edges that were taken out
+  std::vector<Change_times> change_;         // of each cluster
+  std::vector<bool> is_listed_;              // per corner
+  std::vector<Edge> new_edges_;              // that came to lie between clusters since the last update
+  std::vector<std::optional<Terms> > fresh_; // of some of them
+  std::vector<std::vector<Index> > inner_;   // edges within clusters, chunk by chunk
+  std::size_t taken_out_ = 0;                // edges that are in the lists still
   // Of each edge:
   Chunked_list<Edge> edges_;
   Chunked_list<Terms> terms_;

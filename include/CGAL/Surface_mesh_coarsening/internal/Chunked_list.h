@@ -16,6 +16,8 @@ template <class T>
 class Chunked_list
 {
 public:
+  static constexpr std::size_t chunk = 1024; // elements that follow each other in memory
+
   std::size_t size() const { return size_; }
   const T& operator[](std::size_t i) const { return chunks_[i / chunk][i % chunk]; }
   T& operator[](std::size_t i) { return chunks_[i / chunk][i % chunk]; }
@@ -52,7 +54,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t chunk = 1024;
   std::vector<std::vector<T> > chunks_;
   std::size_t size_ = 0;
 };

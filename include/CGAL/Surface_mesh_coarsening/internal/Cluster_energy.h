@@ -59,16 +59,14 @@ public:
 
   // All sums of the clusters from scratch.
   void add_up(const Clustering_input& input, const Cluster_labels& labels, std::vector<Sums>& clusters,
-              const Checkpoint& checkpoint) const
+              const Checkpoint& checkpoint, Execution execution = Execution::SEQUENTIAL) const
   {
     std::fill(clusters.begin(), clusters.end(), Sums());
-    add_up_moments(input, labels, clusters, checkpoint);
-    for (Index f = 0; f < Index(input.mesh.number_of_faces()); ++f) {
-      checkpoint.pass();
-      Sums& x = clusters[labels[f]];
+    const auto add_data = [&](Sums& x, Index f) {
       ++x.faces;
       weight_.add(x.data, weight_.face_data(input.density[f], input.area[f]));
-    }
+    };
+    add_up_moments(input, labels, clusters, checkpoint, execution, add_data);
     for (Sums& x : clusters)
       update_energy(x);
   }
@@ -77,12 +75,6 @@ public:
   {
     const Vector d = face.centroid - x.centroid;
     return dot(d, d);
-  }
-
-  void update_energy(Sums& x) const
-  {
-    x.weight = x.mass > 0 ? weight_.weight(x.data, x.mass, x.faces) : 0;
-    x.energy = x.weight * x.inertia;
   }
 
   // The inertia after a mass has joined or left, by the parallel axis theorem.
@@ -95,25 +87,33 @@ public:
     return (std::max)(0., x.inertia - (rest > 0 ? mass * x.mass / rest * squared_distance : 0));
   }
 
-  double energy_with(const Sums& x, const Face& face) const
+  // Weight and energy of a cluster after a face has joined or left.
+  struct Outcome
+  {
+    double weight = 0;
+    double energy = 0;
+  };
+
+  Outcome outcome_with(const Sums& x, const Face& face) const
   {
     const double mass = x.mass + face.mass;
     if (!(mass > 0))
-      return 0;
-    return weight_.weight_with(x.data, face.data, mass, x.faces + 1) *
-           inertia_with(x, face.mass, mass, squared_distance(face, x));
+      return {};
+    const double weight = weight_.weight_with(x.data, face.data, mass, x.faces + 1);
+    return {weight, weight * inertia_with(x, face.mass, mass, squared_distance(face, x))};
   }
 
-  double energy_without(const Sums& x, const Face& face) const
+  Outcome outcome_without(const Sums& x, const Face& face) const
   {
     const double mass = x.mass - face.mass;
     if (!(mass > 0))
-      return 0;
-    return weight_.weight_without(x.data, face.data, mass, x.faces - 1) *
-           inertia_without(x, face.mass, mass, squared_distance(face, x));
+      return {};
+    const double weight = weight_.weight_without(x.data, face.data, mass, x.faces - 1);
+    return {weight, weight * inertia_without(x, face.mass, mass, squared_distance(face, x))};
   }
 
-  void add(Sums& x, const Face& face) const
+  // `outcome`: what `outcome_with()` says; weights take long to compute.
+  void add(Sums& x, const Face& face, const Outcome& outcome) const
   {
     const double mass = x.mass + face.mass;
     x.inertia = inertia_with(x, face.mass, mass, squared_distance(face, x));
@@ -122,10 +122,11 @@ public:
     x.mass = mass;
     ++x.faces;
     weight_.add(x.data, face.data);
-    update_energy(x);
+    set(x, outcome);
   }
 
-  void remove(Sums& x, const Face& face) const
+  // `outcome`: what `outcome_without()` says.
+  void remove(Sums& x, const Face& face, const Outcome& outcome) const
   {
     const double mass = x.mass - face.mass;
     x.inertia = inertia_without(x, face.mass, mass, squared_distance(face, x));
@@ -134,7 +135,7 @@ public:
     x.mass = mass;
     --x.faces;
     weight_.remove(x.data, face.data);
-    update_energy(x);
+    set(x, outcome);
   }
 
   // Whether bounds of the two weights after a move, which are quicker to compute than these, show that it gains nothing.
@@ -155,6 +156,18 @@ public:
   }
 
 private:
+  void update_energy(Sums& x) const
+  {
+    const double weight = x.mass > 0 ? weight_.weight(x.data, x.mass, x.faces) : 0;
+    set(x, {weight, weight * x.inertia});
+  }
+
+  static void set(Sums& x, const Outcome& outcome)
+  {
+    x.weight = outcome.weight;
+    x.energy = outcome.energy;
+  }
+
   Weight weight_;
 };
 

@@ -34,6 +34,7 @@ class Energy_minimization
 {
   typedef Face_terms<Weight> Face;
   typedef Cluster_sums<Weight> Sums;
+  typedef typename Cluster_energy<Weight>::Outcome Outcome;
   typedef Boundary_edges<Weight> Edges;
 
 public:
@@ -45,8 +46,8 @@ public:
   {
     if (input.cells)
       moves_.keep_features(*input.cells);
-    energy_.add_up(input_, labels_, clusters_, checkpoint_);
-    edges_.list_all(checkpoint_);
+    energy_.add_up(input_, labels_, clusters_, checkpoint_, execution_);
+    edges_.list_all(checkpoint_, execution_);
   }
 
   // One round. Returns the number of moves.
@@ -55,7 +56,7 @@ public:
     ++round_;
     // Sums that are updated again and again drift by roundings.
     if (round_ % 64 == 0)
-      energy_.add_up(input_, labels_, clusters_, Checkpoint()); // must not end half done
+      energy_.add_up(input_, labels_, clusters_, Checkpoint(), execution_); // must not end half done
     std::size_t moves = run(in_last_round | in_this_round);
     // Edges were passed over whose two clusters had not changed. Whether a move is allowed depends on others, too:
     // the end is reached when no edge at all has a move left.
@@ -94,7 +95,7 @@ public:
 
 private:
   static constexpr double no_gain = -std::numeric_limits<double>::infinity();
-  static constexpr std::size_t batch = 1024, edges_of_part = 128;
+  static constexpr std::size_t batch = 1024, edges_of_part = 32;
 
   // A face of an edge joins a cluster, that of the other face when the move was found.
   struct Move
@@ -119,12 +120,13 @@ private:
     std::vector<Move> found;
   };
 
-  // What a move would make of the energies of the two clusters.
+  // What a move would make of the two clusters.
   struct Trial
   {
     double gain;      // by which the energy falls
     double scale;     // of the changes of energy that it is the difference of
     double magnitude; // of the energies that these are the difference of
+    Outcome without, with;
   };
 
   Trial trial(const Face& face, Index from, Index to) const
@@ -132,10 +134,11 @@ private:
     const Sums& source = clusters_[from];
     const Sums& target = clusters_[to];
     if (source.faces == 1 || energy_.cannot_gain(source, target, face))
-      return {no_gain, 0, 0};
-    const double without = energy_.energy_without(source, face), with = energy_.energy_with(target, face);
-    const double lost = source.energy - without, won = with - target.energy;
-    return {lost - won, std::abs(lost) + std::abs(won), source.energy + target.energy + without + with};
+      return {no_gain, 0, 0, {}, {}};
+    const Outcome without = energy_.outcome_without(source, face), with = energy_.outcome_with(target, face);
+    const double lost = source.energy - without.energy, won = with.energy - target.energy;
+    return {lost - won, std::abs(lost) + std::abs(won), source.energy + target.energy + without.energy + with.energy, without,
+            with};
   }
 
   // Gains this small, relative to what they are the difference of, are taken for none. So moves between equal
@@ -162,7 +165,7 @@ private:
         }
     }
     if (moves > 0)
-      edges_.update();
+      edges_.update(execution_);
     return moves;
   }
 
@@ -227,13 +230,16 @@ private:
   {
     const Index f = edges_.faces(m.edge)[m.side], from = labels_[f];
     const Face& face = edges_.terms(m.edge)[m.side];
-    if (from == m.to || !is_gain(trial(face, from, m.to)) || !moves_.move(f, m.to))
+    if (from == m.to)
+      return false;
+    const Trial t = trial(face, from, m.to);
+    if (!is_gain(t) || !moves_.move(f, m.to))
       return false;
     Sums& source = clusters_[from];
     Sums& target = clusters_[m.to];
     CGAL_assertion_code(const double before = source.energy + target.energy;)
-    energy_.remove(source, face);
-    energy_.add(target, face);
+    energy_.remove(source, face, t.without);
+    energy_.add(target, face, t.with);
     CGAL_assertion(source.energy + target.energy < before);
     edges_.note_change(from);
     edges_.note_change(m.to);

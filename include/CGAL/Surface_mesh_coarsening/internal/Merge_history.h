@@ -34,7 +34,7 @@ public:
     : checkpoint_(checkpoint), dual_(labels, all_faces(input), clusters), finest_(clusters), sums_(clusters),
       version_(clusters, 0)
   {
-    add_up_moments(input, labels, sums_, checkpoint);
+    add_up_moments(input, labels, sums_, checkpoint, Execution::SEQUENTIAL, [](const Moments&, Index) {});
     merge_all();
     number_clusters();
     list_triangles();

@@ -28,27 +28,27 @@ inline double inertia_between(const Moments& a, const Moments& b)
   return mass > 0 ? a.mass * b.mass / mass * dot(d, d) : 0;
 }
 
-// Those of the clusters, from scratch. `moments` begin with nothing.
-template <class Derived>
+// Those of the clusters, from scratch. `moments` begin with nothing. `also(x, f)` is called once for each face `f` and the sums
+// of its cluster.
+template <class Derived, class Also>
 void add_up_moments(const Clustering_input& input, const Cluster_labels& labels, std::vector<Derived>& moments,
-                    const Checkpoint& checkpoint = Checkpoint())
+                    const Checkpoint& checkpoint, Execution execution, const Also& also)
 {
-  const Index faces = Index(input.mesh.number_of_faces());
-  for (Index f = 0; f < faces; ++f) {
-    checkpoint.pass();
-    Moments& x = moments[labels[f]];
+  const std::vector<Index>& clusters = labels.labels();
+  for_each_in_groups(execution, clusters, moments.size(), checkpoint, [&](Index f) {
+    Moments& x = moments[clusters[f]];
     x.mass += input.mass(f);
     x.centroid = x.centroid + input.mass(f) * input.centroid(f);
-  }
+  });
   for (Moments& x : moments)
     if (x.mass > 0)
       x.centroid = (1 / x.mass) * x.centroid;
-  for (Index f = 0; f < faces; ++f) {
-    checkpoint.pass();
-    Moments& x = moments[labels[f]];
+  for_each_in_groups(execution, clusters, moments.size(), checkpoint, [&](Index f) {
+    Derived& x = moments[clusters[f]];
     const Vector d = input.centroid(f) - x.centroid;
     x.inertia += input.mass(f) * dot(d, d);
-  }
+    also(x, f);
+  });
 }
 
 } // namespace internal

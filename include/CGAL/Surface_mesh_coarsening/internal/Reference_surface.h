@@ -38,6 +38,13 @@ public:
   // The mean normal of the faces of a cluster, the shorter the more they are bent.
   const Vector& normal(Index cluster) const { return normals_[cluster]; }
 
+  // Whether the clusters of a coarse triangle have any.
+  bool has_area(const Triangle& t) const
+  {
+    constexpr Vector none{{0, 0, 0}};
+    return std::any_of(t.begin(), t.end(), [&](Index x) { return normals_[x] != none; });
+  }
+
   // Whether a coarse triangle looks away from the surface at the closest point of its clusters. That is looked for only where
   // the mean normals are not enough. Where the point lies on an edge, or several are as close, roundings do not choose: all
   // faces there count.

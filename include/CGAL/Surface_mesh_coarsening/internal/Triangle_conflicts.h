@@ -158,11 +158,14 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
         pairs.push_back(waiting[i]);
     waiting.clear();
   };
-  box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Triangle_box& a, const Triangle_box& b) {
+  const auto note_pair = [&](const Triangle_box& a, const Triangle_box& b) {
     waiting.push_back(std::minmax(a.info(), b.info()));
     if (waiting.size() == 1 << 16)
       test_waiting();
-  });
+  };
+  constexpr std::ptrdiff_t compared_one_by_one = 200; // boxes; CGAL's default of 10 takes longer
+  box_self_intersection_d(boxes.begin(), boxes.end(), note_pair, Box_intersection_d::Box_traits_d<Triangle_box>(),
+                          compared_one_by_one);
   test_waiting();
   sort_unique(pairs);
   return pairs;

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -75,6 +76,31 @@ void for_each_number(Execution execution, std::size_t n, const Checkpoint& check
     for (std::size_t i = begin; i < end; ++i)
       work(Index(i));
   });
+}
+
+// Calls `work(i)` for the numbers of the groups, in their order in each group: one thread at a time goes through a group.
+template <class Work>
+void for_each_in_groups(Execution execution, const std::vector<Index>& group, std::size_t number_of_groups,
+                        const Checkpoint& checkpoint, const Work& work)
+{
+  if (execution == Execution::SEQUENTIAL) {
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      checkpoint.pass();
+      work(Index(i));
+    }
+    return;
+  }
+  constexpr std::size_t at_a_time = 1 << 16, parts = 4; // each part looks at the groups of all numbers
+  for (std::size_t first = 0; first < group.size(); first += at_a_time) {
+    const std::size_t last = (std::min)(group.size(), first + at_a_time);
+    checkpoint.pass(last - first);
+    for_each_chunk(execution, number_of_groups, (number_of_groups + parts - 1) / parts,
+                   [&](std::size_t, std::size_t begin, std::size_t end) {
+                     for (std::size_t i = first; i < last; ++i)
+                       if (group[i] >= begin && group[i] < end)
+                         work(Index(i));
+                   });
+  }
 }
 
 // The smallest of the numbers from 0 to `n` of which `is_found` holds; `n` if there is none.
