@@ -224,7 +224,11 @@ BOOST_AUTO_TEST_CASE(degenerate_geometry)
 {
   const double tiny = std::numeric_limits<double>::denorm_min();
   check_coarsened(squashed(sphere(), 1, 1, 0), 40); // a sphere pressed flat
-  check_coarsened(squashed(sphere(), 1, 0, 0), 40); // all on a line: no face has an area
+  // All on a line: no face has an area, or only what roundings make of it. There is nothing to repair.
+  for (const Soup& line : {squashed(sphere(), 1, 0, 0), generated::with_points(sphere(), [](const generated::Point& p) {
+         return generated::Point{p[0], 0.3 * p[0], 0.7 * p[0]};
+       })})
+    BOOST_CHECK_EQUAL(check_coarsened(test::to_mesh(line), 40).reversals_found, 0u);
   check_coarsened(squashed(sphere(), 0, 0, 0), 40); // all points are one
   check_coarsened(squashed(generated::triangulated(generated::torus(20, 12)), 0, 0, 0), 30);
   check_coarsened(squashed(generated::grid(9, 9), 0, 0, 0), 20);

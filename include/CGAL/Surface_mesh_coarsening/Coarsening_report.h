@@ -44,7 +44,8 @@ struct Coarsening_report
   std::size_t intersections_found = 0;
   /// the number of such pairs that the repair left, or the least that it left of several clusterings.
   std::size_t intersections_left = 0;
-  /// the number of triangles that were degenerate after the placement, or looked away from the surface they stand for.
+  /// the number of triangles that were degenerate after the placement, or looked away from the surface they stand for, where
+  /// that has an area.
   std::size_t reversals_found = 0;
   /// the number of such triangles that the repair left.
   std::size_t reversals_left = 0;

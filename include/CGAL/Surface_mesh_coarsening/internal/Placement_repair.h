@@ -135,12 +135,12 @@ private:
     return reference_.intersects_itself(coarse_.triangles()[pair.first], coarse_.triangles()[pair.second]);
   }
 
-  // Or without area, where the input has some.
+  // Or without area. Where the input has none, triangles need not have any, and look nowhere.
   bool is_reversed(Index t) const
   {
     const Triangle& triangle = coarse_.triangles()[t];
-    return (reference_.has_area(triangle) && Triangle_conflict(points_).is_flat(triangle)) ||
-           reference_.is_against(triangle, positions_);
+    return reference_.has_area(triangle) &&
+           (Triangle_conflict(points_).is_flat(triangle) || reference_.is_against(triangle, positions_));
   }
 
   void repair_faults()

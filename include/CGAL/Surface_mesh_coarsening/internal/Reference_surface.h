@@ -35,10 +35,10 @@ public:
     });
   }
 
-  // The mean normal of the faces of a cluster, the shorter the more they are bent.
+  // The mean normal of the faces of a cluster, the shorter the more they are bent. It is zero where they have no area.
   const Vector& normal(Index cluster) const { return normals_[cluster]; }
 
-  // Whether the clusters of a coarse triangle have any.
+  // Whether any of the clusters of a coarse triangle has an area.
   bool has_area(const Triangle& t) const
   {
     constexpr Vector none{{0, 0, 0}};
@@ -116,13 +116,19 @@ private:
 
   Vector mean_normal(std::size_t cluster) const
   {
+    constexpr double rounding = 1e-13; // what the rounding of coordinates makes of the area of points on a line
     Vector sum{{0, 0, 0}};
-    double area = 0;
+    double area = 0, reach = 0;
+    const Vector& first = surface_.point(*surface_.vertices(*surface_.faces(cluster).begin()).begin());
     for (const Index f : surface_.faces(cluster)) {
       sum = sum + vector_area(surface_.input().mesh, f);
       area += surface_.area(f);
+      for (const Index v : surface_.vertices(f)) {
+        const Vector d = surface_.point(v) - first;
+        reach = (std::max)(reach, dot(d, d));
+      }
     }
-    return area > 0 ? (1 / area) * sum : sum;
+    return area > rounding * reach ? (1 / area) * sum : Vector{{0, 0, 0}};
   }
 
   struct Ball
