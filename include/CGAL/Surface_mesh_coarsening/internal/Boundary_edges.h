@@ -22,7 +22,7 @@ namespace internal {
 typedef unsigned char Change_times;
 constexpr Change_times at_any_time = 1, in_last_round = 2, in_this_round = 4;
 
-// The edges between clusters, in the order in which they came to be, and what a test of one needs: the terms of its two faces,
+// The edges between clusters, in the order in which they came to be listed, and what a test of one needs: the terms of its two faces,
 // which are kept with it, as the list is gone through in order and the faces of the mesh are not.
 //
 // In most rounds most clusters remain what they were. Which edges lie at one that has changed is seen from the clusters on their
@@ -45,9 +45,10 @@ public:
     change_.push_back(0); // nowhere, nothing changes
   }
 
+  // Lists them face by face. If the checkpoint ends that early, it has to be done again before anything else is asked for.
   void list_all(const Checkpoint& checkpoint, Execution execution)
   {
-    is_listed_.assign(mesh_.corner_vertex.size(), false);
+    clear();
     for (Index f = 0; f < Index(mesh_.number_of_faces()); ++f) {
       checkpoint.pass();
       for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
@@ -59,7 +60,9 @@ public:
         list_new(execution);
     }
     list_new(execution);
+    is_complete_ = true;
   }
+  bool is_complete() const { return is_complete_; }
 
   std::size_t size() const { return edges_.size(); }
   // The two faces at an edge, that of the smaller index first.
@@ -100,9 +103,15 @@ public:
     }
   }
 
-  // Edges that came to lie within a cluster leave the list; those that came to lie between two, and still do, are added.
-  void update(Execution execution)
+  // Edges that came to lie within a cluster leave the list; those that came to lie between two, and still do, are added. A long
+  // list is made anew when half of it are edges added, which each round goes through the whole mesh once more for.
+  void update(const Checkpoint& checkpoint, Execution execution)
   {
+    added_ += new_edges_.size();
+    if (size() >= long_list && added_ > size() / 2) {
+      list_all(checkpoint, execution);
+      return;
+    }
     look_up_changed(execution);
     for (const std::vector<Index>& part : inner_)
       for (const Index i : part)
@@ -127,6 +136,18 @@ private:
   };
 
   static constexpr std::size_t new_at_a_time = 1024; // they stay in the caches
+  static constexpr std::size_t long_list = 1 << 18;  // what it is about does not stay in the caches
+
+  void clear()
+  {
+    is_complete_ = false;
+    is_listed_.assign(mesh_.corner_vertex.size(), false);
+    new_edges_.clear();
+    edges_ = Chunked_list<Edge>();
+    terms_ = Chunked_list<Terms>();
+    clusters_ = Chunked_list<std::array<Index, 2> >();
+    taken_out_ = added_ = 0;
+  }
 
   // Does what `list_changed()` does with the edges from `begin` to `end`, which follow each other in memory. Returns how many
   // have not been taken out.
@@ -248,6 +269,8 @@ private:
   std::vector<std::optional<Terms> > fresh_; // of some of them
   std::vector<std::vector<Index> > inner_;   // edges within clusters, chunk by chunk
   std::size_t taken_out_ = 0;                // edges that are in the lists still
+  std::size_t added_ = 0;                    // edges since all were listed
+  bool is_complete_ = false;
   // Of each edge:
   Chunked_list<Edge> edges_;
   Chunked_list<Terms> terms_;

@@ -152,6 +152,8 @@ private:
   // Over the edges at clusters that have changed at one of the times.
   std::size_t run(Change_times times)
   {
+    if (!edges_.is_complete()) // cancelled while they were listed
+      edges_.list_all(checkpoint_, execution_);
     std::size_t moves = 0;
     const std::size_t edges = edges_.size();
     for (std::size_t begin = 0, end; begin < edges; begin = end) {
@@ -165,7 +167,7 @@ private:
         }
     }
     if (moves > 0)
-      edges_.update(execution_);
+      edges_.update(checkpoint_, execution_);
     return moves;
   }
 

@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_NEAREST_POINT_SEARCH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_NEAREST_POINT_SEARCH_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Grouped.h>
@@ -99,32 +100,9 @@ public:
   }
 
 private:
-  struct Box
-  {
-    Vector low{{infinity(), infinity(), infinity()}}, high{{-infinity(), -infinity(), -infinity()}};
-
-    static double infinity() { return (std::numeric_limits<double>::infinity)(); }
-    void add(const Vector& p)
-    {
-      for (int i = 0; i < 3; ++i) {
-        low[i] = (std::min)(low[i], p[i]);
-        high[i] = (std::max)(high[i], p[i]);
-      }
-    }
-    double squared_distance(const Vector& p) const
-    {
-      double sum = 0;
-      for (int i = 0; i < 3; ++i) {
-        const double d = (std::max)((std::max)(low[i] - p[i], p[i] - high[i]), 0.);
-        sum += d * d;
-      }
-      return sum;
-    }
-  };
-
   struct Node
   {
-    Box box;
+    Bounding_box box;
     Index left = NONE, right = NONE, group = NONE;
   };
 
@@ -132,7 +110,7 @@ private:
   {
     const Index number = Index(node_.size());
     node_.emplace_back();
-    Box box, centers;
+    Bounding_box box, centers;
     for (std::size_t i = begin; i < end; ++i) {
       box.add(box_[groups[i]].low);
       box.add(box_[groups[i]].high);
@@ -162,7 +140,7 @@ private:
 
   const Flat_mesh& mesh_;
   Grouped<Index> faces_; // of each group
-  std::vector<Box> box_; // of each group
+  std::vector<Bounding_box> box_; // of each group
   std::vector<Node> node_;
 };
 

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFERENCE_SURFACE_H
 
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Input_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Triangle_conflicts.h>
@@ -27,11 +28,14 @@ class Reference_surface
 {
 public:
   explicit Reference_surface(const Clustered_surface& surface)
-    : surface_(surface), input_(surface.input().mesh), normals_(surface.number_of_clusters(), Vector{{0, 0, 0}})
+    : surface_(surface), input_(surface.input().mesh), normals_(surface.number_of_clusters(), Vector{{0, 0, 0}}),
+      boxes_(surface.number_of_clusters())
   {
     for_each_chunk(surface.execution(), normals_.size(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t x = begin; x < end; ++x)
+      for (std::size_t x = begin; x < end; ++x) {
         normals_[x] = mean_normal(x);
+        boxes_[x] = boxes_of_blocks(x);
+      }
     });
   }
 
@@ -55,10 +59,16 @@ public:
     if (dot(n, mean) > 0.5 * size * std::sqrt(dot(mean, mean)))
       return false;
     const Vector middle = (1. / 3) * (positions[t[0]] + positions[t[1]] + positions[t[2]]);
-    double nearest = std::numeric_limits<double>::infinity();
+    double nearest = squared_distance_from_nearest_block(middle, t);
     std::vector<std::pair<double, Index> > faces;
     for (const Index x : t)
-      for (const Index f : surface_.faces(x)) {
+      for (std::size_t i = 0; i < surface_.faces(x).size(); ++i) {
+        if (i % block == 0 && !boxes_[x].empty() &&
+            boxes_[x][i / block].squared_distance(middle) > same_as(nearest, size)) {
+          i += block - 1;
+          continue;
+        }
+        const Index f = surface_.faces(x).begin()[i];
         const double squared_distance = input_.closest_on_face(middle, f).squared_distance;
         if (squared_distance <= same_as(nearest, size))
           faces.emplace_back(squared_distance, f);
@@ -131,6 +141,44 @@ private:
     return area > rounding * reach ? (1 / area) * sum : Vector{{0, 0, 0}};
   }
 
+  // Clusters of many faces have boxes of blocks of them, so that not all are looked at where the nearest is looked for.
+  static constexpr std::size_t block = 32, many = 256;
+
+  std::vector<Bounding_box> boxes_of_blocks(std::size_t cluster) const
+  {
+    const Clustered_surface::Range faces = surface_.faces(cluster);
+    if (faces.size() < many)
+      return {};
+    std::vector<Bounding_box> boxes((faces.size() + block - 1) / block);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (const Index v : surface_.vertices(faces.begin()[i]))
+        boxes[i / block].add(surface_.point(v));
+    return boxes;
+  }
+
+  // The squared distance of the block whose box is nearest; infinite where there are no boxes.
+  double squared_distance_from_nearest_block(const Vector& p, const Triangle& t) const
+  {
+    double least = std::numeric_limits<double>::infinity(), nearest = least;
+    Index cluster = NONE;
+    std::size_t number = 0;
+    for (const Index x : t)
+      for (std::size_t i = 0; i < boxes_[x].size(); ++i) {
+        const double d = boxes_[x][i].squared_distance(p);
+        if (d < least) {
+          least = d;
+          cluster = x;
+          number = i;
+        }
+      }
+    if (cluster == NONE)
+      return nearest;
+    const Clustered_surface::Range faces = surface_.faces(cluster);
+    for (std::size_t i = number * block; i < (std::min)((number + 1) * block, faces.size()); ++i)
+      nearest = (std::min)(nearest, input_.closest_on_face(p, faces.begin()[i]).squared_distance);
+    return nearest;
+  }
+
   struct Ball
   {
     Vector center;
@@ -178,9 +226,9 @@ private:
     const auto known = intersecting_.find({x, y});
     if (known != intersecting_.end())
       return known->second;
-    std::vector<Triangle> all = pieces(x);
+    std::vector<Triangle> all = pieces_at(x, box_of(y));
     const std::ptrdiff_t of_x = std::ptrdiff_t(all.size());
-    const std::vector<Triangle> of_y = pieces(y);
+    const std::vector<Triangle> of_y = pieces_at(y, box_of(x));
     all.insert(all.end(), of_y.begin(), of_y.end());
     std::vector<Exact_point> points;
     const std::vector<Triangle> named = name_common_points(all, points);
@@ -200,14 +248,29 @@ private:
     return std::find_first_of(t.begin(), t.end(), u.begin(), u.end()) != t.end();
   }
 
-  // The faces of a cluster, as fans.
-  std::vector<Triangle> pieces(Index x) const
+  Bounding_box box_of(Index x) const
+  {
+    Bounding_box box;
+    for (const Index f : surface_.faces(x))
+      for (const Index v : surface_.vertices(f))
+        box.add(surface_.point(v));
+    return box;
+  }
+
+  // The faces of a cluster, as fans, as far as they may have to do with what is in a box.
+  std::vector<Triangle> pieces_at(Index x, const Bounding_box& box) const
   {
     std::vector<Triangle> triangles;
     for (const Index f : surface_.faces(x)) {
       const Clustered_surface::Range v = surface_.vertices(f);
-      for (std::size_t i = 2; i < v.size(); ++i)
-        triangles.push_back({v.begin()[0], v.begin()[i - 1], v.begin()[i]});
+      for (std::size_t i = 2; i < v.size(); ++i) {
+        const Triangle t{v.begin()[0], v.begin()[i - 1], v.begin()[i]};
+        Bounding_box around;
+        for (const Index corner : t)
+          around.add(surface_.point(corner));
+        if (around.overlaps(box))
+          triangles.push_back(t);
+      }
     }
     return triangles;
   }
@@ -232,6 +295,7 @@ private:
   const Clustered_surface& surface_;
   Input_surface input_;
   std::vector<Vector> normals_;
+  std::vector<std::vector<Bounding_box> > boxes_; // of each cluster, in the order of its faces
   std::map<std::pair<Index, Index>, bool> intersecting_; // pairs of clusters that were looked at
 };
 
