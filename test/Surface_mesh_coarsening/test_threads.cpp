@@ -90,6 +90,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(same_result, Weight, Weights)
 BOOST_AUTO_TEST_CASE(same_result_of_a_large_mesh)
 {
   const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(7), 0.001));
-  const Result sequential = coarsened<CGAL::Sequential_tag, SMC::Uniform_weight>(mesh, 130000);
-  BOOST_CHECK((coarsened<CGAL::Parallel_if_available_tag, SMC::Uniform_weight>(mesh, 130000) == sequential));
+  const Result sequential = coarsened<CGAL::Sequential_tag, SMC::Uniform_weight>(mesh, 40000);
+  BOOST_CHECK((coarsened<CGAL::Parallel_if_available_tag, SMC::Uniform_weight>(mesh, 40000) == sequential));
 }

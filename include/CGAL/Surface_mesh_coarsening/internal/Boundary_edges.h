@@ -136,7 +136,7 @@ private:
   };
 
   static constexpr std::size_t new_at_a_time = 1024; // they stay in the caches
-  static constexpr std::size_t long_list = 1 << 18;  // what it is about does not stay in the caches
+  static constexpr std::size_t long_list = 1 << 17;  // what it is about does not stay in the caches
 
   void clear()
   {
