@@ -103,8 +103,9 @@ public:
     }
   }
 
-  // Edges that came to lie within a cluster leave the list; those that came to lie between two, and still do, are added. A long
-  // list is made anew when half of it are edges added, which each round goes through the whole mesh once more for.
+  // Edges that came to lie within a cluster leave the list; those that came to lie between two, and still do, are added at its
+  // end: so to go through the list is to go through the mesh once for each round that added some. Where it is long, that takes
+  // more time than to make it anew when half of it was added.
   void update(const Checkpoint& checkpoint, Execution execution)
   {
     added_ += new_edges_.size();
