@@ -83,7 +83,8 @@ template <class Work>
 void for_each_in_groups(Execution execution, const std::vector<Index>& group, std::size_t number_of_groups,
                         const Checkpoint& checkpoint, const Work& work)
 {
-  if (execution == Execution::SEQUENTIAL) {
+  constexpr std::size_t few = 4096; // threads would take longer to begin
+  if (execution == Execution::SEQUENTIAL || group.size() < few) {
     for (std::size_t i = 0; i < group.size(); ++i) {
       checkpoint.pass();
       work(Index(i));
