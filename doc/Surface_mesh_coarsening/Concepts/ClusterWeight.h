@@ -44,7 +44,7 @@ public:
   /// constructed object is that of a cluster without faces.
   typedef unspecified_type Cluster_data;
 
-  /// returns what is to be kept of a face of density `density` and area `area`. It is called several times for a face.
+  /// returns what is to be kept of a face of density `density` and area `area`. It may be called several times for a face.
   Face_data face_data(double density, double area) const;
 
   /// brings `data` up to date after face `face` has joined the cluster.

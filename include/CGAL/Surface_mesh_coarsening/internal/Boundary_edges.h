@@ -22,8 +22,8 @@ namespace internal {
 typedef unsigned char Change_times;
 constexpr Change_times at_any_time = 1, in_last_round = 2, in_this_round = 4;
 
-// The edges between clusters, in the order in which they came to be listed, and what a test of one needs: the terms of its two faces,
-// which are kept with it, as the list is gone through in order and the faces of the mesh are not.
+// The edges between clusters, in the order in which they came to be listed, and what a test of one needs: the terms of its two
+// faces, which are kept with it, as the list is gone through in order and the faces of the mesh are not.
 //
 // In most rounds most clusters remain what they were. Which edges lie at one that has changed is seen from the clusters on their
 // two sides, as they were when the edge was last looked at: had they become others since, they would have changed.

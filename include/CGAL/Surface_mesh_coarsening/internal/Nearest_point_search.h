@@ -3,10 +3,10 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_NEAREST_POINT_SEARCH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_NEAREST_POINT_SEARCH_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Grouped.h>
+#include <CGAL/Surface_mesh_coarsening/internal/boxes.h>
 
 #include <algorithm>
 #include <limits>
@@ -55,7 +55,7 @@ public:
     for (std::size_t x = 0; x < groups; ++x)
       for (const Index f : faces_[x])
         for (Index c = mesh.first_corner[f]; c != mesh.first_corner[f + 1]; ++c)
-          box_[x].add(mesh.points[mesh.corner_vertex[c]]);
+          box_[x] += box_of_point(mesh.points[mesh.corner_vertex[c]]);
     std::vector<Index> all;
     for (std::size_t x = 0; x < groups; ++x)
       if (!faces_[x].empty())
@@ -76,14 +76,15 @@ public:
       const Node& n = node_[stack.back()];
       stack.pop_back();
       // A foot point may come out nearer than the box by a rounding.
-      if (n.box.squared_distance(p) > (1 + 1e-12) * nearest.squared_distance)
+      if (squared_distance_from_box(p, n.box) > (1 + 1e-12) * nearest.squared_distance)
         continue;
       if (n.group != NONE) {
         if (n.group != first_group)
           improve_in(p, n.group, nearest, near_enough);
         continue;
       }
-      const bool left_first = node_[n.left].box.squared_distance(p) < node_[n.right].box.squared_distance(p);
+      const bool left_first =
+        squared_distance_from_box(p, node_[n.left].box) < squared_distance_from_box(p, node_[n.right].box);
       stack.push_back(left_first ? n.right : n.left);
       stack.push_back(left_first ? n.left : n.right);
     }
@@ -102,7 +103,7 @@ public:
 private:
   struct Node
   {
-    Bounding_box box;
+    Bbox_3 box;
     Index left = NONE, right = NONE, group = NONE;
   };
 
@@ -110,21 +111,18 @@ private:
   {
     const Index number = Index(node_.size());
     node_.emplace_back();
-    Bounding_box box, centers;
+    Bbox_3 box, centers;
     for (std::size_t i = begin; i < end; ++i) {
-      box.add(box_[groups[i]].low);
-      box.add(box_[groups[i]].high);
-      centers.add(center(groups[i]));
+      box += box_[groups[i]];
+      centers += box_of_point(center(groups[i]));
     }
     node_[number].box = box;
     if (end - begin == 1) {
       node_[number].group = groups[begin];
       return number;
     }
-    int axis = 0;
-    for (int i = 1; i < 3; ++i)
-      if (centers.high[i] - centers.low[i] > centers.high[axis] - centers.low[axis])
-        axis = i;
+    const Vector extent = high_corner(centers) - low_corner(centers);
+    const std::size_t axis = std::max_element(extent.begin(), extent.end()) - extent.begin();
     const std::size_t middle = begin + (end - begin) / 2;
     std::nth_element(groups.begin() + begin, groups.begin() + middle, groups.begin() + end, [&](Index x, Index y) {
       const double a = center(x)[axis], b = center(y)[axis];
@@ -136,11 +134,11 @@ private:
     return number;
   }
 
-  Vector center(Index group) const { return 0.5 * (box_[group].low + box_[group].high); }
+  Vector center(Index group) const { return 0.5 * (low_corner(box_[group]) + high_corner(box_[group])); }
 
   const Flat_mesh& mesh_;
   Grouped<Index> faces_; // of each group
-  std::vector<Bounding_box> box_; // of each group
+  std::vector<Bbox_3> box_; // of each group
   std::vector<Node> node_;
 };
 

@@ -4,10 +4,10 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFERENCE_SURFACE_H
 
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Bounding_box.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Coarse_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Input_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Triangle_conflicts.h>
+#include <CGAL/Surface_mesh_coarsening/internal/boxes.h>
 #include <CGAL/Surface_mesh_coarsening/internal/face_geometry.h>
 #include <CGAL/Surface_mesh_coarsening/internal/sort_unique.h>
 
@@ -29,12 +29,15 @@ class Reference_surface
 public:
   explicit Reference_surface(const Clustered_surface& surface)
     : surface_(surface), input_(surface.input().mesh), normals_(surface.number_of_clusters(), Vector{{0, 0, 0}}),
-      boxes_(surface.number_of_clusters())
+      first_block_(surface.number_of_clusters() + 1, 0)
   {
+    for (std::size_t x = 0; x < normals_.size(); ++x)
+      first_block_[x + 1] = first_block_[x] + (surface.faces(x).size() + faces_of_block - 1) / faces_of_block;
+    box_of_block_.resize(first_block_.back());
     for_each_chunk(surface.execution(), normals_.size(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t x = begin; x < end; ++x) {
+        for_each_block(x, [this](const Face_range& faces, std::size_t i) { box_of_block_[i] = box_of_faces(faces); });
         normals_[x] = mean_normal(x);
-        boxes_[x] = boxes_of_blocks(x);
       }
     });
   }
@@ -62,18 +65,16 @@ public:
     double nearest = squared_distance_from_nearest_block(middle, t);
     std::vector<std::pair<double, Index> > faces;
     for (const Index x : t)
-      for (std::size_t i = 0; i < surface_.faces(x).size(); ++i) {
-        if (i % block == 0 && !boxes_[x].empty() &&
-            boxes_[x][i / block].squared_distance(middle) > same_as(nearest, size)) {
-          i += block - 1;
-          continue;
+      for_each_block(x, [&](const Face_range& block, std::size_t i) {
+        if (squared_distance_from_box(middle, box_of_block_[i]) > same_as(nearest, size))
+          return;
+        for (const Index f : block) {
+          const double squared_distance = input_.closest_on_face(middle, f).squared_distance;
+          if (squared_distance <= same_as(nearest, size))
+            faces.emplace_back(squared_distance, f);
+          nearest = (std::min)(nearest, squared_distance);
         }
-        const Index f = surface_.faces(x).begin()[i];
-        const double squared_distance = input_.closest_on_face(middle, f).squared_distance;
-        if (squared_distance <= same_as(nearest, size))
-          faces.emplace_back(squared_distance, f);
-        nearest = (std::min)(nearest, squared_distance);
-      }
+      });
     Vector there{{0, 0, 0}};
     for (const auto& [squared_distance, f] : faces)
       if (squared_distance <= same_as(nearest, size))
@@ -124,58 +125,67 @@ private:
     return 1.000000001 * squared_distance + 1e-18 * squared_size;
   }
 
+  typedef Clustered_surface::Range Face_range;
+
+  // The faces of a cluster are looked through for the nearest one in blocks of so many, in their order, each with its box.
+  static constexpr std::size_t faces_of_block = 32;
+
+  // Calls `visit(faces, number)` for each block.
+  template <class Visit>
+  void for_each_block(std::size_t cluster, const Visit& visit) const
+  {
+    const Face_range faces = surface_.faces(cluster);
+    std::size_t number = first_block_[cluster];
+    for (auto begin = faces.begin(); begin != faces.end(); ++number) {
+      const auto end = begin + (std::min)(std::ptrdiff_t(faces_of_block), faces.end() - begin);
+      visit(Face_range(begin, end), number);
+      begin = end;
+    }
+  }
+
+  Bbox_3 box_of_faces(const Face_range& faces) const
+  {
+    Bbox_3 box;
+    for (const Index f : faces)
+      for (const Index v : surface_.vertices(f))
+        box += box_of_point(surface_.point(v));
+    return box;
+  }
+
+  Bbox_3 box_of_cluster(std::size_t cluster) const
+  {
+    Bbox_3 all;
+    for_each_block(cluster, [&](const Face_range&, std::size_t i) { all += box_of_block_[i]; });
+    return all;
+  }
+
   Vector mean_normal(std::size_t cluster) const
   {
     constexpr double rounding = 1e-13; // what the rounding of coordinates makes of the area of points on a line
     Vector sum{{0, 0, 0}};
-    double area = 0, reach = 0;
-    const Vector& first = surface_.point(*surface_.vertices(*surface_.faces(cluster).begin()).begin());
+    double area = 0;
     for (const Index f : surface_.faces(cluster)) {
       sum = sum + vector_area(surface_.input().mesh, f);
       area += surface_.area(f);
-      for (const Index v : surface_.vertices(f)) {
-        const Vector d = surface_.point(v) - first;
-        reach = (std::max)(reach, dot(d, d));
-      }
     }
-    return area > rounding * reach ? (1 / area) * sum : Vector{{0, 0, 0}};
+    return area > rounding * squared_diagonal(box_of_cluster(cluster)) ? (1 / area) * sum : Vector{{0, 0, 0}};
   }
 
-  // Clusters of many faces have boxes of blocks of them, so that not all are looked at where the nearest is looked for.
-  static constexpr std::size_t block = 32, many = 256;
-
-  std::vector<Bounding_box> boxes_of_blocks(std::size_t cluster) const
-  {
-    const Clustered_surface::Range faces = surface_.faces(cluster);
-    if (faces.size() < many)
-      return {};
-    std::vector<Bounding_box> boxes((faces.size() + block - 1) / block);
-    for (std::size_t i = 0; i < faces.size(); ++i)
-      for (const Index v : surface_.vertices(faces.begin()[i]))
-        boxes[i / block].add(surface_.point(v));
-    return boxes;
-  }
-
-  // The squared distance of the block whose box is nearest; infinite where there are no boxes.
+  // The squared distance of the block whose box is nearest.
   double squared_distance_from_nearest_block(const Vector& p, const Triangle& t) const
   {
-    double least = std::numeric_limits<double>::infinity(), nearest = least;
-    Index cluster = NONE;
-    std::size_t number = 0;
+    double from_box = std::numeric_limits<double>::infinity(), nearest = from_box;
+    Face_range block(nullptr, nullptr);
     for (const Index x : t)
-      for (std::size_t i = 0; i < boxes_[x].size(); ++i) {
-        const double d = boxes_[x][i].squared_distance(p);
-        if (d < least) {
-          least = d;
-          cluster = x;
-          number = i;
+      for_each_block(x, [&](const Face_range& faces, std::size_t i) {
+        const double d = squared_distance_from_box(p, box_of_block_[i]);
+        if (d < from_box) {
+          from_box = d;
+          block = faces;
         }
-      }
-    if (cluster == NONE)
-      return nearest;
-    const Clustered_surface::Range faces = surface_.faces(cluster);
-    for (std::size_t i = number * block; i < (std::min)((number + 1) * block, faces.size()); ++i)
-      nearest = (std::min)(nearest, input_.closest_on_face(p, faces.begin()[i]).squared_distance);
+      });
+    for (const Index f : block)
+      nearest = (std::min)(nearest, input_.closest_on_face(p, f).squared_distance);
     return nearest;
   }
 
@@ -226,9 +236,9 @@ private:
     const auto known = intersecting_.find({x, y});
     if (known != intersecting_.end())
       return known->second;
-    std::vector<Triangle> all = pieces_at(x, box_of(y));
+    std::vector<Triangle> all = pieces_at(x, box_of_cluster(y));
     const std::ptrdiff_t of_x = std::ptrdiff_t(all.size());
-    const std::vector<Triangle> of_y = pieces_at(y, box_of(x));
+    const std::vector<Triangle> of_y = pieces_at(y, box_of_cluster(x));
     all.insert(all.end(), of_y.begin(), of_y.end());
     std::vector<Exact_point> points;
     const std::vector<Triangle> named = name_common_points(all, points);
@@ -248,29 +258,16 @@ private:
     return std::find_first_of(t.begin(), t.end(), u.begin(), u.end()) != t.end();
   }
 
-  Bounding_box box_of(Index x) const
-  {
-    Bounding_box box;
-    for (const Index f : surface_.faces(x))
-      for (const Index v : surface_.vertices(f))
-        box.add(surface_.point(v));
-    return box;
-  }
-
   // The faces of a cluster, as fans, as far as they may have to do with what is in a box.
-  std::vector<Triangle> pieces_at(Index x, const Bounding_box& box) const
+  std::vector<Triangle> pieces_at(Index x, const Bbox_3& box) const
   {
     std::vector<Triangle> triangles;
     for (const Index f : surface_.faces(x)) {
+      if (!do_overlap(box_of_faces(Face_range(&f, &f + 1)), box))
+        continue;
       const Clustered_surface::Range v = surface_.vertices(f);
-      for (std::size_t i = 2; i < v.size(); ++i) {
-        const Triangle t{v.begin()[0], v.begin()[i - 1], v.begin()[i]};
-        Bounding_box around;
-        for (const Index corner : t)
-          around.add(surface_.point(corner));
-        if (around.overlaps(box))
-          triangles.push_back(t);
-      }
+      for (std::size_t i = 2; i < v.size(); ++i)
+        triangles.push_back({v.begin()[0], v.begin()[i - 1], v.begin()[i]});
     }
     return triangles;
   }
@@ -295,7 +292,8 @@ private:
   const Clustered_surface& surface_;
   Input_surface input_;
   std::vector<Vector> normals_;
-  std::vector<std::vector<Bounding_box> > boxes_; // of each cluster, in the order of its faces
+  std::vector<std::size_t> first_block_; // of each cluster
+  std::vector<Bbox_3> box_of_block_;
   std::map<std::pair<Index, Index>, bool> intersecting_; // pairs of clusters that were looked at
 };
 
