@@ -37,7 +37,7 @@ public:
   /// \param p the exponent, at least 1 and finite; the paper uses 10.
   /// \throws Invalid_input if it is not.
   explicit Maximum_density_weight(double p = 10)
-    : p_(p), whole_p_(p >= 1 && p <= 64 && p == std::floor(p) ? unsigned(p) : 0)
+    : p_(p), inverse_of_p_(1 / p), whole_p_(p >= 1 && p <= 64 && p == std::floor(p) ? unsigned(p) : 0)
   {
     if (!(p >= 1) || std::isinf(p))
       throw Invalid_input("the exponent of the maximum density weight is " + std::to_string(p));
@@ -56,7 +56,7 @@ public:
   double weight(const Cluster_data& data, double /* mass */, std::size_t /* faces */) const
   {
     const double sum = data.sum + data.error;
-    return sum > 0 ? std::pow(sum, 1 / p_) : 0;
+    return sum > 0 ? std::pow(sum, inverse_of_p_) : 0;
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -64,7 +64,7 @@ public:
   // t the part of the sum, (1 + t)^q >= 1 + q t - q (1 - q) t^2 / 2, and (1 - t)^q >= 1 / (1 + q t / (1 - t)).
   double least_weight_with(const Cluster_data& data, Face_data power, double weight) const
   {
-    const double sum = data.sum + data.error, q = 1 / p_;
+    const double sum = data.sum + data.error, q = inverse_of_p_;
     if (!(power < sum))
       return weight * rounding;
     const double t = power / sum;
@@ -97,7 +97,7 @@ private:
     data.sum = sum;
   }
 
-  double p_;
+  double p_, inverse_of_p_;
   unsigned whole_p_; // the same if it is a whole number; 0 if not
 };
 
