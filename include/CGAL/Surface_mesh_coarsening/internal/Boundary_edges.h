@@ -236,10 +236,14 @@ private:
   // Moves the edges up that come after others that were taken out. That is not worth it for a few.
   void close_gaps()
   {
-    const auto is_gone = [this](std::size_t i) { return clusters_[i][0] == nowhere_; };
-    edges_.remove_if(is_gone);
-    terms_.remove_if(is_gone);
-    clusters_.remove_if(is_gone);
+    std::vector<Index> gone;
+    gone.reserve(taken_out_);
+    for (std::size_t i = 0; i < size(); ++i)
+      if (clusters_[i][0] == nowhere_)
+        gone.push_back(Index(i));
+    edges_.remove(gone);
+    terms_.remove(gone);
+    clusters_.remove(gone);
     taken_out_ = 0;
   }
 

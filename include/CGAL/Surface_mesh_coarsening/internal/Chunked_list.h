@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CHUNKED_LIST_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CHUNKED_LIST_H
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -34,26 +35,35 @@ public:
     ++size_;
   }
 
-  // Takes the elements out of whose numbers `is_gone` holds; the others keep their order. An element is asked for before it, or
-  // one after it, is moved.
-  template <class Predicate>
-  void remove_if(const Predicate& is_gone)
+  // Takes the elements of these numbers, in ascending order, out; the others keep their order.
+  template <class Numbers>
+  void remove(const Numbers& gone)
   {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < size_; ++i) {
-      if (is_gone(i))
-        continue;
-      if (kept != i)
-        (*this)[kept] = (*this)[i];
-      ++kept;
-    }
-    size_ = kept;
+    if (gone.empty())
+      return;
+    std::size_t end = gone.front();
+    for (std::size_t i = 0; i < gone.size(); ++i)
+      end = move_down(gone[i] + 1, i + 1 < gone.size() ? gone[i + 1] : size_, end);
+    size_ = end;
     chunks_.resize((size_ + chunk - 1) / chunk);
     if (!chunks_.empty())
       chunks_.back().resize(size_ - (chunks_.size() - 1) * chunk);
   }
 
 private:
+  // Moves the elements from `begin` to `end` to where they begin with number `to`, below `begin`. Returns where they end then.
+  std::size_t move_down(std::size_t begin, std::size_t end, std::size_t to)
+  {
+    while (begin != end) {
+      const std::size_t n = (std::min)({end - begin, number_in_chunk_from(begin), number_in_chunk_from(to)});
+      const T* const first = &(*this)[begin];
+      std::copy(first, first + n, &(*this)[to]);
+      begin += n;
+      to += n;
+    }
+    return to;
+  }
+
   std::vector<std::vector<T> > chunks_;
   std::size_t size_ = 0;
 };

@@ -7,6 +7,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Feature_rules.h>
 #include <CGAL/Surface_mesh_coarsening/internal/prefetch.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <vector>
 
@@ -78,26 +80,40 @@ public:
   }
 
 private:
-  // Whether no vertex where more than three clusters meet is involved, before or after, and the face borders on at
-  // most one cluster more. Then the move slides a point where three clusters meet at the most, and the dual remains
-  // what it was.
+  // Whether the face borders on at most one cluster X more, and the dual remains what it was. Then the face has one end of its edge
+  // with X in common with its own cluster, and the other with the cluster that it joins; the point where the three meet slides
+  // along that edge, from the latter to the former. Where no more than three clusters meet, before and after, that is all. Where
+  // four do at one of the ends, the fan there has an edge between the apex and the cluster opposite to it. The dual remains what it
+  // was if that stands in for the edge of the mesh: if it joins X to the cluster with which X meets in the edge when the point is
+  // at the other end. At a vertex between the two clusters of the move, the apex has to remain what it was.
   bool only_slides(Index f, Index to) const
   {
     const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1], from = labels_[f];
-    const auto change = [&](Index c) {
-      const Index across = labels_.label_across(c);
-      return int(across == from) - int(across == to);
-    };
-    int others = 0, previous = change(end - 1);
+    Index before = labels_.label_across(end - 1);
+    int others = 0;
     for (Index c = begin; c != end; ++c) {
-      const int next = change(c);
-      const Index count = labels_.boundary_count(mesh_.corner_vertex[c]);
-      others += next == 0;
-      if (others > 1 || count > 3 || Index(int(count) + previous + next) > 3)
+      const Index after = labels_.label_across(c), v = mesh_.corner_vertex[c];
+      others += after != from && after != to;
+      if (others > 1 || !keeps_fan(f, to, v, before, after))
         return false;
-      previous = next;
+      before = after;
     }
     return true;
+  }
+
+  // The same at one vertex of the face, between edges beyond which the clusters `x` and `y` lie.
+  bool keeps_fan(Index f, Index to, Index v, Index x, Index y) const
+  {
+    const Index from = labels_[f];
+    const auto change = [&](Index label) { return int(label == from) - int(label == to); };
+    const int count = int(labels_.boundary_count(v)), difference = change(x) + change(y);
+    const int larger = count + (std::max)(0, difference);
+    if (larger != 4)
+      return larger < 4;
+    const Index first = mesh_.star[mesh_.first_in_star[v]];
+    if (first == f)
+      return false;
+    return difference == 0 ? change(x) != 0 : std::abs(difference) == 1 && (labels_[first] == x || labels_[first] == y);
   }
 
   // All edges that a move adds to the dual belong to the cluster that has grown: the dual remains simplicial if the
