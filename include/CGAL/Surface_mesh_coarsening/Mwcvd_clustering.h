@@ -275,7 +275,8 @@ private:
     reset_report();
     seeding_ = seed;
     iterations_ = 0;
-    initial_ = std::make_unique<internal::Initial_clustering>(input_, report_, internal::Checkpoint(visitor_));
+    initial_ =
+      std::make_unique<internal::Initial_clustering>(input_, report_, internal::Checkpoint(visitor_), execution_);
     all_or_nothing([&] { seed(*initial_); });
     visitor_.stage_ends(Coarsening_stage::SEEDING);
     return report_.seeds;

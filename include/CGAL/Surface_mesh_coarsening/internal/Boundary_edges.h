@@ -49,16 +49,14 @@ public:
   void list_all(const Checkpoint& checkpoint, Execution execution)
   {
     clear();
-    for (Index f = 0; f < Index(mesh_.number_of_faces()); ++f) {
-      checkpoint.pass();
-      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
-        const Index g = mesh_.face_across[c];
-        if (g != NONE && g > f && labels_[g] != labels_[f])
-          new_edges_.push_back({{{f, g}}, c});
-      }
-      if (new_edges_.size() >= new_at_a_time)
-        list_new(execution);
-    }
+    for_each_part<std::vector<Edge> >(
+      execution, mesh_.number_of_faces(), 4096, checkpoint,
+      [this](std::vector<Edge>& edges, std::size_t begin, std::size_t end) { find_edges(Index(begin), Index(end), edges); },
+      [&](const std::vector<Edge>& edges) {
+        new_edges_.insert(new_edges_.end(), edges.begin(), edges.end());
+        if (new_edges_.size() >= new_at_a_time)
+          list_new(execution);
+      });
     list_new(execution);
     is_complete_ = true;
   }
@@ -148,6 +146,18 @@ private:
     terms_ = Chunked_list<Terms>();
     clusters_ = Chunked_list<std::array<Index, 2> >();
     taken_out_ = added_ = 0;
+  }
+
+  // Finds those between clusters of the faces from `begin` to `end`, each at the face of the smaller index.
+  void find_edges(Index begin, Index end, std::vector<Edge>& edges) const
+  {
+    edges.clear();
+    for (Index f = begin; f != end; ++f)
+      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+        const Index g = mesh_.face_across[c];
+        if (g != NONE && g > f && labels_[g] != labels_[f])
+          edges.push_back({{{f, g}}, c});
+      }
   }
 
   // Does what `list_changed()` does with the edges from `begin` to `end`, which follow each other in memory. Returns how many

@@ -33,8 +33,8 @@ struct Component_seeds
 class Component_clustering
 {
 public:
-  Component_clustering(const Clustering_input& input, const Checkpoint& checkpoint)
-    : input_(input), checkpoint_(checkpoint), walk_(input.mesh, checkpoint) {}
+  Component_clustering(const Clustering_input& input, const Checkpoint& checkpoint, Execution execution)
+    : input_(input), checkpoint_(checkpoint), execution_(execution), walk_(input.mesh, checkpoint) {}
 
   Component_seeds seeds(const Face_range& faces, const Component_plan& plan)
   {
@@ -69,7 +69,7 @@ public:
       clusters = growth.cover(faces, clusters);
     }
 
-    Cluster_splitting<Face_range> splitting(labels, faces, clusters, checkpoint_, rules_or_none);
+    Cluster_splitting<Face_range> splitting(labels, faces, clusters, checkpoint_, execution_, rules_or_none);
     if (!splitting.run() || !plan.may_begin_with(splitting.number_of_clusters()))
       return 0;
     splits_ = splitting.number_of_splits();
@@ -78,10 +78,10 @@ public:
     if (splitting.number_of_clusters() <= plan.wanted())
       return splitting.number_of_clusters();
     Cluster_merging merging(input_, labels, faces, splitting.number_of_clusters(), !plan.is_on_ladder(),
-                            plan.from_pieces() && plan.is_on_ladder() && !input_.cells);
+                            plan.from_pieces() && plan.is_on_ladder() && !input_.cells, checkpoint_, execution_);
     if (input_.cells)
       merging.keep_features(*input_.cells, labels, faces);
-    merges_ = merging.run(plan.wanted(), checkpoint_);
+    merges_ = merging.run(plan.wanted());
     is_pinched_ = merging.has_joined_at_vertices();
     merging.relabel(labels, faces);
     return merging.number_of_clusters();
@@ -146,6 +146,7 @@ private:
 
   const Clustering_input& input_;
   Checkpoint checkpoint_;
+  Execution execution_;
   Seed_walk walk_;
   std::size_t splits_ = 0, merges_ = 0;
   bool is_pinched_ = false;

@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/Dual_walk.h>
 #include <CGAL/Surface_mesh_coarsening/internal/Grouped.h>
+#include <CGAL/Surface_mesh_coarsening/internal/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/sort_unique.h>
 
 #include <CGAL/assertions.h>
@@ -32,9 +33,11 @@ public:
 
   // The clusters of the faces `faces` of a component are numbered from 0 and have to be valid.
   template <class FaceRange>
-  Dual_surface(const Cluster_labels& labels, const FaceRange& faces, Index clusters) : clusters_(clusters)
+  Dual_surface(const Cluster_labels& labels, const FaceRange& faces, Index clusters, const Checkpoint& checkpoint = Checkpoint(),
+               Execution execution = Execution::SEQUENTIAL)
+    : clusters_(clusters)
   {
-    add_triangles(labels, faces);
+    add_triangles(labels, faces, checkpoint, execution);
     pair_edges();
     stamp_of_.assign(edge_of_.size(), 0);
     loop_of_.assign(clusters, NONE);
@@ -104,6 +107,33 @@ public:
   }
 
 private:
+  // The clusters around vertices where three meet or more.
+  struct Runs_at_vertices
+  {
+    // Of the vertices whose stars begin at one of the faces.
+    template <class Iterator>
+    void list(const Cluster_labels& labels, Iterator begin, Iterator end)
+    {
+      const Flat_mesh& m = labels.mesh();
+      runs.clear();
+      first.assign(1, 0);
+      for (Iterator i = begin; i != end; ++i)
+        for (Index c = m.first_corner[*i]; c != m.first_corner[*i + 1]; ++c) {
+          const Index v = m.corner_vertex[c];
+          if (m.star[m.first_in_star[v]] != *i)
+            continue;
+          runs_around(labels, v, at_vertex);
+          if (at_vertex.size() < 3)
+            continue;
+          runs.insert(runs.end(), at_vertex.begin(), at_vertex.end());
+          first.push_back(Index(runs.size()));
+        }
+    }
+
+    std::vector<Index> runs, first; // where those of each vertex begin, and where the last end
+    std::vector<Index> at_vertex;
+  };
+
   // Whether the third cluster of the triangle of `e` meets the two at the ends of `e` in arcs, and no others. These must not
   // become one: it would touch itself at the vertex where the fan is that the other neighbors of the third come from.
   bool tip_is_enclosed(Edge e) const
@@ -138,22 +168,18 @@ private:
   }
 
   template <class FaceRange>
-  void add_triangles(const Cluster_labels& labels, const FaceRange& faces)
+  void add_triangles(const Cluster_labels& labels, const FaceRange& faces, const Checkpoint& checkpoint, Execution execution)
   {
-    const Flat_mesh& m = labels.mesh();
-    std::vector<Index> runs, loops;
-    for (const Index f : faces)
-      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
-        const Index v = m.corner_vertex[c];
-        if (m.star[m.first_in_star[v]] != f)
-          continue;
-        runs_around(labels, v, runs);
-        if (Cluster_labels::is_beyond_border(runs.back())) {
-          if (runs.size() > 2)
-            loops.push_back(runs.back());
-        }
-        add_fan(runs);
-      }
+    std::vector<Index> loops;
+    for_each_part<Runs_at_vertices>(
+      execution, faces.size(), 4096, checkpoint,
+      [&](Runs_at_vertices& part, std::size_t begin, std::size_t end) {
+        part.list(labels, faces.begin() + begin, faces.begin() + end);
+      },
+      [&](const Runs_at_vertices& part) {
+        for (std::size_t i = 0; i + 1 < part.first.size(); ++i)
+          add_fan(part.runs.data() + part.first[i], part.runs.data() + part.first[i + 1], loops);
+      });
     // The loops of the component are numbered on from the clusters.
     sort_unique(loops);
     for (Index& x : source_)
@@ -162,12 +188,13 @@ private:
     edge_of_.assign(clusters_ + loops.size(), NONE);
   }
 
-  void add_fan(const std::vector<Index>& runs)
+  void add_fan(const Index* begin, const Index* end, std::vector<Index>& loops)
   {
-    const std::size_t n = runs.size();
-    for (std::size_t i = 2; i < n; ++i) {
-      source_.insert(source_.end(), {runs[0], runs[i - 1], runs[i]});
-      is_arc_.insert(is_arc_.end(), {i == 2, true, i + 1 == n});
+    if (Cluster_labels::is_beyond_border(end[-1]))
+      loops.push_back(end[-1]);
+    for (const Index* i = begin + 2; i != end; ++i) {
+      source_.insert(source_.end(), {*begin, i[-1], *i});
+      is_arc_.insert(is_arc_.end(), {i == begin + 2, true, i + 1 == end});
     }
   }
 

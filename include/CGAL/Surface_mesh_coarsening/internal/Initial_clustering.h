@@ -29,8 +29,8 @@ namespace internal {
 class Initial_clustering
 {
 public:
-  Initial_clustering(const Clustering_input& input, Coarsening_report& report, const Checkpoint& checkpoint)
-    : uncut_input_(&input), input_(&input), report_(report), checkpoint_(checkpoint)
+  Initial_clustering(const Clustering_input& input, Coarsening_report& report, const Checkpoint& checkpoint, Execution execution)
+    : uncut_input_(&input), input_(&input), report_(report), checkpoint_(checkpoint), execution_(execution)
   {
     const std::vector<Component>& components = input.mesh.components;
     for (const Component& c : components)
@@ -243,7 +243,7 @@ private:
     faces_.emplace(numbers_below(Index(m.number_of_faces())), m.components.size(), [&](Index f) { return m.component[f]; },
                    checkpoint_);
     labels_.emplace(m);
-    clustering_.emplace(*input_, checkpoint_);
+    clustering_.emplace(*input_, checkpoint_, execution_);
     std::fill(state_.begin(), state_.end(), State::NEW);
   }
 
@@ -360,6 +360,7 @@ private:
   std::optional<Clustering_input> joined_input_; // after growth, where clusters are joined at vertices
   Coarsening_report& report_;
   Checkpoint checkpoint_;
+  Execution execution_;
   std::size_t number_ = 0;
   bool may_exceed_number_ = false;       // where topology needs more
   std::optional<Grouped<Index> > faces_; // of each component

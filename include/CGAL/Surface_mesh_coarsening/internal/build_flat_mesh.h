@@ -186,29 +186,55 @@ Numbering<CGAL::Surface_mesh<Point> > number_elements(const CGAL::Surface_mesh<P
   return n;
 }
 
-// Copies the connectivity. The first corner of each face is the one of its vertex of the smallest number, so that the
-// arrays do not depend on which halfedge a face graph keeps for a face.
+// Faces one after the other.
+struct Face_list
+{
+  std::vector<Index> degree;
+  std::vector<Index> corner_vertex, face_across; // of each corner
+};
+
+// Lists the faces from `begin` to `end`. The first corner of each face is the one of its vertex of the smallest number, so that
+// the arrays do not depend on which halfedge a face graph keeps for a face.
 template <class FaceGraph>
-void copy_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, Flat_mesh& m, const Checkpoint& checkpoint)
+void list_faces(const FaceGraph& mesh, const Numbering<FaceGraph>& n, std::size_t begin, std::size_t end, Face_list& list)
+{
+  list.degree.clear();
+  list.corner_vertex.clear();
+  list.face_across.clear();
+  for (std::size_t f = begin; f != end; ++f) {
+    const std::size_t first = list.corner_vertex.size();
+    for (const auto h : halfedges_around_face(halfedge(n.faces[f], mesh), mesh)) {
+      const auto beyond = face(opposite(h, mesh), mesh);
+      list.corner_vertex.push_back(n.number_of(source(h, mesh)));
+      list.face_across.push_back(beyond == boost::graph_traits<FaceGraph>::null_face() ? NONE : n.number_of(beyond));
+    }
+    const auto corner = list.corner_vertex.begin() + first;
+    const std::size_t shift = std::min_element(corner, list.corner_vertex.end()) - corner;
+    std::rotate(corner, corner + shift, list.corner_vertex.end());
+    std::rotate(list.face_across.begin() + first, list.face_across.begin() + first + shift, list.face_across.end());
+    list.degree.push_back(Index(list.corner_vertex.size() - first));
+  }
+}
+
+// Copies the connectivity.
+template <class FaceGraph>
+void copy_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, Flat_mesh& m, const Checkpoint& checkpoint,
+                       Execution execution)
 {
   m.first_corner.reserve(n.faces.size() + 1);
   m.first_corner.push_back(0);
   m.corner_vertex.reserve(3 * n.faces.size());
   m.face_across.reserve(3 * n.faces.size());
-  for (const auto f : n.faces) {
-    checkpoint.pass();
-    const std::size_t begin = m.corner_vertex.size();
-    for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh)) {
-      const auto beyond = face(opposite(h, mesh), mesh);
-      m.corner_vertex.push_back(n.number_of(source(h, mesh)));
-      m.face_across.push_back(beyond == boost::graph_traits<FaceGraph>::null_face() ? NONE : n.number_of(beyond));
-    }
-    const auto smallest = std::min_element(m.corner_vertex.begin() + begin, m.corner_vertex.end());
-    const std::size_t shift = smallest - (m.corner_vertex.begin() + begin);
-    std::rotate(m.corner_vertex.begin() + begin, m.corner_vertex.begin() + begin + shift, m.corner_vertex.end());
-    std::rotate(m.face_across.begin() + begin, m.face_across.begin() + begin + shift, m.face_across.end());
-    m.first_corner.push_back(Index(m.corner_vertex.size()));
-  }
+  for_each_part<Face_list>(
+    execution, n.faces.size(), 1024, checkpoint,
+    [&](Face_list& list, std::size_t begin, std::size_t end) { list_faces(mesh, n, begin, end, list); },
+    [&](const Face_list& list) {
+      std::size_t corners = m.corner_vertex.size();
+      m.corner_vertex.insert(m.corner_vertex.end(), list.corner_vertex.begin(), list.corner_vertex.end());
+      m.face_across.insert(m.face_across.end(), list.face_across.begin(), list.face_across.end());
+      for (const Index degree : list.degree)
+        m.first_corner.push_back(Index(corners += degree));
+    });
   check_countable(m.corner_vertex.size(), "face corners");
 }
 

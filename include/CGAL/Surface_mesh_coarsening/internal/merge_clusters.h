@@ -39,9 +39,9 @@ public:
   // that meet in a vertex only, in an edge of the fan there; that leaves it to Joining_at_vertices to make discs of them.
   template <class FaceRange>
   Cluster_merging(const Clustering_input& input, const Cluster_labels& labels, const FaceRange& faces, Index clusters,
-                  bool by_threes, bool may_join_at_vertices)
-    : dual_(labels, faces, clusters), by_threes_(by_threes), may_join_at_vertices_(may_join_at_vertices), count_(clusters),
-      merged_into_(clusters), size_(clusters)
+                  bool by_threes, bool may_join_at_vertices, const Checkpoint& checkpoint, Execution execution)
+    : checkpoint_(checkpoint), dual_(labels, faces, clusters, checkpoint, execution), by_threes_(by_threes),
+      may_join_at_vertices_(may_join_at_vertices), count_(clusters), merged_into_(clusters), size_(clusters)
   {
     is_queued_.assign(dual_.number_of_triangles(), false);
     std::iota(merged_into_.begin(), merged_into_.end(), Index(0));
@@ -62,9 +62,8 @@ public:
   }
 
   // Merges until no more than `wanted` clusters are left, if the topology allows it. Returns the number of merges of two.
-  std::size_t run(std::size_t wanted, const Checkpoint& checkpoint = Checkpoint())
+  std::size_t run(std::size_t wanted)
   {
-    checkpoint_ = checkpoint;
     wanted_ = wanted;
     const std::size_t before = count_;
     merge_while_possible();
@@ -239,9 +238,9 @@ private:
 
   typedef std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > Queue;
 
+  Checkpoint checkpoint_;
   Dual_surface dual_;
   std::optional<Feature_merging> features_;
-  Checkpoint checkpoint_;
   bool by_threes_, may_join_at_vertices_, joins_at_vertices_ = false;
   std::size_t count_, wanted_ = 0;
   mutable std::vector<Index> merged_into_; // ways get shorter when they are gone

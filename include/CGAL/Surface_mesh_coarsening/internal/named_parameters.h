@@ -46,7 +46,7 @@ Flat_mesh flat_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n
                             const Checkpoint& checkpoint = Checkpoint(), Execution execution = Execution::SEQUENTIAL)
 {
   Flat_mesh m;
-  copy_connectivity(mesh, n, m, checkpoint);
+  copy_connectivity(mesh, n, m, checkpoint, execution);
   Flat_mesh_topology::complete(m, n.vertices.size(), checkpoint, execution);
   return m;
 }

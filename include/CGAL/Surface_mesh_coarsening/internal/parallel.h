@@ -68,6 +68,25 @@ void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const 
   }
 }
 
+// Calls `make(part, begin, end)` for the chunks of `size` numbers from 0 to `n`, some at a time, and then `take(part)` for these in
+// their order. Parts are used again.
+template <class Part, class Make, class Take>
+void for_each_part(Execution execution, std::size_t n, std::size_t size, const Checkpoint& checkpoint, const Make& make,
+                   const Take& take)
+{
+  constexpr std::size_t at_a_time = 16;
+  std::vector<Part> parts((std::min)(at_a_time, (n + size - 1) / size));
+  for (std::size_t first = 0; first < n; first += at_a_time * size) {
+    const std::size_t last = (std::min)(n, first + at_a_time * size);
+    checkpoint.pass(last - first);
+    for_each_chunk(execution, last - first, size, [&](std::size_t i, std::size_t begin, std::size_t end) {
+      make(parts[i], first + begin, first + end);
+    });
+    for (std::size_t i = 0; first + i * size < last; ++i)
+      take(parts[i]);
+  }
+}
+
 // Calls `work(i)` for the numbers from 0 to `n`, in any order.
 template <class Work>
 void for_each_number(Execution execution, std::size_t n, const Checkpoint& checkpoint, const Work& work)

@@ -6,7 +6,9 @@
 #include <CGAL/Surface_mesh_coarsening/internal/Dual_walk.h>
 #include <CGAL/Surface_mesh_coarsening/internal/faces_outward.h>
 #include <CGAL/Surface_mesh_coarsening/internal/grow_clusters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/parallel.h>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -21,9 +23,9 @@ class Cluster_splitting
 {
 public:
   Cluster_splitting(Cluster_labels& labels, const FaceRange& faces, Index number_of_clusters,
-                    const Checkpoint& checkpoint = Checkpoint(), Feature_rules* rules = nullptr)
+                    const Checkpoint& checkpoint, Execution execution, Feature_rules* rules)
     : labels_(labels), mesh_(labels.mesh()), walk_(labels), growth_(labels, checkpoint, rules), checkpoint_(checkpoint),
-      rules_(rules), faces_(faces),
+      execution_(execution), rules_(rules), faces_(faces),
       clusters_(number_of_clusters) {}
 
   // Returns whether the clusters are valid now. They are not if clusters of one face are at fault.
@@ -51,7 +53,6 @@ private:
     size_.assign(clusters_, 0);
     face_.assign(clusters_, NONE);
     edge_.assign(clusters_, Directed_edge());
-    stamp_of_cluster_.resize(clusters_, 0);
     for (const Index f : faces_) {
       checkpoint_.pass();
       const Index x = labels_[f];
@@ -68,10 +69,7 @@ private:
   {
     to_split_.clear();
     std::vector<bool> listed(clusters_, false);
-    for (Index x = 0; x < clusters_; ++x) {
-      const Index fault = edge_[x].face == NONE ? x : walk_.fault_of_link(edge_[x], stamp_of_cluster_, stamp_);
-      if (fault == NONE)
-        continue;
+    for (const auto& [x, fault] : faults()) {
       const Index larger = cluster_to_split(x, fault);
       if (larger == NONE)
         return false;
@@ -81,6 +79,33 @@ private:
       }
     }
     return true;
+  }
+
+  // The clusters at fault, each with one that it should not meet; with itself, if it has no boundary, or fewer than three neighbors.
+  std::vector<std::pair<Index, Index> > faults() const
+  {
+    struct Part
+    {
+      std::vector<Index> stamp_of_cluster;
+      Index stamp = 0;
+      std::vector<std::pair<Index, Index> > faults;
+    };
+    std::vector<std::pair<Index, Index> > all;
+    for_each_part<Part>(
+      execution_, clusters_, 1024, checkpoint_,
+      [this](Part& part, std::size_t begin, std::size_t end) {
+        Dual_walk walk(labels_);
+        part.faults.clear();
+        part.stamp_of_cluster.resize(clusters_, 0);
+        for (Index x = Index(begin); x != end; ++x) {
+          const Index fault =
+            edge_[x].face == NONE ? x : walk.fault_of_link(edge_[x], part.stamp_of_cluster, part.stamp);
+          if (fault != NONE)
+            part.faults.emplace_back(x, fault);
+        }
+      },
+      [&all](const Part& part) { all.insert(all.end(), part.faults.begin(), part.faults.end()); });
+    return all;
   }
 
   // The larger of the two at fault; a neighbor, where both have a single face; NONE, where those have, too.
@@ -120,14 +145,14 @@ private:
   Dual_walk walk_;
   Cluster_growth growth_;
   Checkpoint checkpoint_;
+  Execution execution_;
   Feature_rules* rules_;
   FaceRange faces_;
   Index clusters_;
   std::size_t splits_ = 0;
   std::vector<Index> size_, face_;
   std::vector<Directed_edge> edge_;
-  std::vector<Index> to_split_, stamp_of_cluster_;
-  Index stamp_ = 0;
+  std::vector<Index> to_split_;
 };
 
 } // namespace internal
