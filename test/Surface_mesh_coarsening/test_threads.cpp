@@ -16,9 +16,13 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <CGAL/Polyhedron_3.h>
+
 #include <boost/mpl/list.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
@@ -40,13 +44,16 @@ struct Result
   }
 };
 
-template <class ConcurrencyTag, class Weight>
-Result coarsened(const Mesh& mesh, std::size_t n)
+template <class ConcurrencyTag, class Weight, class FaceGraph>
+Result coarsened(const FaceGraph& mesh, std::size_t n)
 {
   Mesh output;
   Result r;
   std::vector<std::size_t> clusters(num_faces(mesh));
-  const auto map = boost::make_iterator_property_map(clusters.begin(), get(CGAL::face_index, mesh));
+  std::map<typename boost::graph_traits<FaceGraph>::face_descriptor, std::size_t> number;
+  for (const auto f : faces(mesh))
+    number.emplace(f, number.size());
+  const auto map = boost::make_iterator_property_map(clusters.begin(), boost::make_assoc_property_map(number));
   const SMC::Coarsening_report report = SMC::coarsen_mesh<ConcurrencyTag>(
     mesh, n, output,
     SMC::parameters::cluster_weight(Weight()).vertex_placement(SMC::Quadric_placement()).face_cluster_map(map));
@@ -84,6 +91,15 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(same_result, Weight, Weights)
       BOOST_CHECK((coarsened<CGAL::Parallel_tag, Weight>(mesh, 300) == sequential));
     }
 #endif
+}
+
+BOOST_AUTO_TEST_CASE(same_result_of_another_face_graph)
+{
+  const generated::Soup soup = generated::with_noise(generated::torus(60, 40), 0.01);
+  CGAL::Polyhedron_3<test::Kernel> polyhedron;
+  test::to_face_graph(soup, polyhedron);
+  const Result sequential = coarsened<CGAL::Sequential_tag, SMC::Uniform_weight>(test::to_mesh(soup), 100);
+  BOOST_CHECK((coarsened<CGAL::Parallel_if_available_tag, SMC::Uniform_weight>(polyhedron, 100) == sequential));
 }
 
 // So many faces, and clusters, that sums are added up in several steps, and edges are listed anew.

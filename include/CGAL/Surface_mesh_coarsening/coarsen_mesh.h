@@ -81,7 +81,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 /// modified. The same input and parameters give the same output.
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, the second of which
-/// needs oneTBB; the result is the same, whichever it is and however many threads there are
+/// needs oneTBB; the result is the same, whichever it is and however many threads there are. In parallel, `input` is read by many
+/// threads at a time, property maps by one
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam OutputFaceGraph a model of `MutableFaceGraph`
 /// \tparam NamedParametersIn a sequence of \ref bgl_namedparameters "Named Parameters"
