@@ -107,7 +107,7 @@ public:
   }
 
 private:
-  // The clusters around vertices where three meet or more.
+  // The clusters around vertices where three or more meet.
   struct Runs_at_vertices
   {
     // Of the vertices whose stars begin at one of the faces.

@@ -80,12 +80,10 @@ public:
   }
 
 private:
-  // Whether the face borders on at most one cluster X more, and the dual remains what it was. Then the face has one end of its edge
-  // with X in common with its own cluster, and the other with the cluster that it joins; the point where the three meet slides
-  // along that edge, from the latter to the former. Where no more than three clusters meet, before and after, that is all. Where
-  // four do at one of the ends, the fan there has an edge between the apex and the cluster opposite to it. The dual remains what it
-  // was if that stands in for the edge of the mesh: if it joins X to the cluster with which X meets in the edge when the point is
-  // at the other end. At a vertex between the two clusters of the move, the apex has to remain what it was.
+  // Whether the dual remains what it was because the face borders on at most one cluster X more, and the point where that meets the
+  // two of the move only slides along the edge to X, from its end at `to` to its end at the cluster of the face. It does where no
+  // more than three clusters meet at a vertex, before or after. Where four do, it does if the diagonal between the apex of the fan
+  // and the cluster opposite to it stands in for that edge; the manual, in section smc_guarantee_moves, says when.
   bool only_slides(Index f, Index to) const
   {
     const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1], from = labels_[f];
@@ -101,7 +99,7 @@ private:
     return true;
   }
 
-  // The same at one vertex of the face, between edges beyond which the clusters `x` and `y` lie.
+  // Whether it does at vertex `v` of the face, which lies between edges to clusters `x` and `y`.
   bool keeps_fan(Index f, Index to, Index v, Index x, Index y) const
   {
     const Index from = labels_[f];
