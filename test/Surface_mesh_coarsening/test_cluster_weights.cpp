@@ -187,8 +187,8 @@ BOOST_AUTO_TEST_CASE(values_by_hand)
   }
 }
 
-// Two clusters of faces in the plane next to each other, from one of which a face moves to the other: a quick answer that this gains
-// nothing is right, and weights for which there is one exactly do not miss it.
+// Two clusters of faces in the plane next to each other, from one of which a face moves to the other: a quick answer that this
+// gains nothing is right, and weights for which there is one exactly do not miss it.
 BOOST_AUTO_TEST_CASE_TEMPLATE(moves_that_cannot_gain, Weight, Weights)
 {
   namespace internal = SMC::internal;
@@ -202,7 +202,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(moves_that_cannot_gain, Weight, Weights)
     for (int step = 0; step < 2000; ++step) {
       const auto face = [&](double x) {
         const double density = 1 + (highest - 1) * std::pow(uniform(engine), 3), area = 0.1 + uniform(engine);
-        return typename Energy::Face{density * area, {{x + uniform(engine), uniform(engine), 0}}, weight.face_data(density, area)};
+        const internal::Vector centroid{{x + uniform(engine), uniform(engine), 0}};
+        return typename Energy::Face{density * area, centroid, weight.face_data(density, area)};
       };
       const auto cluster = [&](double x) {
         typename Energy::Sums sums;

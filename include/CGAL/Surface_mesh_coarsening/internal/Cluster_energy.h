@@ -140,8 +140,8 @@ public:
     set(x, outcome);
   }
 
-  // Whether it shows quickly that a face that leaves cluster `source` for cluster `target` gains nothing. At distances d and d' from
-  // their centroids, a face of mass m takes m M / (M - m) d^2 from the inertia I of the one, of mass M, and adds
+  // Whether it shows quickly that a face that leaves cluster `source` for cluster `target` gains nothing. At distances d and d'
+  // from their centroids, a face of mass m takes m M / (M - m) d^2 from the inertia I of the one, of mass M, and adds
   // m M' / (M' + m) d'^2 to that of the other. So with weights 1 the energy falls if and only if
   // M d^2 / (M - m) > M' d'^2 / (M' + m), and with the masses for weights if and only if I + M d^2 > I' + M' d'^2. Bounds of the
   // weights do where the weights themselves take long to compute.

@@ -80,10 +80,10 @@ public:
   }
 
 private:
-  // Whether the dual remains what it was because the face borders on at most one cluster X more, and the point where that meets the
-  // two of the move only slides along the edge to X, from its end at `to` to its end at the cluster of the face. It does where no
-  // more than three clusters meet at a vertex, before or after. Where four do, it does if the diagonal between the apex of the fan
-  // and the cluster opposite to it stands in for that edge; the manual, in section smc_guarantee_moves, says when.
+  // Whether the dual remains what it was because the face borders on at most one cluster X more, and the point where that meets
+  // the two of the move only slides along the edge to X, from its end at `to` to its end at the cluster of the face. It does
+  // where no more than three clusters meet at a vertex, before or after. Where four do, it does if the diagonal between the apex
+  // of the fan and the cluster opposite to it stands in for that edge; the manual, in section smc_guarantee_moves, says when.
   bool only_slides(Index f, Index to) const
   {
     const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1], from = labels_[f];

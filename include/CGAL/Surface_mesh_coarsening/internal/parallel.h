@@ -68,8 +68,8 @@ void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const 
   }
 }
 
-// Calls `make(part, begin, end)` for the chunks of `size` numbers from 0 to `n`, some at a time, and then `take(part)` for these in
-// their order. Parts are used again.
+// Calls `make(part, begin, end)` for the chunks of `size` numbers from 0 to `n`, some at a time, and then `take(part)` for these
+// in their order. Parts are used again.
 template <class Part, class Make, class Take>
 void for_each_part(Execution execution, std::size_t n, std::size_t size, const Checkpoint& checkpoint, const Make& make,
                    const Take& take)

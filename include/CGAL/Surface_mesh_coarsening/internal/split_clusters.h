@@ -81,7 +81,8 @@ private:
     return true;
   }
 
-  // The clusters at fault, each with one that it should not meet; with itself, if it has no boundary, or fewer than three neighbors.
+  // The clusters at fault, each with one that it meets wrongly; with itself, if it has no boundary, or fewer than three
+  // neighbors.
   std::vector<std::pair<Index, Index> > faults() const
   {
     struct Part
