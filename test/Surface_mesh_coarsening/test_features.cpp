@@ -223,7 +223,7 @@ void check_rules(const Model& model, std::size_t number)
   const Prepared p(model);
   check_sums_of_cells(p.input);
   SMC::Coarsening_report report;
-  Initial_clustering initial(p.input, report, Checkpoint());
+  Initial_clustering initial(p.input, report, Checkpoint(), Execution::SEQUENTIAL);
   initial.seed(number);
   Cluster_labels labels = initial.grow();
   Energy_minimization<SMC::Maximum_density_weight> minimization(initial.input(), labels, report.clusters,
