@@ -94,7 +94,7 @@ void measure(const Mesh& mesh, std::size_t number)
 // Cancels after so many questions, if that is not 0.
 struct Asking_visitor : SMC::Coarsening_visitor_base
 {
-  std::size_t most_questions = 0, questions = 0, stage = 0;
+  std::size_t max_questions = 0, questions = 0, stage = 0;
   double last = 0;
   std::array<double, 5> longest{{0, 0, 0, 0, 0}};
 
@@ -107,7 +107,7 @@ struct Asking_visitor : SMC::Coarsening_visitor_base
   bool go_further()
   {
     note();
-    return ++questions != most_questions;
+    return ++questions != max_questions;
   }
   void note()
   {
@@ -134,13 +134,13 @@ void measure_cancelling(std::size_t faces)
   std::cout << "faces,cancelled_at_question,of,stage,until_returned_s" << std::endl;
   for (const double part : {0.01, 0.1, 0.3, 0.6, 0.95}) {
     Asking_visitor cancelling;
-    cancelling.most_questions = (std::max)(std::size_t(1), std::size_t(part * double(visitor.questions)));
+    cancelling.max_questions = (std::max)(std::size_t(1), std::size_t(part * double(visitor.questions)));
     Mesh output;
     try {
       SMC::coarsen_mesh(mesh, number, output, SMC::parameters::visitor(std::ref(cancelling)).number_of_iterations(rounds));
     } catch (const SMC::Coarsening_cancelled&) {
       const double seconds = processor_seconds() - cancelling.last;
-      std::cout << mesh.number_of_faces() << ',' << cancelling.most_questions << ',' << visitor.questions << ','
+      std::cout << mesh.number_of_faces() << ',' << cancelling.max_questions << ',' << visitor.questions << ','
                 << stages[cancelling.stage] << ',' << seconds << std::endl;
     }
     if (output.number_of_vertices() != 0)

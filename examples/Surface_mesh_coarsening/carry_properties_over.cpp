@@ -41,8 +41,8 @@ int main(int argc, char* argv[])
                     SMC::parameters::vertex_source_map(source));
   //! [provenance]
   const SMC::Cluster_faces<Mesh> faces_of(input, cluster, output.number_of_vertices());
-  std::cout << "vertex 0 stands for " << faces_of.faces(0).size() << " faces and comes from " << source[*output.vertices().begin()].face
-            << std::endl;
+  std::cout << "vertex 0 stands for " << faces_of.faces(0).size() << " faces and comes from "
+            << source[*output.vertices().begin()].face << std::endl;
 
   //! [call]
   SMC::transfer_properties(input, cluster, output, {{"v:height", SMC::Transfer_policy::INTERPOLATED}});
@@ -51,7 +51,7 @@ int main(int argc, char* argv[])
   // Something that must not get lost: the integral over the coarse mesh is that over the mesh.
   const auto thickness = input.add_property_map<Mesh::Face_index, double>("f:thickness", 0.25).first;
   const auto coarse_thickness = output.add_property_map<Mesh::Face_index, double>("f:thickness").first;
-  SMC::Property_transfer<Mesh, Mesh> transfer(input, cluster, output);
+  SMC::Property_resampler<Mesh, Mesh> transfer(input, cluster, output);
   transfer.transfer_face_property(thickness, coarse_thickness, SMC::Transfer_policy::CONSERVATIVE);
 
   return CGAL::IO::write_polygon_mesh("coarse.ply", output) ? EXIT_SUCCESS : EXIT_FAILURE;

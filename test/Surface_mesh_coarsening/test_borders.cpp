@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(long_arcs)
   for (int i = 0; i <= 1000; ++i)
     points.push_back({i < 377 ? double(i) : 377., i < 377 ? 0. : double(i) - 377, 0});
   const Border_arc arc(points);
-  BOOST_CHECK_LE(arc.size(), Border_arc::most_pieces + 3);
+  BOOST_CHECK_LE(arc.size(), Border_arc::max_pieces + 3);
   bool has_corner = false;
   for (std::size_t i = 0; i < arc.size(); ++i)
     has_corner = has_corner || arc[i] == SMC::internal::Vector{{377, 0, 0}};

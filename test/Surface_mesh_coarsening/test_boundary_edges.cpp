@@ -9,8 +9,8 @@
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Coarsening_visitor_base.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Boundary_edges.h>
-#include <CGAL/Surface_mesh_coarsening/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 #include <algorithm>
 #include <array>
@@ -35,8 +35,8 @@ struct Labelled_grid
   explicit Labelled_grid(std::size_t n) : mesh(test::to_mesh(generated::grid(n, n)))
   {
     const auto np = CGAL::parameters::default_values();
-    Frame frame;
-    input = clustering_input(mesh, np, numbering(mesh, np), frame, Checkpoint());
+    Local_frame frame;
+    input = clustering_input(mesh, np, numbering(mesh, np), frame, Cancellation_point());
     labels.emplace(input.mesh);
     for (Index f = 0; f < input.mesh.number_of_faces(); ++f)
       labels->set(f, engine() % number_of_clusters);
@@ -113,12 +113,12 @@ BOOST_AUTO_TEST_CASE(same_as_all_edges_of_the_mesh)
     Labelled_grid grid(n);
     const Cluster_energy<SMC::Uniform_weight> energy((SMC::Uniform_weight()));
     Edges edges(grid.input, *grid.labels, energy, number_of_clusters);
-    edges.list_all(Checkpoint(), Execution::SEQUENTIAL);
+    edges.list_all(Cancellation_point(), Execution::SEQUENTIAL);
     BOOST_CHECK(listed(edges, grid) == grid.expected());
     bool was_out_of_order = false, was_put_in_order = false;
     for (int round = 0; round < 12; ++round) {
       grid.change(0.2, edges);
-      edges.update(Checkpoint(), Execution::SEQUENTIAL);
+      edges.update(Cancellation_point(), Execution::SEQUENTIAL);
       edges.end_round();
       const Pairs_of_faces pairs = listed(edges, grid), expected = grid.expected();
       BOOST_CHECK(sorted(pairs) == sorted(expected));
@@ -137,9 +137,9 @@ BOOST_AUTO_TEST_CASE(listed_again_after_a_refusal)
   const Visitor_handle handle(std::ref(visitor));
   const Cluster_energy<SMC::Uniform_weight> energy((SMC::Uniform_weight()));
   Edges edges(grid.input, *grid.labels, energy, number_of_clusters);
-  BOOST_CHECK_THROW(edges.list_all(Checkpoint(handle), Execution::SEQUENTIAL), SMC::Coarsening_cancelled);
+  BOOST_CHECK_THROW(edges.list_all(Cancellation_point(handle), Execution::SEQUENTIAL), SMC::Coarsening_cancelled);
   BOOST_CHECK(!edges.is_complete());
-  edges.list_all(Checkpoint(), Execution::SEQUENTIAL);
+  edges.list_all(Cancellation_point(), Execution::SEQUENTIAL);
   BOOST_CHECK(edges.is_complete());
   BOOST_CHECK(listed(edges, grid) == grid.expected());
 }

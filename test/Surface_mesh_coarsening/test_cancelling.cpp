@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(other_output)
 }
 
 // After a refusal the object can begin anew, and does what one would that was never refused.
-BOOST_AUTO_TEST_CASE(steps_begin_anew)
+BOOST_AUTO_TEST_CASE(steps_restart)
 {
   typedef SMC::Mwcvd_clustering<Mesh> Clustering;
   const Mesh mesh = test::to_mesh(generated::triangle_sphere(5));

@@ -5,7 +5,7 @@
 #define BOOST_TEST_MODULE cluster_weights
 #include "support/reference_energy.h"
 
-#include <CGAL/Surface_mesh_coarsening/internal/Boundary_edges.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
 
 #include <boost/mpl/list.hpp>
 #include <boost/test/unit_test.hpp>

@@ -88,7 +88,7 @@ double fraction_of_upright_triangles(const Reference_mesh& m, const Labels& labe
 }
 
 template <class Clustering>
-void check_dual(const Clustering& clustering, const Reference_mesh& m, const Labels& labels, double least_upright)
+void check_dual(const Clustering& clustering, const Reference_mesh& m, const Labels& labels, double min_upright)
 {
   Mesh output;
   clustering.extract_dual_mesh(output);
@@ -102,7 +102,7 @@ void check_dual(const Clustering& clustering, const Reference_mesh& m, const Lab
   // fault_of_clustering() that is a 2-manifold of the right topology and orientation.
   BOOST_CHECK(test::normalized(test::triangles_of(soup)) == test::normalized(reference::dual_triangles(m, labels)));
   const double upright = fraction_of_upright_triangles(m, labels, soup.points);
-  BOOST_CHECK_MESSAGE(upright >= least_upright, "only " << upright << " of the dual triangles look outwards");
+  BOOST_CHECK_MESSAGE(upright >= min_upright, "only " << upright << " of the dual triangles look outwards");
 }
 
 template <class Clustering>
@@ -151,7 +151,7 @@ void check_local_minimum(const Reference_mesh& m, const Labels& labels, const st
 
 struct How
 {
-  double least_upright = 0.95;
+  double min_upright = 0.95;
   bool local_minimum = false;
 };
 
@@ -207,7 +207,7 @@ void check_clustering(const Soup& input, std::size_t n, const How how = How())
     mesh, boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index f) { return labels[f]; })));
   check_close(c.energy(), reference::energy(faces, densities, labels, weight), 1e-9, "final energy");
   check_boundary_counts(c, mesh, m, labels);
-  check_dual(c, m, labels, how.least_upright);
+  check_dual(c, m, labels, how.min_upright);
   if (how.local_minimum)
     check_local_minimum(m, labels, faces, densities, weight);
 

@@ -157,7 +157,7 @@ Graph graph_of(const Mesh& m, const IsLine& is_line, const IsCorner& is_corner)
 struct Prepared
 {
   SMC::internal::Numbering<Mesh> numbering;
-  SMC::internal::Frame frame;
+  SMC::internal::Local_frame frame;
   SMC::internal::Clustering_input input;
   std::vector<long long> patches;
 
@@ -166,8 +166,8 @@ struct Prepared
     using namespace SMC::internal;
     const auto np = model.parameters();
     numbering = SMC::internal::numbering(model.mesh, np);
-    input = clustering_input(model.mesh, np, numbering, frame, Checkpoint());
-    read_features(model.mesh, np, numbering, input, frame, patches, Checkpoint());
+    input = clustering_input(model.mesh, np, numbering, frame, Cancellation_point());
+    read_features(model.mesh, np, numbering, input, frame, patches, Cancellation_point());
   }
 };
 
@@ -223,11 +223,11 @@ void check_rules(const Model& model, std::size_t number)
   const Prepared p(model);
   check_sums_of_cells(p.input);
   SMC::Coarsening_report report;
-  Initial_clustering initial(p.input, report, Checkpoint(), Execution::SEQUENTIAL);
+  Initial_clustering initial(p.input, report, Cancellation_point(), Execution::SEQUENTIAL);
   initial.seed(number);
   Cluster_labels labels = initial.grow();
   Energy_minimization<SMC::Maximum_density_weight> minimization(initial.input(), labels, report.clusters,
-                                                                SMC::Maximum_density_weight(), Checkpoint(), Execution());
+                                                                SMC::Maximum_density_weight(), Cancellation_point(), Execution());
   for (int round = 0; round < 3; ++round) {
     BOOST_TEST(Clustering_check(labels, report.clusters).fault([](std::size_t x) { return std::to_string(x); }) == "");
     const Labelled_pieces pieces(initial.input(), labels, report.clusters);
@@ -587,7 +587,7 @@ BOOST_AUTO_TEST_CASE(vertices_between_two_faces)
 }
 
 // Where triangles intersect and clusters are made anew, these keep features as well.
-BOOST_AUTO_TEST_CASE(clusters_that_are_made_anew)
+BOOST_AUTO_TEST_CASE(recomputed_clusters)
 {
   const Model model(generated::thin_plate(30, 0.02), 60);
   std::size_t most = 0;

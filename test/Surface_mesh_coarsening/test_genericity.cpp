@@ -500,7 +500,7 @@ BOOST_AUTO_TEST_CASE(parameters_of_the_parts)
   BOOST_CHECK_EQUAL(SMC::coarsen_mesh(marked_mesh(), 30, divided, subdivide).subdivided_components, 2u);
 }
 
-BOOST_AUTO_TEST_CASE(visitor_is_told_in_order)
+BOOST_AUTO_TEST_CASE(visitor_is_notified_in_order)
 {
   const Mesh mesh = test::to_mesh(closed_soup());
   Mesh output;

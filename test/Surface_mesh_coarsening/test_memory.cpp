@@ -20,7 +20,7 @@
 
 namespace {
 
-std::atomic<std::size_t> taken(0), most_taken(0);
+std::atomic<std::size_t> taken(0), max_taken(0);
 
 constexpr std::size_t header = alignof(std::max_align_t); // keeps the size
 
@@ -31,8 +31,8 @@ void* take(std::size_t bytes)
     throw std::bad_alloc();
   *reinterpret_cast<std::size_t*>(block) = bytes;
   taken += bytes;
-  if (taken > most_taken)
-    most_taken.store(taken);
+  if (taken > max_taken)
+    max_taken.store(taken);
   return block + header;
 }
 
@@ -74,11 +74,11 @@ struct Watching_visitor : SMC::Coarsening_visitor_base
   std::size_t before = 0, faces = 0, most = 0;
   std::string protocol;
 
-  void stage_begins(SMC::Coarsening_stage) { most_taken.store(taken); }
+  void stage_begins(SMC::Coarsening_stage) { max_taken.store(taken); }
   void stage_ends(SMC::Coarsening_stage)
   {
-    most = (std::max)(most, most_taken.load());
-    protocol += ' ' + std::to_string(double(most_taken - before) / double(faces));
+    most = (std::max)(most, max_taken.load());
+    protocol += ' ' + std::to_string(double(max_taken - before) / double(faces));
   }
 };
 
@@ -90,7 +90,7 @@ double bytes_per_face(const std::string& name, const Mesh& mesh, const Parameter
   visitor.before = taken;
   visitor.faces = mesh.number_of_faces();
   SMC::coarsen_mesh(mesh, mesh.number_of_vertices() / 50, output, np.visitor(std::ref(visitor)));
-  const std::size_t most = (std::max)(visitor.most, most_taken.load());
+  const std::size_t most = (std::max)(visitor.most, max_taken.load());
   const double each = double(most - visitor.before) / double(visitor.faces);
   BOOST_TEST_MESSAGE(name << ": " << each << " bytes per face; stage by stage" << visitor.protocol);
   return each;

@@ -221,7 +221,7 @@ BOOST_AUTO_TEST_CASE(repair_keeps_to_input_vertices)
 }
 
 // Where triangles are left intersecting, more clusters there bring them apart; what has fewest is taken, whichever it was.
-BOOST_AUTO_TEST_CASE(clusters_are_made_anew_where_triangles_intersect)
+BOOST_AUTO_TEST_CASE(reclusters_where_triangles_intersect)
 {
   const auto np = SMC::parameters::maximum_density(10).feature_angle(180);
   std::size_t left = 0, left_of_several = 0, most = 0;
@@ -258,7 +258,7 @@ BOOST_AUTO_TEST_CASE(clusters_are_made_anew_where_triangles_intersect)
 }
 
 // A component that is left out stays so, and is as if it had never been there.
-BOOST_AUTO_TEST_CASE(clusters_without_dropped_components_are_made_anew)
+BOOST_AUTO_TEST_CASE(clusters_without_dropped_components_are_recomputed)
 {
   const Mesh plate = test::to_mesh(generated::thin_plate(30, 0.008));
   Mesh both = plate;
@@ -279,7 +279,7 @@ BOOST_AUTO_TEST_CASE(clusters_without_dropped_components_are_made_anew)
 }
 
 // Clusters that were edited by hand are not given up, nor are those that do not depend on densities.
-BOOST_AUTO_TEST_CASE(clusters_of_others_are_not_made_anew)
+BOOST_AUTO_TEST_CASE(clusters_of_others_are_not_recomputed)
 {
   const Mesh mesh = test::to_mesh(generated::thin_plate(30, 0.004));
   std::size_t left_of_uniform = 0, left_of_edited = 0;

@@ -568,9 +568,9 @@ BOOST_AUTO_TEST_CASE(features)
 {
   const Workshop shop;
   shop.write("in.off", generated::cube_grid(6));
-  for (const char* arguments : {"in.off out.off -n 40 --report r.json --features", "--features in.off out.off -n 40 --report r.json",
-                                "--features 30 in.off out.off -n 40 --report r.json",
-                                "in.off out.off --features=30 -n 40 --report r.json"}) {
+  for (const char* arguments :
+       {"in.off out.off -n 40 --report r.json --features", "--features in.off out.off -n 40 --report r.json",
+        "--features 30 in.off out.off -n 40 --report r.json", "in.off out.off --features=30 -n 40 --report r.json"}) {
     shop.run_well(arguments);
     const Json report = shop.report("r.json");
     BOOST_TEST(report["parameters"]["features"] == 30);

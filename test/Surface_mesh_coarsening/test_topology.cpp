@@ -99,16 +99,16 @@ std::size_t smallest_number(const Mesh& mesh, const std::string& what)
   return nearest;
 }
 
-// `expected_least`: the smallest number that topology allows, where the method is known to reach it.
-void check_surface(const std::string& what, const Soup& soup, std::size_t expected_least = 0)
+// `expected_minimum`: the smallest number that topology allows, where the method is known to reach it.
+void check_surface(const std::string& what, const Soup& soup, std::size_t expected_minimum = 0)
 {
   BOOST_TEST_CONTEXT(what)
   {
     const Mesh mesh = test::to_mesh(soup);
     const Reference_mesh m(test::to_soup(mesh));
     const std::size_t vertices = vertices_in_use(m), least = smallest_number(mesh, what);
-    if (expected_least != 0)
-      BOOST_CHECK_EQUAL(least, expected_least);
+    if (expected_minimum != 0)
+      BOOST_CHECK_EQUAL(least, expected_minimum);
     const std::size_t most = (std::max)(least, vertices);
     std::set<std::size_t> numbers{least, most};
     for (const double part : {0.01, 0.05, 0.2, 0.5})

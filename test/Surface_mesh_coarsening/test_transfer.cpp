@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(linear_fields_are_exact_on_planes)
     const auto to = r.output.add_property_map<Mesh::Vertex_index, double>("v:linear").first;
     for (const auto v : r.input.vertices())
       from[v] = linear(r.input.point(v));
-    SMC::Property_transfer<Mesh, Mesh> transfer(r.input, r.cluster, r.output);
+    SMC::Property_resampler<Mesh, Mesh> transfer(r.input, r.cluster, r.output);
     transfer.transfer_vertex_property(from, to);
     for (const auto v : r.output.vertices())
       BOOST_CHECK_SMALL(to[v] - linear(r.output.point(v)), 1e-11);
@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(fields_on_spheres_are_of_second_order)
     const auto to = r.output.add_property_map<Mesh::Vertex_index, double>("v:z").first;
     for (const auto v : r.input.vertices())
       from[v] = r.input.point(v).z();
-    SMC::Property_transfer<Mesh, Mesh>(r.input, r.cluster, r.output).transfer_vertex_property(from, to);
+    SMC::Property_resampler<Mesh, Mesh>(r.input, r.cluster, r.output).transfer_vertex_property(from, to);
     double sum = 0;
     for (const auto v : r.output.vertices())
       sum += std::pow(to[v] - r.output.point(v).z(), 2) / double(n);
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(totals_are_conserved)
     for (const auto v : r.input.vertices_around_face(r.input.halfedge(f)))
       vertex_total += of_vertex[v] * area / r.input.degree(f);
   }
-  SMC::Property_transfer<Mesh, Mesh> transfer(r.input, r.cluster, r.output);
+  SMC::Property_resampler<Mesh, Mesh> transfer(r.input, r.cluster, r.output);
   const auto policy = SMC::Transfer_policy::CONSERVATIVE;
   const auto faces = r.output.add_property_map<Mesh::Face_index, double>("f:mass").first;
   const auto vertices = r.output.add_property_map<Mesh::Vertex_index, double>("v:mass").first;
@@ -238,7 +238,7 @@ BOOST_AUTO_TEST_CASE(labels_go_by_majority)
   };
   for (const auto f : r.input.faces())
     from[f] = side(r.input, f);
-  SMC::Property_transfer<Mesh, Mesh> transfer(r.input, r.cluster, r.output);
+  SMC::Property_resampler<Mesh, Mesh> transfer(r.input, r.cluster, r.output);
   const auto to = r.output.add_property_map<Mesh::Face_index, std::string>("f:material").first;
   transfer.transfer_face_property(from, to, SMC::Transfer_policy::MAJORITY);
   double total = 0, right = 0;
@@ -272,7 +272,7 @@ BOOST_AUTO_TEST_CASE(values_without_means)
     name[v] = "vertex " + std::to_string(std::size_t(v));
   for (const auto f : r.input.faces())
     face_name[f] = std::to_string(r.cluster[f]);
-  SMC::Property_transfer<Mesh, Mesh> transfer(r.input, r.cluster, r.output);
+  SMC::Property_resampler<Mesh, Mesh> transfer(r.input, r.cluster, r.output);
   const auto to = r.output.add_property_map<Mesh::Vertex_index, std::string>("v:name").first;
   const auto cluster_name = r.output.add_property_map<Mesh::Vertex_index, std::string>("v:cluster").first;
   const auto to_face = r.output.add_property_map<Mesh::Face_index, std::string>("f:name").first;
@@ -329,7 +329,7 @@ BOOST_AUTO_TEST_CASE(seams_do_not_open)
                    turn(r.input.point(r.input.target(h))) < 1e-9;
     }
     const auto out = r.output.add_property_map<Mesh::Halfedge_index, Uv>("h:uv").first;
-    SMC::Property_transfer<Mesh, Mesh> transfer(r.input, r.cluster, r.output);
+    SMC::Property_resampler<Mesh, Mesh> transfer(r.input, r.cluster, r.output);
     if (given)
       transfer.transfer_corner_property(uv, out, is_seam);
     else
@@ -437,12 +437,12 @@ BOOST_AUTO_TEST_CASE(other_face_graphs_and_wrong_arguments)
   std::map<Traits::vertex_descriptor, double> from, to;
   for (const auto v : vertices(input))
     from[v] = 4;
-  SMC::Property_transfer<Polyhedron, Polyhedron> transfer(input, boost::make_assoc_property_map(clusters), output);
+  SMC::Property_resampler<Polyhedron, Polyhedron> transfer(input, boost::make_assoc_property_map(clusters), output);
   transfer.transfer_vertex_property(boost::make_assoc_property_map(from), boost::make_assoc_property_map(to));
   for (const auto v : vertices(output))
     BOOST_CHECK_CLOSE(to.at(v), 4, 1e-10);
   Mesh empty;
-  typedef SMC::Property_transfer<Mesh, Mesh> Transfer;
+  typedef SMC::Property_resampler<Mesh, Mesh> Transfer;
   BOOST_CHECK_THROW(Transfer(r.input, r.cluster, empty), SMC::Invalid_input);
   BOOST_CHECK_THROW(Transfer(r.input, r.cluster, r.input), SMC::Invalid_input); // faces of four sides
 }

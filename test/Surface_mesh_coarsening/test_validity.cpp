@@ -51,8 +51,8 @@ struct Surface
   {
     const auto np = CGAL::parameters::default_values();
     const auto numbering = SMC::internal::numbering(mesh, np);
-    SMC::internal::Frame frame;
-    input = SMC::internal::clustering_input(mesh, np, numbering, frame, SMC::internal::Checkpoint());
+    SMC::internal::Local_frame frame;
+    input = SMC::internal::clustering_input(mesh, np, numbering, frame, SMC::internal::Cancellation_point());
   }
 
   Reference_mesh reference;
@@ -212,7 +212,7 @@ void report(const char* what, const Statistics& s)
 }
 
 void check_family(const char* what, const Soup& start, std::size_t surfaces, std::size_t changes,
-                  std::size_t least_moves, unsigned seed)
+                  std::size_t min_moves, unsigned seed)
 {
   std::mt19937 engine(seed);
   Statistics statistics;
@@ -221,8 +221,8 @@ void check_family(const char* what, const Soup& start, std::size_t surfaces, std
     check_moves(soup, 12, 40, engine, statistics);
   }
   report(what, statistics);
-  BOOST_CHECK_GT(statistics.moves, least_moves);
-  BOOST_CHECK_GT(statistics.allowed, least_moves / 20);
+  BOOST_CHECK_GT(statistics.moves, min_moves);
+  BOOST_CHECK_GT(statistics.allowed, min_moves / 20);
 }
 
 } // namespace

@@ -17,8 +17,8 @@
 /// `CGAL::Surface_mesh_coarsening::Additive_cluster_weight`, which adds `weight_with()` and `weight_without()`.
 ///
 /// If a weight takes long to compute, bounds of it can spare most of the work, as most trial moves gain nothing. A weight may
-/// have two more members for this, `double least_weight_with(const Cluster_data& data, const Face_data& face, double weight) const`
-/// and `double least_weight_without(const Cluster_data& data, const Face_data& face, double weight) const`, where `weight` is that
+/// have two more members for this, `double min_weight_with(const Cluster_data& data, const Face_data& face, double weight) const`
+/// and `double min_weight_without(const Cluster_data& data, const Face_data& face, double weight) const`, where `weight` is that
 /// of the cluster now. They return numbers that are not larger than the weights with and without the face, also after
 /// rounding. `Maximum_density_weight` has them.
 ///

@@ -6,7 +6,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Property_transfer.h>
+#include <CGAL/Surface_mesh_coarsening/Property_resampler.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh_to_distance.h>
@@ -164,7 +164,7 @@ void picture_properties(const Setting& setting)
   for (const Point& p : bunny.points())
     field.push_back(0.5 + 0.5 * std::cos(18 * std::sqrt(CGAL::squared_distance(p, center)) / size));
   const auto clusters = boost::make_iterator_property_map(coarse.labels.begin(), get(CGAL::face_index, bunny));
-  SMC::Property_transfer<Mesh, Mesh>(bunny, clusters, coarse.mesh)
+  SMC::Property_resampler<Mesh, Mesh>(bunny, clusters, coarse.mesh)
     .transfer_vertex_property(boost::make_iterator_property_map(field.begin(), get(CGAL::vertex_index, bunny)),
                               boost::make_iterator_property_map(coarse_field.begin(), get(CGAL::vertex_index, coarse.mesh)),
                               SMC::Transfer_policy::INTERPOLATED);
@@ -174,7 +174,7 @@ void picture_properties(const Setting& setting)
   Coarse ring = coarsened<SMC::Weighted_area_weight>(torus, 1000, 10, SMC::Fitted_placement());
   const Texture texture = ring.mesh.add_property_map<Halfedge, Texture_point>("h:texture").first;
   const auto ring_clusters = boost::make_iterator_property_map(ring.labels.begin(), get(CGAL::face_index, torus));
-  SMC::Property_transfer<Mesh, Mesh>(torus, ring_clusters, ring.mesh).transfer_corner_property(texture_of(torus), texture);
+  SMC::Property_resampler<Mesh, Mesh>(torus, ring_clusters, ring.mesh).transfer_corner_property(texture_of(torus), texture);
 
   compose(setting.directory, "properties",
           {{{with_field(bunny, field, camera, 1, 0), "a field on " + vertices_of(bunny), "0", "1"},

@@ -191,7 +191,7 @@ const std::vector<std::string>& placement_names()
   return names;
 }
 
-unsigned most_threads()
+unsigned max_threads()
 {
 #ifdef CGAL_LINKED_WITH_TBB
   return unsigned(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));

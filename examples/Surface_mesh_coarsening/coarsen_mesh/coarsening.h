@@ -41,7 +41,7 @@ std::string default_weight();
 std::string default_placement();
 
 // More threads than this are not used, whatever the options allow; 1 without oneTBB.
-unsigned most_threads();
+unsigned max_threads();
 
 // Coarsens with the weight, the placement and the numbers that the options name.
 Coarsening_result coarsen(const Mesh& input, const Options& options, Tool_visitor& visitor);

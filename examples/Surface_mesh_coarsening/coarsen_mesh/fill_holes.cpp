@@ -56,7 +56,7 @@ bool is_lone_triangle(const Mesh& mesh, Halfedge h, const Hole& hole)
 
 } // namespace
 
-Hole_filling fill_holes(Mesh& mesh, double most_length)
+Hole_filling fill_holes(Mesh& mesh, double max_length)
 {
   Hole_filling result;
   std::vector<bool> seen(mesh.num_halfedges(), false);
@@ -69,7 +69,7 @@ Hole_filling fill_holes(Mesh& mesh, double most_length)
     }
   for (Halfedge h : starts) {
     const Hole hole = measured(mesh, h);
-    if (!(hole.length <= most_length)) {
+    if (!(hole.length <= max_length)) {
       ++result.longer;
       continue;
     }

@@ -26,9 +26,9 @@ struct Hole_filling
   std::vector<Hole> not_filled;  // loops that no triangulation was found for
 };
 
-// Fills the holes of the mesh whose border is at most `most_length` long with triangles between their vertices. The numbers
+// Fills the holes of the mesh whose border is at most `max_length` long with triangles between their vertices. The numbers
 // of vertices and faces that are there stay.
-Hole_filling fill_holes(Mesh& mesh, double most_length);
+Hole_filling fill_holes(Mesh& mesh, double max_length);
 
 } // namespace coarsen_mesh_tool
 

@@ -64,7 +64,7 @@ Json parameters_of(const Options& options)
   result["minimum_component_area"] = options.minimum_component_area;
   result["fill_holes"] = options.fill_holes;
   result["subdivide"] = options.subdivide;
-  result["threads"] = {{"allowed", options.threads}, {"used", (std::min)(options.threads, most_threads())}};
+  result["threads"] = {{"allowed", options.threads}, {"used", (std::min)(options.threads, max_threads())}};
   return result;
 }
 

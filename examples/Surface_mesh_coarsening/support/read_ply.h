@@ -44,7 +44,7 @@ struct Ply_element
   std::vector<Ply_property> properties;
 
   // What one of it takes at the least.
-  std::uint64_t least_bytes(bool binary) const
+  std::uint64_t min_bytes(bool binary) const
   {
     std::uint64_t bytes = 0;
     for (const Ply_property& p : properties)
@@ -161,7 +161,7 @@ inline void check_ply_header(const Ply_header& header, const Text_scanner& text)
     text.fail("the header has no element 'face' with a list vertex_indices");
   for (const Ply_element& e : header.elements)
     text.check_count(static_cast<long long>(e.count), "elements " + Text_scanner::shown(e.name),
-                     e.least_bytes(header.binary), text.bytes_left());
+                     e.min_bytes(header.binary), text.bytes_left());
 }
 
 inline Ply_header read_ply_header(Text_scanner& text, Soup& soup)

@@ -30,7 +30,8 @@ void add_numbers(const std::string& name, const std::vector<double>& values, Mes
   const auto map = mesh.add_property_map<Element, Number>(name).first;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if constexpr (std::is_integral<Number>::value)
-      map[Element(Mesh::size_type(i))] = std::abs(values[i]) < 1e18 ? static_cast<Number>(static_cast<std::int64_t>(values[i])) : 0;
+      map[Element(Mesh::size_type(i))] =
+        std::abs(values[i]) < 1e18 ? static_cast<Number>(static_cast<std::int64_t>(values[i])) : 0;
     else
       map[Element(Mesh::size_type(i))] = static_cast<Number>(values[i]);
   }

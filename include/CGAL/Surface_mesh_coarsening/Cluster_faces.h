@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTER_FACES_H
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Grouped.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -64,7 +64,7 @@ public:
   Range faces(std::size_t cluster) const { return faces_[cluster]; }
 
 private:
-  internal::Grouped<face_descriptor> faces_;
+  internal::Bucketed_items<face_descriptor> faces_;
 };
 
 } // namespace Surface_mesh_coarsening

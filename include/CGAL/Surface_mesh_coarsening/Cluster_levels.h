@@ -4,9 +4,9 @@
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTER_LEVELS_H
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Clustering_access.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Distance_estimate.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Merge_history.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_access.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_estimate.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Merge_history.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -47,7 +47,7 @@ public:
   explicit Cluster_levels(const Clustering& clustering)
     : clustering_(clustering),
       history_(Access::input_without_features(clustering), Access::labels(clustering), Index(clustering.number_of_clusters()),
-               internal::Checkpoint(Access::visitor(clustering)))
+               internal::Cancellation_point(Access::visitor(clustering)))
   {}
 
   /// returns the number of clusters of the finest level.
@@ -127,13 +127,13 @@ public:
     using namespace internal;
     typedef typename GetGeomTraits<Output, NamedParameters>::type Traits;
     check(level);
-    const Checkpoint checkpoint(Access::visitor(clustering_));
-    const Frame& frame = Access::frame(clustering_);
+    const Cancellation_point cancellation(Access::visitor(clustering_));
+    const Local_frame& frame = Access::frame(clustering_);
     const Cluster_labels level_labels = labels(level);
     std::vector<Triangle> triangles;
     const std::vector<Vector> positions =
       place(level_labels, level, placement, Access::repairs(clustering_), output_coordinates<Traits>(frame), triangles);
-    Face_graph_filler<Output, NamedParameters> filler(positions, frame, triangles, output, np, checkpoint);
+    Face_graph_filler<Output, NamedParameters> filler(positions, frame, triangles, output, np, cancellation);
     Access::visitor(clustering_).throw_if_cancelled();
     filler.commit();
   }
@@ -153,13 +153,13 @@ public:
   {
     using namespace internal;
     check(level);
-    const Frame& frame = Access::frame(clustering_);
+    const Local_frame& frame = Access::frame(clustering_);
     const Cluster_labels level_labels = labels(level);
     std::vector<Triangle> triangles;
     const std::vector<Vector> positions =
       place(level_labels, level, placement, Access::repairs(clustering_),
             output_coordinates<Simple_cartesian<double> >(frame), triangles);
-    const Distance_estimate estimate(level_labels, positions, triangles, Checkpoint(Access::visitor(clustering_)));
+    const Distance_estimate estimate(level_labels, positions, triangles, Cancellation_point(Access::visitor(clustering_)));
     Access::visitor(clustering_).throw_if_cancelled();
     return std::ldexp(estimate.distance(), frame.exponent);
   }
@@ -186,7 +186,7 @@ public:
     triangles = history_.triangles(level);
     return internal::place_vertices(Clustered_surface(Access::working_input(clustering_), level_labels, level), placement,
                                     with_repair, output_coordinates, triangles, counts,
-                                    internal::Checkpoint(Access::visitor(clustering_)));
+                                    internal::Cancellation_point(Access::visitor(clustering_)));
   }
   /// \endcond
 

@@ -3,11 +3,11 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_CLUSTERED_SURFACE_H
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTERED_SURFACE_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Cluster_labels.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Coarse_features.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Grouped.h>
-#include <CGAL/Surface_mesh_coarsening/internal/rounding.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -37,10 +37,10 @@ public:
   Clustered_surface(const internal::Clustering_input& input, const internal::Cluster_labels& labels, std::size_t clusters,
                     internal::Execution execution = internal::Execution::SEQUENTIAL,
                     const internal::Coarse_features* features = nullptr,
-                    const internal::Checkpoint& checkpoint = internal::Checkpoint())
+                    const internal::Cancellation_point& cancellation = internal::Cancellation_point())
     : input_(input), labels_(labels), execution_(execution), features_(features),
       faces_(internal::numbers_below(std::uint32_t(input.mesh.number_of_faces())), clusters,
-             [&](std::uint32_t f) { return labels[f]; }, checkpoint)
+             [&](std::uint32_t f) { return labels[f]; }, cancellation)
   {}
   const internal::Clustering_input& input() const { return input_; }
   const internal::Cluster_labels& labels() const { return labels_; }
@@ -92,7 +92,7 @@ private:
   const internal::Cluster_labels& labels_;
   const internal::Execution execution_;
   const internal::Coarse_features* features_; // null without features
-  internal::Grouped<std::uint32_t> faces_; // of each cluster
+  internal::Bucketed_items<std::uint32_t> faces_; // of each cluster
 };
 
 } // namespace Surface_mesh_coarsening

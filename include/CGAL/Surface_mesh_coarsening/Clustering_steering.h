@@ -3,8 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_CLUSTERING_STEERING_H
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTERING_STEERING_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/Cluster_editing.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Clustering_access.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_access.h>
 
 #include <cstddef>
 #include <memory>

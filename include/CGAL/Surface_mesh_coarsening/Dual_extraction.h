@@ -5,13 +5,13 @@
 
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Clustering_access.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Labelled_pieces.h>
-#include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
-#include <CGAL/Surface_mesh_coarsening/internal/fill_face_graph.h>
-#include <CGAL/Surface_mesh_coarsening/internal/named_parameters.h>
-#include <CGAL/Surface_mesh_coarsening/internal/place_vertices.h>
-#include <CGAL/Surface_mesh_coarsening/internal/write_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_access.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Labelled_pieces.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/write_features.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -78,13 +78,13 @@ public:
     std::size_t clusterings = 1;
     if (is_worth_repeating(dual)) {
       const auto repeat = [&](const std::vector<double>& densities) {
-        Access::make_anew(static_cast<Clustering&>(*this), densities);
+        Access::recluster(static_cast<Clustering&>(*this), densities);
         dual = place<Output, NamedParameters>(placement);
         ++clusterings;
       };
       std::vector<double> densities = Access::densities(clustering()), best_densities = densities;
       std::size_t fewest = dual.number_left();
-      while (clusterings <= most_repetitions && is_worth_repeating(dual)) {
+      while (clusterings <= max_repetitions && is_worth_repeating(dual)) {
         raise(densities, dual);
         repeat(densities);
         if (dual.number_left() <= fewest) {
@@ -101,7 +101,7 @@ public:
   /// \endcond
 
 private:
-  static constexpr std::size_t most_repetitions = 4;
+  static constexpr std::size_t max_repetitions = 4;
   /// \cond SKIP_IN_MANUAL
   struct Placed_dual
   {
@@ -121,17 +121,17 @@ private:
     typedef typename GetGeomTraits<Output, NamedParameters>::type Traits;
     const internal::Visitor_handle& visitor = Access::visitor(clustering());
     visitor.stage_begins(Coarsening_stage::TRIANGULATION);
-    const internal::Checkpoint checkpoint(visitor);
+    const internal::Cancellation_point cancellation(visitor);
     Placed_dual dual;
     dual.pieces = std::make_unique<internal::Labelled_pieces>(Access::working_input(clustering()), Access::labels(clustering()),
                                                               clustering().number_of_clusters());
     const Clustered_surface surface(dual.pieces->input(), dual.pieces->labels(), clustering().number_of_clusters(),
-                                    Access::execution(clustering()), dual.pieces->features(), checkpoint);
-    dual.triangles = internal::dual_triangles(Access::labels(clustering()), checkpoint, Access::execution(clustering()));
+                                    Access::execution(clustering()), dual.pieces->features(), cancellation);
+    dual.triangles = internal::dual_triangles(Access::labels(clustering()), cancellation, Access::execution(clustering()));
     dual.positions =
       internal::place_vertices(surface, placement, Access::repairs(clustering()),
                                internal::output_coordinates<Traits>(Access::frame(clustering())), dual.triangles, dual.counts,
-                               checkpoint);
+                               cancellation);
     visitor.throw_if_cancelled();
     visitor.stage_ends(Coarsening_stage::TRIANGULATION);
     return dual;
@@ -147,7 +147,7 @@ private:
     report.reversals_found = dual.counts.reversals_found;
     report.reversals_left = dual.counts.reversals_left;
     internal::Face_graph_filler<Output, NamedParameters> filler(dual.positions, Access::frame(clustering()), dual.triangles,
-                                                                output, np, internal::Checkpoint(visitor));
+                                                                output, np, internal::Cancellation_point(visitor));
     visitor.throw_if_cancelled();
     before(dual.positions);
     filler.commit();
@@ -158,7 +158,7 @@ private:
   bool is_worth_repeating(const Placed_dual& dual) const
   {
     return dual.number_left() > 0 && 2 * dual.number_left() <= clustering().number_of_clusters() &&
-           Access::can_be_made_anew(clustering());
+           Access::can_recluster(clustering());
   }
 
   // In the faces whose clusters have vertices of intersecting triangles.

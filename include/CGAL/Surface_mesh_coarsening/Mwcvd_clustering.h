@@ -8,15 +8,15 @@
 #include <CGAL/Surface_mesh_coarsening/Clustering_steering.h>
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/Dual_extraction.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Clustering_access.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Energy_minimization.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Initial_clustering.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Labelled_pieces.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Visitor_handle.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clustering_fault.h>
-#include <CGAL/Surface_mesh_coarsening/internal/named_parameters.h>
-#include <CGAL/Surface_mesh_coarsening/internal/parallel.h>
-#include <CGAL/Surface_mesh_coarsening/internal/read_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_access.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_minimization.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Initial_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Labelled_pieces.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/read_features.h>
 
 #include <algorithm>
 #include <functional>
@@ -76,13 +76,13 @@ public:
       visitor_(internal::get_parameter(np, CGAL::internal_np::visitor))
   {
     visitor_.stage_begins(Coarsening_stage::PREPARATION);
-    const internal::Checkpoint checkpoint(visitor_);
-    numbering_ = internal::numbering(mesh, np, checkpoint);
-    input_ = internal::clustering_input(mesh, np, numbering_, frame_, checkpoint, execution_);
+    const internal::Cancellation_point cancellation(visitor_);
+    numbering_ = internal::numbering(mesh, np, cancellation);
+    input_ = internal::clustering_input(mesh, np, numbering_, frame_, cancellation, execution_);
     subdivide_ = internal::choose_parameter(internal::get_parameter(np, internal_np::subdivide_input_p), false);
     repair_ = internal::choose_parameter(internal::get_parameter(np, internal_np::repair_output_p), true);
-    dropped_components_ = internal::drop_small_components(np, frame_, input_, checkpoint);
-    internal::read_features(mesh, np, numbering_, input_, frame_, patches_, checkpoint);
+    dropped_components_ = internal::drop_small_components(np, frame_, input_, cancellation);
+    internal::read_features(mesh, np, numbering_, input_, frame_, patches_, cancellation);
     visitor_.stage_ends(Coarsening_stage::PREPARATION);
   }
 
@@ -276,7 +276,7 @@ private:
     seeding_ = seed;
     iterations_ = 0;
     initial_ =
-      std::make_unique<internal::Initial_clustering>(input_, report_, internal::Checkpoint(visitor_), execution_);
+      std::make_unique<internal::Initial_clustering>(input_, report_, internal::Cancellation_point(visitor_), execution_);
     all_or_nothing([&] { seed(*initial_); });
     visitor_.stage_ends(Coarsening_stage::SEEDING);
     return report_.seeds;
@@ -302,7 +302,7 @@ private:
   }
 
   // What was seeded, grown and minimized is so again, with other densities.
-  void make_anew(const std::vector<double>& densities)
+  void recluster(const std::vector<double>& densities)
   {
     const Seeding seeding = seeding_;
     const std::size_t iterations = iterations_;
@@ -310,7 +310,7 @@ private:
     if (input_.cells) {
       internal::Clustering_input base = input_.cells->base();
       base.density = densities;
-      input_ = internal::Feature_cells::run(base, input_.cells->edges(), internal::Checkpoint(visitor_));
+      input_ = internal::Feature_cells::run(base, input_.cells->edges(), internal::Cancellation_point(visitor_));
     } else {
       input_.density = densities;
     }
@@ -354,7 +354,7 @@ private:
     labels();
     if (!minimization_) {
       minimization_ = std::make_unique<internal::Energy_minimization<ClusterWeight> >(
-        working_input(), *labels_, report_.clusters, weight_, internal::Checkpoint(visitor_), execution_);
+        working_input(), *labels_, report_.clusters, weight_, internal::Cancellation_point(visitor_), execution_);
       report_.initial_energy = report_.final_energy = minimization_->energy();
     }
     return *minimization_;
@@ -363,7 +363,7 @@ private:
   ClusterWeight weight_;
   internal::Visitor_handle visitor_;
   internal::Numbering<FaceGraph> numbering_;
-  internal::Frame frame_;
+  internal::Local_frame frame_;
   internal::Clustering_input input_;
   bool subdivide_ = false, repair_ = true;
   std::vector<long long> patches_; // of the faces of the mesh, where they are given

@@ -3,10 +3,10 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_SURFACE_LOCATION_H
 #define CGAL_SURFACE_MESH_COARSENING_SURFACE_LOCATION_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Nearest_point_search.h>
-#include <CGAL/Surface_mesh_coarsening/internal/build_flat_mesh.h>
-#include <CGAL/Surface_mesh_coarsening/internal/face_geometry.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/build_flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -89,14 +89,14 @@ std::vector<Surface_location<FaceGraph> > surface_locations(const FaceGraph& mes
                                                             const Clustering_input& input,
                                                             const std::vector<Index>& cluster_of_face,
                                                             const std::vector<Vector>& positions,
-                                                            const Checkpoint& checkpoint = Checkpoint())
+                                                            const Cancellation_point& cancellation = Cancellation_point())
 {
   const Flat_mesh& m = input.mesh;
   const Nearest_point_search search(m, cluster_of_face, positions.size());
   std::vector<Surface_location<FaceGraph> > locations;
   locations.reserve(positions.size());
   for (std::size_t x = 0; x < positions.size(); ++x) {
-    checkpoint.pass(64);
+    cancellation.poll(64);
     const Nearest_point nearest = search(positions[x], Index(x));
     locations.push_back(surface_location(mesh, n, m, nearest, input.parent_of(nearest.face)));
   }

@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_H
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
-#include <CGAL/Surface_mesh_coarsening/internal/write_provenance.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Vertex_sources.h>
 
 #include <type_traits>
 

@@ -4,8 +4,8 @@
 #define CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_TO_DISTANCE_H
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Distance_search.h>
-#include <CGAL/Surface_mesh_coarsening/internal/write_provenance.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_search.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Vertex_sources.h>
 
 #include <cmath>
 #include <cstddef>

@@ -4,11 +4,11 @@
 #define CGAL_SURFACE_MESH_COARSENING_EXTRACT_DUAL_MESH_H
 
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clustering_fault.h>
-#include <CGAL/Surface_mesh_coarsening/internal/dual_triangles.h>
-#include <CGAL/Surface_mesh_coarsening/internal/fill_face_graph.h>
-#include <CGAL/Surface_mesh_coarsening/internal/label_clusters.h>
-#include <CGAL/Surface_mesh_coarsening/internal/place_vertices.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/label_clusters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 
 #include <boost/range/value_type.hpp>
 
@@ -35,7 +35,7 @@ struct Dual_soup
 {
   std::vector<Vector> positions;
   std::vector<Triangle> triangles;
-  Frame frame;
+  Local_frame frame;
 };
 
 template <class FaceGraph, class FaceClusterMap, class NamedParameters>
@@ -56,7 +56,7 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
   if (!fault.empty())
     throw Invalid_input(fault);
   labels.recount();
-  dual.triangles = Careful_dual<decltype(name)>(labels, name).triangles();
+  dual.triangles = Simplicial_dual<decltype(name)>(labels, name).triangles();
   Repair_counts counts;
   dual.positions = place_vertices(Clustered_surface(input, labels, names.size()),
                                   choose_parameter<Placement>(get_parameter(np, internal_np::vertex_placement_p)),

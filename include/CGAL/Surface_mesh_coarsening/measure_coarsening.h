@@ -3,8 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_MEASURE_COARSENING_H
 #define CGAL_SURFACE_MESH_COARSENING_MEASURE_COARSENING_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/Surface_sampling.h>
-#include <CGAL/Surface_mesh_coarsening/internal/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/Surface_sampling.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -3,8 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_NEIGHBORHOOD_SEEDS_H
 #define CGAL_SURFACE_MESH_COARSENING_NEIGHBORHOOD_SEEDS_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/named_parameters.h>
-#include <CGAL/Surface_mesh_coarsening/internal/seed_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Seed_walk.h>
 
 #include <numeric>
 #include <vector>

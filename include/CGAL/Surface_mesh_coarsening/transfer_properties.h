@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_TRANSFER_PROPERTIES_H
 #define CGAL_SURFACE_MESH_COARSENING_TRANSFER_PROPERTIES_H
 
-#include <CGAL/Surface_mesh_coarsening/Property_transfer.h>
+#include <CGAL/Surface_mesh_coarsening/Property_resampler.h>
 
 #include <CGAL/Surface_mesh.h>
 
@@ -152,7 +152,7 @@ private:
   const Mesh& mesh_;
   Coarse& coarse_;
   const Policies& policies_;
-  Property_transfer<Mesh, Coarse> transfer_;
+  Property_resampler<Mesh, Coarse> transfer_;
   std::vector<std::string> left_;
   bool is_check_ = false;
 };
@@ -167,7 +167,7 @@ private:
 /// Types known are the numbers, `bool`, `std::string`, `CGAL::IO::Color`, `std::array` of 2, 3 or 4 `float` or `double`, and the
 /// points and vectors of the kernel in two and three dimensions. Numbers with fractions, colors, points, vectors and arrays
 /// are interpolated if `policies` does not say otherwise; whole numbers, `bool` and strings go by majority. Values of edges and
-/// halfedges are carried over as `Property_transfer` describes it, seams being where the values of halfedges say so. Points
+/// halfedges are carried over as `Property_resampler` describes it, seams being where the values of halfedges say so. Points
 /// are not carried over; neither are properties whose names begin with `v:connectivity` and the like, which belong to the mesh.
 ///
 /// \tparam P a point type
@@ -185,7 +185,7 @@ private:
 /// `coarse`
 ///
 /// \return the names of the property maps whose type is not known, which are left out.
-/// \throws Invalid_input as the constructor of `Property_transfer` does, before `coarse` changes, and if values without means
+/// \throws Invalid_input as the constructor of `Property_resampler` does, before `coarse` changes, and if values without means
 /// are to be transferred conservatively.
 template <class P, class Q, class FaceClusterMap, class NamedParameters1 = parameters::Default_named_parameters,
           class NamedParameters2 = parameters::Default_named_parameters>

@@ -48,7 +48,7 @@ struct Parameters
 {
   std::size_t number, level, rounds, weight;
   bool subdivide, own_densities, repair, marks_features;
-  double least_area, feature_angle;
+  double min_area, feature_angle;
 
   bool has_features() const { return marks_features || feature_angle < 180; }
 };
@@ -62,7 +62,7 @@ Parameters read_parameters(fuzz::Bytes& bytes, std::size_t vertices)
   p.own_densities = flags / 5 % 4 == 3;
   const std::size_t more = bytes.next();
   p.rounds = more / 4 % 8 == 7 ? 1000 : more / 4 % 8;
-  p.least_area = more >= 224 ? 0.3 : 0;
+  p.min_area = more >= 224 ? 0.3 : 0;
   p.number = bytes.below(vertices + 3);
   const std::size_t features = bytes.next();
   p.repair = more % 4 == 3 && vertices < 50; // takes long on surfaces as wild as these
@@ -100,7 +100,7 @@ struct Call
                        .vertex_placement(placement)
                        .number_of_iterations(parameters.rounds)
                        .subdivide_input(parameters.subdivide)
-                       .minimum_component_area(parameters.least_area)
+                       .minimum_component_area(parameters.min_area)
                        .repair_output(parameters.repair)
                        .feature_angle(parameters.feature_angle)
                        .edge_is_constrained_map(boost::make_assoc_property_map(marks.edges))
@@ -207,7 +207,7 @@ void check_result(const Call& call, const Soup& soup, const Result& r, std::size
 bool has_reason(const Mesh& mesh, const Soup& soup, const Parameters& p,
                 const std::map<Mesh::Face_index, double>& densities)
 {
-  if (faces(mesh).begin() == faces(mesh).end() || !surface_fault(soup).empty() || p.least_area > 0)
+  if (faces(mesh).begin() == faces(mesh).end() || !surface_fault(soup).empty() || p.min_area > 0)
     return true;
   if (p.own_densities)
     for (const auto& d : densities)
@@ -251,7 +251,7 @@ void check_call(const Call& call, const Soup& soup, std::size_t number, bool is_
 void print(const Soup& soup, const Parameters& p)
 {
   std::printf("# number %zu, level %zu, rounds %zu, weight %zu, subdivide %d, own densities %d, least area %g, repair %d, "
-              "marks %d, angle %g\n", p.number, p.level, p.rounds, p.weight, p.subdivide, p.own_densities, p.least_area,
+              "marks %d, angle %g\n", p.number, p.level, p.rounds, p.weight, p.subdivide, p.own_densities, p.min_area,
               p.repair, p.marks_features, p.feature_angle);
   std::printf("%s", mesh_files::off(soup).c_str());
   std::fflush(stdout);

@@ -62,7 +62,7 @@ public:
   /// \cond SKIP_IN_MANUAL
   // Lower bounds of the weights after a face has joined and after it has left, where the weight is `weight` now: with q = 1 / p and
   // t the part of the sum, (1 + t)^q >= 1 + q t - q (1 - q) t^2 / 2, and (1 - t)^q >= 1 / (1 + q t / (1 - t)).
-  double least_weight_with(const Cluster_data& data, Face_data power, double weight) const
+  double min_weight_with(const Cluster_data& data, Face_data power, double weight) const
   {
     const double sum = data.sum + data.error, q = inverse_of_p_;
     if (!(power < sum))
@@ -70,7 +70,7 @@ public:
     const double t = power / sum;
     return weight * (1 + q * t * (1 - 0.5 * (1 - q) * t)) * rounding;
   }
-  double least_weight_without(const Cluster_data& data, Face_data power, double weight) const
+  double min_weight_without(const Cluster_data& data, Face_data power, double weight) const
   {
     const double sum = data.sum + data.error, rest = sum - power;
     return rest > 1e-6 * sum ? weight * (p_ * rest / (p_ * rest + power)) * rounding : 0;

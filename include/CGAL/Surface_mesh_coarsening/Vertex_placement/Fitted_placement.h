@@ -6,8 +6,8 @@
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Edge_flips.h>
-#include <CGAL/Surface_mesh_coarsening/internal/Surface_fit.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Edge_flips.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Surface_fit.h>
 
 #include <array>
 #include <cstddef>
@@ -59,12 +59,12 @@ public:
     for (std::size_t x = 0; x < positions.size(); ++x)
       if (!border.is_on_border(x))
         positions[x] = start(surface, x);
-    Coarse_surface coarse(triangles, positions.size(), surface.features());
+    Flippable_triangulation coarse(triangles, positions.size(), surface.features());
     Surface_fit fit(surface, border, coarse, positions);
     Edge_flips flips(coarse, positions, fit);
     for (std::size_t i = 0; i < rounds_; ++i) {
       fit.find_feet();
-      flips.run((mean_angle_ + reserve) / degrees_per_radian, least_angle / degrees_per_radian);
+      flips.run((mean_angle_ + reserve) / degrees_per_radian, min_angle / degrees_per_radian);
       fit.move_vertices();
     }
     triangles = coarse.triangles();
@@ -74,7 +74,7 @@ private:
   static constexpr double degrees_per_radian = 180 / 3.14159265358979323846;
   // The movements after the last flips take a little from the angles.
   static constexpr double reserve = 0.4;
-  static constexpr double least_angle = 7;
+  static constexpr double min_angle = 7;
   std::size_t rounds_;
   double mean_angle_;
 };

@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/face_geometry.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
 
 #include <Eigen/Core>
 #include <Eigen/Cholesky>

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_PROPERTY_RESAMPLER_H
+#define CGAL_SURFACE_MESH_COARSENING_PROPERTY_RESAMPLER_H
+
+#include <CGAL/Surface_mesh_coarsening/Surface_location.h>
+#include <CGAL/Surface_mesh_coarsening/internal/transfer/Chart_sectors.h>
+#include <CGAL/Surface_mesh_coarsening/internal/transfer/Majority.h>
+#include <CGAL/Surface_mesh_coarsening/internal/transfer/Surface_correspondence.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/transfer/make_surface_correspondence.h>
+#include <CGAL/Surface_mesh_coarsening/internal/transfer/Value_components.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// How values of a mesh become values of its coarse mesh.
+enum class Transfer_policy
+{
+  /// The value at the nearest point of the mesh: colors, fields. Values that have no means are taken from where the point lies,
+  /// or from the corner it is nearest to.
+  INTERPOLATED,
+  /// The integral over the cluster divided by the coarse area, for densities of something that must not get lost: the
+  /// integral over the coarse mesh is that over the mesh, to rounding.
+  CONSERVATIVE,
+  /// The value that has the largest area: labels, materials. Of values of the same area it is the smallest.
+  MAJORITY
+};
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// carries property maps of a mesh over to its coarse mesh.
+///
+/// Values that have means are numbers, colors (`CGAL::IO::Color`), points and vectors of a kernel, and `std::array` of numbers;
+/// `bool` has none. Whole numbers and colors are rounded.
+///
+/// The two meshes may have changed their positions since they were made of each other, but not their elements. What a
+/// component that was left out carries (see named parameter `minimum_component_area` of `coarsen_mesh()`) is left out, too.
+///
+/// \tparam FaceGraph a model of `FaceListGraph`
+/// \tparam CoarseFaceGraph a model of `FaceListGraph`
+template <class FaceGraph, class CoarseFaceGraph>
+class Property_resampler
+{
+  typedef boost::graph_traits<FaceGraph> Graph_traits;
+  typedef boost::graph_traits<CoarseFaceGraph> Coarse_graph_traits;
+  typedef internal::Index Index;
+  template <class Map>
+  using Value = typename boost::property_traits<Map>::value_type;
+
+public:
+  /// prepares for the transfer. The meshes have to live as long as the object.
+  ///
+  /// \tparam FaceClusterMap a model of `ReadablePropertyMap` with the faces as keys and an integral value type
+  /// \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+  /// \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
+  /// \param mesh the input of `coarsen_mesh()`
+  /// \param clusters the `face_cluster_map` that it wrote
+  /// \param coarse its output
+  /// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
+  /// `mesh`
+  /// \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
+  /// `coarse`
+  /// \throws Invalid_input if a mesh has no faces or is not a 2-manifold, if a face of `coarse` is not a triangle, if a
+  /// cluster is larger than the number of vertices of `coarse`, or if a coordinate is not finite.
+  template <class FaceClusterMap, class NamedParameters1 = parameters::Default_named_parameters,
+            class NamedParameters2 = parameters::Default_named_parameters>
+  Property_resampler(const FaceGraph& mesh, const FaceClusterMap& clusters, const CoarseFaceGraph& coarse,
+                    const NamedParameters1& np1 = parameters::default_values(),
+                    const NamedParameters2& np2 = parameters::default_values())
+    : mesh_(mesh), coarse_(coarse), numbering_(internal::numbering(mesh, np1)),
+      coarse_numbering_(internal::numbering(coarse, np2)),
+      surfaces_(internal::make_surface_correspondence(mesh, numbering_, clusters, np1, coarse, coarse_numbering_, np2))
+  {}
+
+  /// \cond SKIP_IN_MANUAL
+  Property_resampler(const Property_resampler&) = delete; // its parts refer to each other
+  Property_resampler& operator=(const Property_resampler&) = delete;
+  /// \endcond
+
+  /// writes the source of each vertex of the coarse mesh, its nearest point of the mesh.
+  /// \tparam VertexSourceMap a model of `WritablePropertyMap` with the vertices of the coarse mesh as keys and
+  /// `Surface_location<FaceGraph>` as value
+  template <class VertexSourceMap>
+  void write_sources(VertexSourceMap sources)
+  {
+    for (std::size_t x = 0; x < surfaces_.number_of_vertices(); ++x)
+      put(sources, coarse_numbering_.vertices[x], location(surfaces_.sources()[x]));
+  }
+
+  /// \name Transfer
+  /// The value type of `to` has to be that of `from`. With `CONSERVATIVE`, values without means are refused: `Invalid_input` is
+  /// thrown before anything is written.
+  /// @{
+
+  /// carries values of vertices over to vertices. A vertex of the mesh stands for its share of the area of the faces around
+  /// it; a vertex of the coarse mesh for a third of the triangles around it.
+  template <class From, class To>
+  void transfer_vertex_property(From from, To to, Transfer_policy policy = Transfer_policy::INTERPOLATED)
+  {
+    typedef Value<From> Type;
+    if (policy == Transfer_policy::INTERPOLATED) {
+      for (std::size_t x = 0; x < surfaces_.number_of_vertices(); ++x)
+        put(to, coarse_numbering_.vertices[x], value_in_face<Type>(location(surfaces_.sources()[x]), [&](auto h) {
+              return Type(get(from, source(h, mesh_)));
+            }));
+      return;
+    }
+    tally_by_cluster<Type>(policy, to, [&](Index f, const auto& add) {
+      const internal::Flat_mesh& m = surfaces_.mesh();
+      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
+        add(surfaces_.area(f) / m.degree(f), Type(get(from, numbering_.vertices[m.corner_vertex[c]])));
+    }, [&](const internal::Nearest_point& p) { return Type(get(from, nearest_corner(location(p), mesh_))); });
+  }
+
+  /// carries values of faces over to vertices: those of the faces of its cluster to each vertex.
+  template <class From, class To>
+  void transfer_face_property_to_vertices(From from, To to, Transfer_policy policy = Transfer_policy::INTERPOLATED)
+  {
+    typedef Value<From> Type;
+    const auto value = [&](Index f) { return Type(get(from, numbering_.faces[f])); };
+    if (policy == Transfer_policy::INTERPOLATED) {
+      for (std::size_t x = 0; x < surfaces_.number_of_vertices(); ++x)
+        put(to, coarse_numbering_.vertices[x], value(surfaces_.sources()[x].face));
+      return;
+    }
+    tally_by_cluster<Type>(policy, to, [&](Index f, const auto& add) { add(surfaces_.area(f), value(f)); },
+                           [&](const internal::Nearest_point& p) { return value(p.face); });
+  }
+
+  /// carries values of faces over to faces: interpolated, from the face nearest to the center of each coarse face, among those
+  /// of its three clusters; by majority of the faces that lie nearest to it; conservative, as the mean of the densities of
+  /// its three clusters.
+  template <class From, class To>
+  void transfer_face_property(From from, To to, Transfer_policy policy = Transfer_policy::INTERPOLATED)
+  {
+    typedef Value<From> Type;
+    const auto value = [&](Index f) { return Type(get(from, numbering_.faces[f])); };
+    if (policy == Transfer_policy::INTERPOLATED)
+      for (std::size_t t = 0; t < surfaces_.triangles().size(); ++t)
+        put(to, coarse_numbering_.faces[t], value(surfaces_.triangle_sources()[t].face));
+    else if (policy == Transfer_policy::MAJORITY) {
+      std::vector<internal::Majority<Type> > votes(surfaces_.triangles().size());
+      for (std::size_t f = 0; f < numbering_.faces.size(); ++f)
+        if (surfaces_.triangles_of_faces()[f] != internal::NONE)
+          votes[surfaces_.triangles_of_faces()[f]].add(surfaces_.area(Index(f)), value(Index(f)));
+      for (std::size_t t = 0; t < votes.size(); ++t)
+        put(to, coarse_numbering_.faces[t], votes[t].empty() ? value(surfaces_.triangle_sources()[t].face) : votes[t].value());
+    } else {
+      const auto densities = cluster_densities<Type>([&](Index f, const auto& add) { add(surfaces_.area(f), value(f)); });
+      if constexpr (internal::has_means<Type>)
+        for (std::size_t t = 0; t < surfaces_.triangles().size(); ++t) {
+          internal::Weighted_sum<Type> mean;
+          for (const Index x : surfaces_.triangles()[t])
+            mean.add(1. / 3, densities[x]);
+          put(to, coarse_numbering_.faces[t], mean.value());
+        }
+    }
+  }
+
+  /// carries values of edges over to edges: from the edge that is nearest to the middle of each coarse edge, in the face that
+  /// is nearest to it, among those of its two clusters.
+  template <class From, class To>
+  void transfer_edge_property(From from, To to)
+  {
+    for (const auto e : edges(coarse_)) {
+      const auto h = halfedge(e, coarse_);
+      const std::array<Index, 2> ends{{coarse_number(source(h, coarse_)), coarse_number(target(h, coarse_))}};
+      put(to, e, get(from, edge_nearest_to(surfaces_.center(ends), surfaces_.triangle_source(ends).face)));
+    }
+  }
+
+  /// carries values of corners over to corners, such as texture coordinates. The value of a halfedge is that of its target
+  /// in its face; halfedges on the border have none.
+  ///
+  /// Values are interpolated within a single face of the mesh, and so never across a seam. Around each vertex of the coarse mesh,
+  /// the coarse faces on one side of a seam get the same value; where a coarse vertex does not lie on the seam that runs
+  /// between two of its faces, each gets the value of the nearest point on its own side.
+  ///
+  /// \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` with the edges of the mesh as keys and `bool` as value
+  /// \param from the values
+  /// \param to receives the values
+  /// \param is_seam tells which edges are seams
+  template <class From, class To, class EdgeIsConstrainedMap>
+  void transfer_corner_property(From from, To to, const EdgeIsConstrainedMap& is_seam)
+  {
+    transfer_corners(from, to, [&](auto h) { return bool(get(is_seam, edge(h, mesh_))); });
+  }
+
+  /// does the same with those edges as seams whose two faces have different values at an end.
+  template <class From, class To>
+  void transfer_corner_property(From from, To to)
+  {
+    transfer_corners(from, to, [&](auto h) {
+      const auto o = opposite(h, mesh_);
+      const auto value = [&](auto x) { return Value<From>(get(from, x)); };
+      return !(value(h) == value(prev(o, mesh_))) || !(value(o) == value(prev(h, mesh_)));
+    });
+  }
+  /// @}
+
+private:
+  Index coarse_number(typename Coarse_graph_traits::vertex_descriptor v) const
+  {
+    return coarse_numbering_.number_of(v);
+  }
+
+  Surface_location<FaceGraph> location(const internal::Nearest_point& p) const
+  {
+    return internal::surface_location(mesh_, numbering_, surfaces_.mesh(), p, p.face);
+  }
+
+  // `value(h)` is the value at the source of halfedge `h` of the face.
+  template <class Type, class Read>
+  Type value_in_face(const Surface_location<FaceGraph>& l, const Read& value) const
+  {
+    if constexpr (internal::has_means<Type>) {
+      internal::Weighted_sum<Type> sum;
+      auto h = halfedge(l.face, mesh_);
+      for (const double x : l.coordinates) {
+        if (x != 0)
+          sum.add(x, value(h));
+        h = next(h, mesh_);
+      }
+      return sum.value();
+    } else {
+      return value(internal::halfedge_from_nearest_corner(l, mesh_));
+    }
+  }
+
+  // `visit(f, add)` calls `add(area, value)` for what face `f` contributes.
+  template <class Type, class Visit>
+  auto cluster_densities(const Visit& visit) const
+  {
+    if constexpr (internal::has_means<Type>) {
+      std::vector<internal::Weighted_sum<Type> > densities(surfaces_.number_of_vertices());
+      Index last = internal::NONE, taker = internal::NONE;
+      for (std::size_t f = 0; f < numbering_.faces.size(); ++f) {
+        const Index x = surfaces_.cluster(Index(f));
+        if (x == internal::NONE)
+          continue;
+        if (x != last)
+          taker = surfaces_.vertex_with_area(last = x);
+        const double area = surfaces_.dual_area(taker);
+        visit(Index(f), [&](double weight, const Type& value) {
+          if (area > 0)
+            densities[taker].add(weight / area, value);
+        });
+      }
+      return densities;
+    } else {
+      throw Invalid_input("values that have no means cannot be transferred conservatively");
+      return 0;
+    }
+  }
+
+  // `value_at(p)` is the value for a cluster without faces, from the nearest point.
+  template <class Type, class To, class Visit, class Nearest>
+  void tally_by_cluster(Transfer_policy policy, To to, const Visit& visit, const Nearest& value_at)
+  {
+    if (policy == Transfer_policy::CONSERVATIVE) {
+      const auto densities = cluster_densities<Type>(visit);
+      if constexpr (internal::has_means<Type>)
+        for (std::size_t x = 0; x < densities.size(); ++x)
+          put(to, coarse_numbering_.vertices[x], densities[x].value());
+      return;
+    }
+    for (std::size_t x = 0; x < surfaces_.number_of_vertices(); ++x) {
+      internal::Majority<Type> votes;
+      for (const Index f : surfaces_.search().faces(Index(x)))
+        visit(f, [&](double weight, const Type& value) { votes.add(weight, value); });
+      put(to, coarse_numbering_.vertices[x], votes.empty() ? value_at(surfaces_.sources()[x]) : votes.value());
+    }
+  }
+
+  typename Graph_traits::edge_descriptor edge_nearest_to(const internal::Vector& p, Index face) const
+  {
+    using namespace internal;
+    const auto point = [&](auto v) -> const internal::Vector& {
+      return surfaces_.mesh().points[numbering_.number_of(v)];
+    };
+    auto nearest = halfedge(numbering_.faces[face], mesh_);
+    double least = -1;
+    for (const auto h : halfedges_around_face(nearest, mesh_)) {
+      const internal::Vector &a = point(source(h, mesh_)), &b = point(target(h, mesh_));
+      const double t = internal::closest_on_segment(p, a, b);
+      const internal::Vector d = p - ((1 - t) * a + t * b);
+      if (least < 0 || dot(d, d) < least) {
+        least = dot(d, d);
+        nearest = h;
+      }
+    }
+    return edge(nearest, mesh_);
+  }
+
+  template <class From, class To, class IsSeam>
+  void transfer_corners(From from, To to, const IsSeam& is_seam)
+  {
+    typedef Value<From> Type;
+    const internal::Flat_mesh& m = surfaces_.mesh();
+    std::vector<bool> seams(m.corner_vertex.size(), false);
+    for (std::size_t f = 0; f < numbering_.faces.size(); ++f)
+      for (const auto h : halfedges_around_face(halfedge(numbering_.faces[f], mesh_), mesh_))
+        if (!is_border(opposite(h, mesh_), mesh_))
+          seams[m.corner_of(Index(f), numbering_.number_of(source(h, mesh_)))] = is_seam(h);
+    internal::Chart_sectors sectors(surfaces_, seams);
+    for (std::size_t x = 0; x < surfaces_.number_of_vertices(); ++x)
+      sectors.for_each_corner_at(Index(x), [&](Index t, const internal::Nearest_point& p) {
+        auto h = halfedge(coarse_numbering_.faces[t], coarse_);
+        while (coarse_number(target(h, coarse_)) != x)
+          h = next(h, coarse_);
+        put(to, h, value_in_face<Type>(location(p), [&](auto corner) { return Type(get(from, prev(corner, mesh_))); }));
+      });
+  }
+
+  const FaceGraph& mesh_;
+  const CoarseFaceGraph& coarse_;
+  internal::Numbering<FaceGraph> numbering_;
+  internal::Numbering<CoarseFaceGraph> coarse_numbering_;
+  internal::Surface_correspondence surfaces_;
+};
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_PROPERTY_RESAMPLER_H

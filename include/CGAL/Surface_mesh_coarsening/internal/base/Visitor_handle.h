@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_VISITOR_HANDLE_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_VISITOR_HANDLE_H
+
+#include <CGAL/Surface_mesh_coarsening/Coarsening_visitor_base.h>
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <functional>
+#include <memory>
+#include <type_traits>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The caller's visitor without its type: a copy, or, of a `std::reference_wrapper`, the visitor itself.
+class Visitor_handle
+{
+public:
+  Visitor_handle() {}
+
+  explicit Visitor_handle(const CGAL::internal_np::Param_not_found&) {}
+
+  template <class Visitor>
+  explicit Visitor_handle(const std::reference_wrapper<Visitor>& visitor) { hold(&visitor.get()); }
+
+  template <class Visitor>
+  explicit Visitor_handle(const Visitor& visitor) { hold(std::make_shared<Visitor>(visitor)); }
+
+  void stage_begins(Coarsening_stage stage) const
+  {
+    throw_if_cancelled();
+    if (stage_begins_)
+      stage_begins_(stage);
+  }
+  void stage_ends(Coarsening_stage stage) const
+  {
+    if (stage_ends_)
+      stage_ends_(stage);
+  }
+  void round_done(std::size_t round, std::size_t moves, double energy) const
+  {
+    if (round_done_)
+      round_done_(round, moves, energy);
+    throw_if_cancelled();
+  }
+  void throw_if_cancelled() const
+  {
+    if (go_further_ && !go_further_())
+      throw Coarsening_cancelled();
+  }
+  // Asks whether to continue after each `often` steps, counted over all loops.
+  void poll(std::size_t steps) const
+  {
+    steps_ += steps;
+    if (steps_ < often)
+      return;
+    steps_ = 0;
+    throw_if_cancelled();
+  }
+  bool can_cancel() const { return bool(go_further_); }
+
+private:
+  static constexpr std::size_t often = 1 << 14;
+
+  template <class Pointer>
+  void hold(const Pointer& visitor)
+  {
+    stage_begins_ = [visitor](Coarsening_stage stage) { visitor->stage_begins(stage); };
+    stage_ends_ = [visitor](Coarsening_stage stage) { visitor->stage_ends(stage); };
+    round_done_ = [visitor](std::size_t round, std::size_t moves, double energy) {
+      visitor->round_done(round, moves, energy);
+    };
+    go_further_ = [visitor]() { return visitor->go_further(); };
+  }
+
+  std::function<void(Coarsening_stage)> stage_begins_, stage_ends_;
+  std::function<void(std::size_t, std::size_t, double)> round_done_;
+  std::function<bool()> go_further_;
+  mutable std::size_t steps_ = 0;
+};
+
+// Asks the visitor from time to time whether to continue; the steps between two questions take about a millisecond. Copies count
+// together, so that many short loops are covered, too. Loops on several threads have none.
+class Cancellation_point
+{
+public:
+  Cancellation_point() {}
+  explicit Cancellation_point(const Visitor_handle& visitor) : visitor_(visitor.can_cancel() ? &visitor : nullptr) {}
+
+  void poll(std::size_t steps = 1) const
+  {
+    if (visitor_ != nullptr)
+      visitor_->poll(steps);
+  }
+
+private:
+  const Visitor_handle* visitor_ = nullptr;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_VISITOR_HANDLE_H

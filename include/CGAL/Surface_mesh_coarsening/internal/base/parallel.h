@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_PARALLEL_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_PARALLEL_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+typedef std::uint32_t Index;
+
+enum class Execution { SEQUENTIAL, PARALLEL };
+
+template <class ConcurrencyTag>
+constexpr Execution execution()
+{
+  constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!is_parallel, "Parallel_tag is enabled but TBB is unavailable.");
+#endif
+  return is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL;
+}
+
+// Calls `work(i, begin, end)` for the i-th of the chunks of `size` numbers from 0 to `n`. The chunks do not depend on the
+// number of threads, so neither does what is put together from them in their order.
+template <class Work>
+void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const Work& work)
+{
+  const std::size_t chunks = (n + size - 1) / size;
+  const auto run = [&](std::size_t i) { work(i, i * size, (std::min)(n, (i + 1) * size)); };
+#ifdef CGAL_LINKED_WITH_TBB
+  if (execution == Execution::PARALLEL && chunks > 1) {
+    tbb::parallel_for(std::size_t(0), chunks, run);
+    return;
+  }
+#endif
+  (void)execution;
+  for (std::size_t i = 0; i < chunks; ++i)
+    run(i);
+}
+
+// The same, asking a cancellation now and then.
+template <class Work>
+void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const Cancellation_point& cancellation,
+                    const Work& work)
+{
+  constexpr std::size_t at_a_time = 16; // chunks
+  for (std::size_t first = 0; first < n; first += at_a_time * size) {
+    const std::size_t last = (std::min)(n, first + at_a_time * size);
+    cancellation.poll(last - first);
+    for_each_chunk(execution, last - first, size, [&](std::size_t i, std::size_t begin, std::size_t end) {
+      work(first / size + i, first + begin, first + end);
+    });
+  }
+}
+
+// Calls `make(part, begin, end)` for the chunks of `size` numbers from 0 to `n`, some at a time, and then `take(part)` for these
+// in their order. Parts are used again.
+template <class Part, class Make, class Take>
+void for_each_part(Execution execution, std::size_t n, std::size_t size, const Cancellation_point& cancellation, const Make& make,
+                   const Take& take)
+{
+  constexpr std::size_t at_a_time = 16;
+  std::vector<Part> parts((std::min)(at_a_time, (n + size - 1) / size));
+  for (std::size_t first = 0; first < n; first += at_a_time * size) {
+    const std::size_t last = (std::min)(n, first + at_a_time * size);
+    cancellation.poll(last - first);
+    for_each_chunk(execution, last - first, size, [&](std::size_t i, std::size_t begin, std::size_t end) {
+      make(parts[i], first + begin, first + end);
+    });
+    for (std::size_t i = 0; first + i * size < last; ++i)
+      take(parts[i]);
+  }
+}
+
+// Calls `work(i)` for the numbers from 0 to `n`, in any order.
+template <class Work>
+void for_each_number(Execution execution, std::size_t n, const Cancellation_point& cancellation, const Work& work)
+{
+  for_each_chunk(execution, n, 1024, cancellation, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      work(Index(i));
+  });
+}
+
+// Calls `work(i)` for the numbers of the groups, in their order in each group: one thread at a time goes through a group.
+template <class Work>
+void for_each_in_groups(Execution execution, const std::vector<Index>& group, std::size_t number_of_groups,
+                        const Cancellation_point& cancellation, const Work& work)
+{
+  constexpr std::size_t few = 4096; // threads would take longer to begin
+  if (execution == Execution::SEQUENTIAL || group.size() < few) {
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      cancellation.poll();
+      work(Index(i));
+    }
+    return;
+  }
+  constexpr std::size_t at_a_time = 1 << 16, parts = 4; // each part looks at the groups of all numbers
+  for (std::size_t first = 0; first < group.size(); first += at_a_time) {
+    const std::size_t last = (std::min)(group.size(), first + at_a_time);
+    cancellation.poll(last - first);
+    for_each_chunk(execution, number_of_groups, (number_of_groups + parts - 1) / parts,
+                   [&](std::size_t, std::size_t begin, std::size_t end) {
+                     for (std::size_t i = first; i < last; ++i)
+                       if (group[i] >= begin && group[i] < end)
+                         work(Index(i));
+                   });
+  }
+}
+
+// The smallest of the numbers from 0 to `n` of which `is_found` holds; `n` if there is none.
+template <class Predicate>
+std::size_t first_of(Execution execution, std::size_t n, const Cancellation_point& cancellation, const Predicate& is_found)
+{
+  std::atomic<std::size_t> first(n);
+  for_each_number(execution, n, cancellation, [&](Index i) {
+    if (!is_found(i))
+      return;
+    std::size_t before = first;
+    while (i < before && !first.compare_exchange_weak(before, i))
+      ;
+  });
+  return first;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_PARALLEL_H

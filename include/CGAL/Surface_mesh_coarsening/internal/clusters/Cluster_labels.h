@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_CLUSTER_LABELS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_CLUSTER_LABELS_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The labels of the faces, the paper's boundary-edge count of each vertex (section 7), and the tests that keep every
+// cluster a closed disc.
+//
+// What lies beyond the border counts as one more cluster per border loop. Its label, which no face carries, is
+// `cap` plus the number of the loop. So an edge of the border is an edge between two clusters, and the count
+// of a vertex is the number of runs of equal labels around it whenever it is not zero.
+class Cluster_labels
+{
+public:
+  static constexpr Index cap = NONE / 2 + 1;
+  static bool is_cap(Index label) { return label >= cap && label != NONE; }
+
+  explicit Cluster_labels(const Flat_mesh& mesh)
+    : mesh_(mesh), label_(mesh.number_of_faces(), NONE), boundary_count_(mesh.number_of_vertices(), 0)
+  {
+    for (std::size_t v = 0; v < mesh.number_of_vertices() && !has_hubs_; ++v)
+      has_hubs_ = is_hub(Index(v));
+  }
+
+  const Flat_mesh& mesh() const { return mesh_; }
+  Index operator[](Index f) const { return label_[f]; }
+  void set(Index f, Index label)
+  {
+    if (has_hubs_)
+      count_at_hubs(f, label);
+    label_[f] = label;
+  }
+  const std::vector<Index>& labels() const { return label_; }
+  // Whether no face may join or leave a cluster.
+  bool is_frozen(Index label) const { return label < is_frozen_.size() && is_frozen_[label]; }
+  void freeze(Index label, bool is_frozen)
+  {
+    if (is_frozen && label >= is_frozen_.size())
+      is_frozen_.resize(label + 1, false);
+    if (label < is_frozen_.size())
+      is_frozen_[label] = is_frozen;
+  }
+  Index boundary_count(Index v) const { return boundary_count_[v]; }
+  const std::vector<Index>& boundary_counts() const { return boundary_count_; }
+
+  // The label on the other side of the edge after corner `c`.
+  Index label_across(Index c) const
+  {
+    const Index g = mesh_.face_across[c];
+    return g == NONE ? cap + mesh_.loop[mesh_.corner_vertex[c]] : label_[g];
+  }
+
+  bool touches(Index v, Index label) const
+  {
+    if (is_hub(v))
+      return faces_at_hub_.count(hub_key(v, label)) != 0;
+    for (Index i = mesh_.first_in_star[v]; i != mesh_.first_in_star[v + 1]; ++i)
+      if (label_[mesh_.star[i]] == label)
+        return true;
+    return false;
+  }
+
+  // Whether cluster `to` with face `f` is a closed disc, given that it is one without: the part of the face's
+  // boundary that touches it has to be one arc that contains an edge and is not all of it.
+  bool stays_disc_with(Index f, Index to) const
+  {
+    const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1];
+    Index edges = 0, arcs_begun = 0;
+    bool previous = label_across(end - 1) == to;
+    for (Index c = begin; c != end; ++c) {
+      const bool across = label_across(c) == to;
+      edges += across;
+      // A vertex between two edges: touched if one of them is, and otherwise if a face around it has the label.
+      if (!previous && (across || touches(mesh_.corner_vertex[c], to)))
+        ++arcs_begun;
+      if (arcs_begun > 1)
+        return false;
+      previous = across;
+    }
+    return edges > 0 && edges < end - begin && arcs_begun == 1;
+  }
+
+  // Whether the cluster of face `f` is a closed disc without it, given that it is one with it: the part of the face's
+  // boundary that is boundary of the cluster has to be one arc and not all of it.
+  bool stays_disc_without(Index f) const
+  {
+    const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1], from = label_[f];
+    Index edges = 0, arcs_begun = 0;
+    bool previous = label_across(end - 1) != from;
+    for (Index c = begin; c != end; ++c) {
+      const bool boundary = label_across(c) != from;
+      edges += boundary;
+      if (!previous && (boundary || boundary_count_[mesh_.corner_vertex[c]] != 0)) // 0: case 0 of the paper
+        ++arcs_begun;
+      if (arcs_begun > 1)
+        return false;
+      previous = boundary;
+    }
+    return edges > 0 && edges < end - begin && arcs_begun == 1;
+  }
+
+  // Gives face `f` to another cluster and brings the counts of its vertices up to date, in time that depends on the
+  // degree of the face alone.
+  void move(Index f, Index to)
+  {
+    const Index from = label_[f];
+    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+      const Index across = label_across(c);
+      const Index before = across != from, after = across != to;
+      boundary_count_[mesh_.corner_vertex[c]] += after - before;
+      boundary_count_[mesh_.corner_vertex[mesh_.next_corner(f, c)]] += after - before;
+    }
+    set(f, to);
+  }
+
+  // The boundary-edge counts from scratch.
+  std::vector<Index> recounted() const
+  {
+    std::vector<Index> count(mesh_.number_of_vertices(), 0);
+    for (std::size_t f = 0; f < label_.size(); ++f)
+      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+        if (label_across(c) != label_[f]) {
+          ++count[mesh_.corner_vertex[c]];
+          // An inner edge is seen again from its other face, an edge of the border is not.
+          if (mesh_.face_across[c] == NONE)
+            ++count[mesh_.corner_vertex[mesh_.next_corner(Index(f), c)]];
+        }
+    return count;
+  }
+  void recount() { boundary_count_ = recounted(); }
+
+private:
+  // Going around a vertex of so many faces for each of them would take quadratic time. There the faces of each label are
+  // counted instead.
+  static constexpr Index hub_valence = 64;
+  bool is_hub(Index v) const { return mesh_.first_in_star[v + 1] - mesh_.first_in_star[v] > hub_valence; }
+  static std::uint64_t hub_key(Index v, Index label) { return (std::uint64_t(v) << 32) | label; }
+
+  void count_at_hubs(Index f, Index label)
+  {
+    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+      const Index v = mesh_.corner_vertex[c];
+      if (!is_hub(v))
+        continue;
+      if (label_[f] != NONE) {
+        const auto i = faces_at_hub_.find(hub_key(v, label_[f]));
+        if (--i->second == 0)
+          faces_at_hub_.erase(i);
+      }
+      if (label != NONE)
+        ++faces_at_hub_[hub_key(v, label)];
+    }
+  }
+
+  const Flat_mesh& mesh_;
+  std::vector<Index> label_;
+  std::vector<Index> boundary_count_;
+  std::vector<bool> is_frozen_; // of the first clusters
+  bool has_hubs_ = false;
+  std::unordered_map<std::uint64_t, Index> faces_at_hub_; // by hub and label
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_CLUSTER_LABELS_H

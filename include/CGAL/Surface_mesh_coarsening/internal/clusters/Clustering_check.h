@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_CLUSTERING_CHECK_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_CLUSTERING_CHECK_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_walk.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Looks at a clustering from scratch: whether every cluster is a closed disc, and whether the dual is a simplicial
+// surface. Relies on nothing that the clustering keeps up to date but the labels.
+class Clustering_check
+{
+public:
+  Clustering_check(const Cluster_labels& labels, std::size_t clusters)
+    : labels_(labels), mesh_(labels.mesh()), clusters_(clusters), first_face_(clusters, NONE), boundary_(clusters) {}
+
+  // What is wrong; empty if nothing is. `name(x)` is what to call cluster `x`.
+  template <class Name>
+  std::string fault(const Name& name)
+  {
+    const std::string message = fault_of_clusters(name);
+    return message.empty() ? fault_of_dual() : message;
+  }
+
+  // The same for the clusters alone, without a look at their dual.
+  template <class Name>
+  std::string fault_of_clusters(const Name& name)
+  {
+    name_ = name;
+    const std::string message = fault_of_labels();
+    return message.empty() ? fault_of_discs() : message;
+  }
+
+private:
+  std::string name(std::size_t cluster) const { return name_(cluster); }
+
+  std::string fault_of_labels()
+  {
+    const Dual_walk walk(labels_);
+    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
+      const Index x = labels_[Index(f)];
+      if (x >= clusters_)
+        return "face " + std::to_string(f) + " has no cluster";
+      if (first_face_[x] == NONE)
+        first_face_[x] = Index(f);
+      if (boundary_[x].face == NONE)
+        boundary_[x] = walk.boundary_edge(Index(f));
+    }
+    for (std::size_t x = 0; x < clusters_; ++x)
+      if (first_face_[x] == NONE)
+        return name(x) + " has no face";
+      else if (boundary_[x].face == NONE)
+        return name(x) + " covers a closed component";
+    return {};
+  }
+
+  // A cluster is a closed disc if its faces are connected across edges, its faces around every vertex follow each
+  // other, and its Euler characteristic is 1.
+  std::string fault_of_discs()
+  {
+    std::vector<long> euler_characteristic(clusters_, 0);
+    std::vector<Index> runs;
+    for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v) {
+      if (mesh_.first_in_star[v] == mesh_.first_in_star[v + 1])
+        continue;
+      clusters_around_vertex(labels_, Index(v), runs);
+      for (std::size_t i = 0; i < runs.size(); ++i) {
+        if (Cluster_labels::is_cap(runs[i]))
+          continue;
+        if (std::find(runs.begin() + i + 1, runs.end(), runs[i]) != runs.end())
+          return name(runs[i]) + " touches itself at vertex " + std::to_string(v);
+        ++euler_characteristic[runs[i]];
+      }
+    }
+    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
+      const Index x = labels_[Index(f)];
+      ++euler_characteristic[x];
+      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+        if (labels_.label_across(c) != x || mesh_.face_across[c] > f)
+          --euler_characteristic[x];
+    }
+    std::vector<bool> reached(mesh_.number_of_faces(), false);
+    for (std::size_t x = 0; x < clusters_; ++x)
+      reach(first_face_[x], reached);
+    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f)
+      if (!reached[f])
+        return name(labels_[Index(f)]) + " is not connected: face " + std::to_string(f) + " lies apart";
+    for (std::size_t x = 0; x < clusters_; ++x)
+      if (euler_characteristic[x] != 1)
+        return name(x) + " is not a disc: its Euler characteristic is " + std::to_string(euler_characteristic[x]);
+    return {};
+  }
+
+  void reach(Index face, std::vector<bool>& reached) const
+  {
+    std::vector<Index> stack(1, face);
+    reached[face] = true;
+    while (!stack.empty()) {
+      const Index f = stack.back();
+      stack.pop_back();
+      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+        const Index g = mesh_.face_across[c];
+        if (g != NONE && !reached[g] && labels_[g] == labels_[face]) {
+          reached[g] = true;
+          stack.push_back(g);
+        }
+      }
+    }
+  }
+
+  std::string fault_of_dual()
+  {
+    Dual_walk walk(labels_);
+    std::vector<Index> stamp_of_cluster(clusters_, 0);
+    Index stamp = 0;
+    for (std::size_t x = 0; x < clusters_; ++x) {
+      const Index y = walk.first_link_defect(boundary_[x], stamp_of_cluster, stamp);
+      if (y == x)
+        return name(x) + " has fewer than three neighbors";
+      if (Cluster_labels::is_cap(y))
+        return name(x) + " meets the border twice";
+      if (y != NONE)
+        return name(x) + " and " + name(y) + " meet twice";
+    }
+    return {};
+  }
+
+  const Cluster_labels& labels_;
+  const Flat_mesh& mesh_;
+  std::size_t clusters_;
+  std::function<std::string(std::size_t)> name_;
+  std::vector<Index> first_face_;
+  std::vector<Directed_edge> boundary_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_CLUSTERING_CHECK_H

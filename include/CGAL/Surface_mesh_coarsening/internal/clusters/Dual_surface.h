@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_SURFACE_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_SURFACE_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The dual of the clusters of a component, the closed triangulated surface whose vertices are the clusters and what lies
+// beyond each border loop, which can be contracted along the edges between two clusters. Merging two clusters is such a
+// contraction; nothing here needs to know the faces they are made of.
+//
+// The dual is a simplicial surface, and stays one, of the same topology, if an edge is contracted only where its ends have
+// exactly two neighbors in common (the link condition; Dey, Edelsbrunner, Guha, Nekhayev: Topology preserving edge
+// contraction, 1999). Two border loops remain apart if no cluster gets to touch both.
+class Dual_surface
+{
+public:
+  typedef Index Edge; // halfedge 3 t + i goes from corner i of triangle t to the next one
+
+  // The clusters of the faces `faces` of a component are numbered from 0 and have to be valid.
+  template <class FaceRange>
+  Dual_surface(const Cluster_labels& labels, const FaceRange& faces, Index clusters,
+               const Cancellation_point& cancellation = Cancellation_point(), Execution execution = Execution::SEQUENTIAL)
+    : clusters_(clusters)
+  {
+    add_triangles(labels, faces, cancellation, execution);
+    pair_edges();
+    stamp_of_.assign(edge_of_.size(), 0);
+    loop_of_.assign(clusters, NONE);
+    for (Edge e = 0; e < source_.size(); ++e)
+      if (is_cap(source_[e]) && !is_cap(target(e)))
+        loop_of_[target(e)] = source_[e];
+  }
+
+  std::size_t number_of_triangles() const { return source_.size() / 3; }
+  bool is_triangle(Index t) const { return source_[3 * t] != NONE; }
+  bool is_cap(Index x) const { return x >= clusters_; }
+
+  static Edge next(Edge e) { return e % 3 == 2 ? e - 2 : e + 1; }
+  static Edge previous(Edge e) { return e % 3 == 0 ? e + 2 : e - 1; }
+  Index source(Edge e) const { return source_[e]; }
+  Index target(Edge e) const { return source_[next(e)]; }
+  // Whether the clusters at the ends meet in an arc, and not only in the fan around a vertex of the mesh.
+  bool is_arc(Edge e) const { return is_arc_[e]; }
+
+  // Calls `visit(e)` for each edge that leaves `x`.
+  template <class Visit>
+  void for_each_edge_from(Index x, const Visit& visit) const
+  {
+    Edge e = edge_of_[x];
+    do {
+      visit(e);
+      e = opposite_[previous(e)];
+    } while (e != edge_of_[x]);
+  }
+
+  // Whether the two clusters at the ends of an edge may become one.
+  bool may_contract(Edge e)
+  {
+    const Index a = source_[e], b = target(e);
+    if (is_cap(a) || is_cap(b))
+      return false;
+    if (loop_of_[a] != NONE && loop_of_[b] != NONE && loop_of_[a] != loop_of_[b])
+      return false;
+    ++stamp_;
+    std::size_t of_a = 0, of_b = 0, common = 0;
+    for_each_edge_from(a, [&](Edge f) {
+      stamp_of_[target(f)] = stamp_;
+      ++of_a;
+    });
+    for_each_edge_from(b, [&](Edge f) {
+      common += stamp_of_[target(f)] == stamp_;
+      ++of_b;
+    });
+    // The cycle around both needs three neighbors.
+    return common == 2 && of_a + of_b >= 7 && !tip_is_enclosed(e) && !tip_is_enclosed(opposite_[e]);
+  }
+
+  // Makes one of the two ends of `e`, and gives it the number of the first.
+  void contract(Edge e)
+  {
+    const Index kept = source_[e], gone = target(e);
+    const Edge o = opposite_[e];
+    for_each_edge_from(gone, [&](Edge f) { moved_.push_back(f); });
+    for (const Edge f : moved_)
+      source_[f] = kept;
+    moved_.clear();
+    if (loop_of_[kept] == NONE)
+      loop_of_[kept] = loop_of_[gone];
+    edge_of_[kept] = remove_triangle(e);
+    remove_triangle(o);
+    edge_of_[gone] = NONE;
+  }
+
+private:
+  // The clusters around vertices where three or more meet.
+  struct Clusters_at_vertices
+  {
+    // Of the vertices whose stars begin at one of the faces.
+    template <class Iterator>
+    void list(const Cluster_labels& labels, Iterator begin, Iterator end)
+    {
+      const Flat_mesh& m = labels.mesh();
+      runs.clear();
+      first.assign(1, 0);
+      for (Iterator i = begin; i != end; ++i)
+        for (Index c = m.first_corner[*i]; c != m.first_corner[*i + 1]; ++c) {
+          const Index v = m.corner_vertex[c];
+          if (m.star[m.first_in_star[v]] != *i)
+            continue;
+          clusters_around_vertex(labels, v, at_vertex);
+          if (at_vertex.size() < 3)
+            continue;
+          runs.insert(runs.end(), at_vertex.begin(), at_vertex.end());
+          first.push_back(Index(runs.size()));
+        }
+    }
+
+    std::vector<Index> runs, first; // where those of each vertex begin, and where the last end
+    std::vector<Index> at_vertex;
+  };
+
+  // Whether the third cluster of the triangle of `e` meets the two at the ends of `e` in arcs, and no others. These must not
+  // become one: it would touch itself at the vertex where the fan is that the other neighbors of the third come from.
+  bool tip_is_enclosed(Edge e) const
+  {
+    const Index tip = source_[previous(e)];
+    if (is_cap(tip) || !is_arc_[next(e)] || !is_arc_[previous(e)])
+      return false;
+    std::size_t arcs = 0;
+    Edge f = previous(e);
+    do {
+      arcs += is_arc_[f];
+      f = opposite_[previous(f)];
+    } while (f != previous(e) && arcs <= 2);
+    return arcs == 2;
+  }
+
+  // Glues together the two edges of the triangle of `e` other than `e`. Returns one of those glued that leaves the source
+  // of `e`.
+  Edge remove_triangle(Edge e)
+  {
+    const Edge first = opposite_[next(e)], second = opposite_[previous(e)]; // from the tip, and to the tip
+    const Index tip = source_[previous(e)], end = source_[e];
+    opposite_[first] = second;
+    opposite_[second] = first;
+    is_arc_[first] = is_arc_[second] = is_arc_[first] || is_arc_[second];
+    edge_of_[tip] = first;
+    for (Edge f : {e, next(e), previous(e)})
+      source_[f] = NONE;
+    CGAL_assertion(source_[first] == tip && source_[second] == end);
+    (void)end;
+    return second;
+  }
+
+  template <class FaceRange>
+  void add_triangles(const Cluster_labels& labels, const FaceRange& faces, const Cancellation_point& cancellation,
+                     Execution execution)
+  {
+    std::vector<Index> loops;
+    for_each_part<Clusters_at_vertices>(
+      execution, faces.size(), 4096, cancellation,
+      [&](Clusters_at_vertices& part, std::size_t begin, std::size_t end) {
+        part.list(labels, faces.begin() + begin, faces.begin() + end);
+      },
+      [&](const Clusters_at_vertices& part) {
+        for (std::size_t i = 0; i + 1 < part.first.size(); ++i)
+          add_fan(part.runs.data() + part.first[i], part.runs.data() + part.first[i + 1], loops);
+      });
+    // The loops of the component are numbered on from the clusters.
+    sort_unique(loops);
+    for (Index& x : source_)
+      if (Cluster_labels::is_cap(x))
+        x = clusters_ + Index(std::lower_bound(loops.begin(), loops.end(), x) - loops.begin());
+    edge_of_.assign(clusters_ + loops.size(), NONE);
+  }
+
+  void add_fan(const Index* begin, const Index* end, std::vector<Index>& loops)
+  {
+    if (Cluster_labels::is_cap(end[-1]))
+      loops.push_back(end[-1]);
+    for (const Index* i = begin + 2; i != end; ++i) {
+      source_.insert(source_.end(), {*begin, i[-1], *i});
+      is_arc_.insert(is_arc_.end(), {i == begin + 2, true, i + 1 == end});
+    }
+  }
+
+  void pair_edges()
+  {
+    opposite_.assign(source_.size(), NONE);
+    Bucketed_items<Edge> from(numbers_below(Edge(source_.size())), edge_of_.size(), [this](Edge e) { return source_[e]; });
+    for (std::size_t x = 0; x < edge_of_.size(); ++x)
+      edge_of_[x] = *from[x].begin();
+    from.sort_groups([this](Edge a, Edge b) { return target(a) < target(b); });
+    for (Edge e = 0; e < source_.size(); ++e) {
+      const Bucketed_items<Edge>::Range back = from[target(e)];
+      const auto found =
+        std::lower_bound(back.begin(), back.end(), source_[e], [this](Edge a, Index x) { return target(a) < x; });
+      CGAL_assertion(found != back.end() && target(*found) == source_[e]);
+      opposite_[e] = *found;
+    }
+  }
+
+  Index clusters_;
+  std::vector<Index> source_;   // of each edge; NONE where the triangle is gone
+  std::vector<Edge> opposite_;
+  std::vector<char> is_arc_;    // of each edge
+  std::vector<Edge> edge_of_;   // one that leaves each vertex
+  std::vector<Index> loop_of_;  // that each cluster touches
+  std::vector<Index> stamp_of_;
+  std::vector<Edge> moved_;
+  Index stamp_ = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_SURFACE_H

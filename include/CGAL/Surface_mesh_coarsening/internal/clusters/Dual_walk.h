@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_WALK_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_WALK_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// An edge seen from a face that lies on its left: the edge after corner `corner` of `face`.
+struct Directed_edge
+{
+  Index face = NONE;
+  Index corner = NONE;
+
+  bool operator==(const Directed_edge& e) const { return corner == e.corner; }
+};
+
+// The runs of equal labels around a vertex, counterclockwise, the one beyond the border among them.
+//
+// In the dual triangulation a vertex with d >= 3 runs is a fan of d - 2 triangles. Its apex is the run of the first
+// face of the star. So the dual triangulation is a function of the clusters, whatever their numbers are, and merging
+// two clusters contracts an edge of it. On the border the first face is the clockwise end of the star, and the only
+// triangle with the run beyond the border is the one of the two clusters that meet the border here.
+inline void clusters_around_vertex(const Cluster_labels& labels, Index v, std::vector<Index>& runs)
+{
+  const Flat_mesh& m = labels.mesh();
+  runs.clear();
+  for (Index i = m.first_in_star[v]; i != m.first_in_star[v + 1]; ++i) {
+    const Index label = labels[m.star[i]];
+    if (runs.empty() || runs.back() != label)
+      runs.push_back(label);
+  }
+  if (m.is_on_border(v))
+    runs.push_back(Cluster_labels::cap + m.loop[v]);
+  else if (runs.size() > 1 && runs.back() == runs.front())
+    runs.pop_back(); // the apex, which is the first run, goes on over the end of the array
+}
+
+// Walks along the boundary of a cluster that is a closed disc, and tells which clusters follow each other around its
+// vertex in the dual triangulation.
+class Dual_walk
+{
+public:
+  explicit Dual_walk(const Cluster_labels& labels) : labels_(labels), mesh_(labels.mesh()) {}
+
+  // An edge of face `f` on the boundary of its cluster; none if there is none.
+  Directed_edge boundary_edge(Index f) const
+  {
+    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+      if (labels_.label_across(c) != labels_[f])
+        return {f, c};
+    return {};
+  }
+
+  // Calls `visit(label)` for each neighbor of the cluster in the dual triangulation, in order around it.
+  template <class Visit>
+  void along_link(const Directed_edge start, const Visit& visit)
+  {
+    Directed_edge e = start;
+    do {
+      const Index v = mesh_.corner_vertex[mesh_.next_corner(e.face, e.corner)];
+      const Index front = labels_.label_across(e.corner);
+      const Directed_edge leaving = turn(e, v);
+      if (!link_at(v, e.face, front, labels_.label_across(leaving.corner), visit))
+        return;
+      e = leaving;
+    } while (!(e == start));
+  }
+
+  // The neighbor that keeps the cluster on the left of `start` from having a simple link: one that comes twice, or
+  // what lies beyond a second border loop. NONE if the link is a simple cycle of three or more neighbors; the
+  // cluster itself if it is simple but shorter.
+  Index first_link_defect(const Directed_edge start, std::vector<Index>& stamp_of_cluster, Index& stamp)
+  {
+    ++stamp;
+    Index fault = NONE, length = 0, loops = 0;
+    along_link(start, [&](Index label) {
+      ++length;
+      if (Cluster_labels::is_cap(label)) {
+        if (++loops > 1)
+          fault = label;
+      } else if (stamp_of_cluster[label] == stamp) {
+        fault = label;
+      } else {
+        stamp_of_cluster[label] = stamp;
+      }
+      return fault == NONE;
+    });
+    return fault == NONE && length < 3 ? labels_[start.face] : fault;
+  }
+
+private:
+  // Visits the neighbors that the cluster of face `f` has at `v` in the fan there, but for `front`, where the boundary of
+  // the cluster arrives at `v`. It leaves `v` along `back`.
+  template <class Visit>
+  bool link_at(Index v, Index f, Index front, Index back, const Visit& visit)
+  {
+    if (front == back)
+      return true;
+    const Index apex = labels_[mesh_.star[mesh_.first_in_star[v]]];
+    if (apex == labels_[f]) {
+      clusters_around_vertex(labels_, v, runs_);
+      for (std::size_t i = 2; i < runs_.size(); ++i)
+        if (!visit(runs_[i]))
+          return false;
+      return true;
+    }
+    if (apex != front && apex != back && !visit(apex))
+      return false;
+    return visit(back);
+  }
+
+  // From the boundary edge that arrives at `v` to the one that leaves it, clockwise over the faces of the cluster, which
+  // follow each other there.
+  Directed_edge turn(const Directed_edge e, Index v) const
+  {
+    Directed_edge leaving{e.face, mesh_.next_corner(e.face, e.corner)};
+    while (labels_.label_across(leaving.corner) == labels_[e.face]) {
+      const Index f = mesh_.face_across[leaving.corner];
+      leaving = {f, mesh_.corner_of(f, v)};
+    }
+    return leaving;
+  }
+
+  const Cluster_labels& labels_;
+  const Flat_mesh& mesh_;
+  std::vector<Index> runs_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_WALK_H

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_DISTANCE_SEARCH_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_DISTANCE_SEARCH_H
+
+#include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_estimate.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/hausdorff_bound.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Vertex_sources.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The placement by which the search finds out about how many vertices it takes: that which a placement starts from, if it says
+// so, or itself.
+template <class Placement, class = void>
+struct Quick_placement
+{
+  typedef Placement type;
+};
+template <class Placement>
+struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
+{
+  typedef typename Placement::Start type;
+};
+
+// Looks for the coarsest result within a distance among the levels of a fine clustering.
+template <class Clustering, class Placement, class OutputTraits>
+class Distance_search
+{
+public:
+  template <class Report>
+  Distance_search(Clustering& clustering, const Placement& placement, double distance, std::size_t iterations,
+                  std::size_t vertices, Report& report)
+    : clustering_(clustering), placement_(placement), iterations_(iterations), vertices_(vertices),
+      number_((std::max)(vertices / 16, std::size_t(4))), clusterings_(report.clusterings), estimates_(report.estimates),
+      bounds_(report.bounds), final_vertices_(report.vertices), final_bound_(report.distance_bound), distance_(distance),
+      local_distance_(std::ldexp(distance, -Access::frame(clustering).exponent))
+  {}
+
+  void run()
+  {
+    do {
+      find_clustering();
+      find_level();
+    } while (!bound_result());
+  }
+
+  // Of the result:
+  const std::vector<Vector>& positions() const { return result_.positions; }
+  const std::vector<Triangle>& triangles() const { return result_.triangles; }
+  std::vector<Index> clusters_of_faces() const
+  {
+    std::vector<Index> clusters;
+    const auto& numbering = Access::numbering(clustering_);
+    std::vector<Index> all(numbering.faces.size());
+    levels_->write_clusters(result_.level, boost::make_function_property_map<typename Clustering::face_descriptor>(
+      [&](typename Clustering::face_descriptor f) -> Index& { return all[numbering.number_of(f)]; }));
+    const Clustering_input& input = Access::input(clustering_);
+    for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
+      clusters.push_back(all[input.parent_of(Index(f))]);
+    return clusters;
+  }
+
+private:
+  typedef Clustering_access Access;
+  typedef Cluster_levels<Clustering> Levels;
+  typedef typename Quick_placement<Placement>::type Quick;
+  static constexpr bool has_quick_placement = !std::is_same<Quick, Placement>::value;
+
+  struct Result
+  {
+    std::size_t level = 0;
+    std::vector<Vector> positions;
+    std::vector<Triangle> triangles;
+    double estimate = 0;
+  };
+
+  // Estimates come out a little below bounds.
+  double wanted() const { return 0.97 * local_distance_; }
+
+  // By a quick placement, distances are larger than by one that starts from it.
+  double quickly_wanted() const { return has_quick_placement ? wanted() / usual_gain : wanted(); }
+  static constexpr double usual_gain = 0.6;
+
+  // With the first of some numbers of vertices that comes near enough.
+  void find_clustering()
+  {
+    for (;;) {
+      number_ = (std::min)(number_, vertices_);
+      levels_.reset();
+      result_ = Result();
+      try {
+        clustering_.seed(number_);
+        clustering_.grow();
+      } catch (const Unreachable_number_of_vertices& e) {
+        if (e.nearest() > number_)
+          number_ = vertices_ = e.nearest();
+        clustering_.seed(e.nearest());
+        clustering_.grow();
+      }
+      clustering_.minimize(iterations_);
+      ++clusterings_;
+      levels_.emplace(clustering_);
+      estimates_by_level_.clear();
+      quick_estimates_.clear();
+      if (number_ >= vertices_ || quick_estimate(levels_->finest()) <= quickly_wanted() ||
+          (has_quick_placement && try_level(levels_->finest()) <= wanted()))
+        return;
+      number_ *= 2;
+    }
+  }
+
+  double quick_estimate(std::size_t n)
+  {
+    if constexpr (has_quick_placement) {
+      const auto known = quick_estimates_.find(n);
+      return known != quick_estimates_.end() ? known->second : quick_estimates_[n] = place(n, Quick(), false).estimate;
+    } else {
+      return try_level(n);
+    }
+  }
+
+  // Of the placement asked for. Keeps what is near enough, if it is coarser than what was kept before.
+  double try_level(std::size_t n)
+  {
+    const auto known = estimates_by_level_.find(n);
+    if (known != estimates_by_level_.end())
+      return known->second;
+    Result x = place(n, placement_, Access::repairs(clustering_));
+    const double e = estimates_by_level_[n] = x.estimate;
+    if (e <= wanted() && (result_.level == 0 || n < result_.level))
+      result_ = std::move(x);
+    return e;
+  }
+
+  void find_level()
+  {
+    const std::size_t finest = levels_->finest();
+    const auto estimate = [this](std::size_t i) { return try_level(i); };
+    std::size_t n = finest;
+    if (has_quick_placement) {
+      n = bracket(n, wanted() / expected_gain(), 1.2, 5, quick_estimates_, [this](std::size_t i) { return quick_estimate(i); });
+      estimate(n);
+      n = bracket(n, wanted(), 1.25, 2, estimates_by_level_, estimate);
+    } else {
+      n = bracket(n, wanted(), 1.06, 5, estimates_by_level_, estimate);
+    }
+    for (; result_.level == 0 && n < finest; n = (std::min)(finest, n + n / 4 + 1))
+      try_level(n);
+    // Where vertices have few faces each, a coarser level may be nearer.
+    for (n = finest; result_.level == 0 && n >= levels_->coarsest() && n > finest / 16; n /= 2)
+      try_level(n);
+  }
+
+  // What the placement is expected to make of the distance that a quick one leaves: what it has made of it on the finest level,
+  // if that was tried.
+  double expected_gain()
+  {
+    const auto known = estimates_by_level_.find(levels_->finest());
+    return known != estimates_by_level_.end() ? (std::min)(known->second / quick_estimate(levels_->finest()), 1.) : usual_gain;
+  }
+
+  // Closes the bracket around the coarsest level that is within a distance, by no more than `most` estimates besides those known.
+  //
+  // The estimate falls with about the power -1 of the number of vertices where the surface is smooth. Until two estimates tell
+  // its slope, steps are those of a somewhat steeper one, as one that goes too far costs more than a further step.
+  template <class Estimate>
+  std::size_t bracket(std::size_t first, double distance, double width, int most, const std::map<std::size_t, double>& known,
+                      const Estimate& estimate)
+  {
+    double low = double(levels_->coarsest()) - 1, high = double(levels_->finest()); // too coarse, and maybe fine enough
+    double low_estimate = 0, high_estimate = 0;                                      // 0 if not known
+    double next = double(first);
+    const auto take = [&](double n, double e) {
+      (e <= distance ? high : low) = n;
+      (e <= distance ? high_estimate : low_estimate) = e;
+      const double slope = low_estimate > 0 && high_estimate > 0 && high_estimate < low_estimate
+                             ? std::log(high_estimate / low_estimate) / std::log(high / low) : -1.25;
+      next = n * std::pow(0.98 * distance / e, 1 / slope);
+      // Not all the way to an end of the bracket.
+      next = (std::max)(next, low_estimate > 0 ? low * std::pow(high / low, 0.15) : low + 1);
+      next = (std::min)(next, high_estimate > 0 ? high * std::pow((std::max)(low, 1.) / high, 0.1) : high);
+      next = std::floor((std::min)((std::max)(next, low + 1), high));
+    };
+    for (auto i = known.rbegin(); i != known.rend() && low_estimate == 0; ++i)
+      take(double(i->first), i->second);
+    for (int i = 0; i < most && high > width * low + 1 && !(width * high_estimate >= distance); ++i)
+      take(next, estimate(std::size_t(next)));
+    return std::size_t(high_estimate > 0 ? high : (std::max)(next, low));
+  }
+
+  // Estimates take the place of bounds in the search; where that was wrong, a finer level is needed. Returns whether there was
+  // one that is fine enough, or a finer clustering is.
+  bool bound_result()
+  {
+    const double error = local_distance_ / 32;
+    const Distance_mesh surface = triangles_of(Access::input(clustering_).mesh);
+    const std::size_t finest = levels_->finest();
+    if (result_.level == 0)
+      result_ = place(finest, placement_, Access::repairs(clustering_));
+    for (;;) {
+      const double bound = hausdorff_bound(surface, output_positions(), result_.triangles, error);
+      ++bounds_;
+      const double external = std::ldexp(bound, Access::frame(clustering_).exponent);
+      if (bound <= local_distance_) {
+        final_vertices_ = result_.level;
+        final_bound_ = external;
+        return true;
+      }
+      if (result_.level == finest) {
+        if (number_ >= vertices_)
+          throw Unreachable_distance("no result within a distance of " + std::to_string(distance_) + " was found", external);
+        number_ *= 2;
+        return false;
+      }
+      const double finer = double(result_.level) * (std::min)(2., (std::max)(1.05, std::pow(bound / local_distance_, 1.2)));
+      result_ = place((std::min)(finest, std::size_t(finer) + 1), placement_, Access::repairs(clustering_));
+    }
+  }
+
+  template <class AnyPlacement>
+  Result place(std::size_t n, const AnyPlacement& placement, bool with_repair)
+  {
+    Result x;
+    x.level = n;
+    const Cluster_labels labels = levels_->labels(n);
+    x.positions = levels_->place(labels, n, placement, with_repair,
+                                 output_coordinates<OutputTraits>(Access::frame(clustering_)), x.triangles);
+    ++estimates_;
+    x.estimate = Distance_estimate(labels, x.positions, x.triangles, Cancellation_point(Access::visitor(clustering_)))
+                   .distance(0.5 * local_distance_);
+    return x;
+  }
+
+  // The positions that the output has after rounding, in the coordinates of the arrays.
+  std::vector<Vector> output_positions() const
+  {
+    const Local_frame& frame = Access::frame(clustering_);
+    const auto to_output = output_coordinates<OutputTraits>(frame);
+    std::vector<Vector> result;
+    for (const Vector& p : result_.positions) {
+      Vector q = to_output(p);
+      for (int i = 0; i < 3; ++i)
+        q[i] = std::ldexp(q[i] - frame.origin[i], -frame.exponent);
+      result.push_back(q);
+    }
+    return result;
+  }
+
+  Clustering& clustering_;
+  std::optional<Levels> levels_;
+  Placement placement_;
+  std::size_t iterations_;
+  std::size_t vertices_; // the largest number of clusters that is tried
+  std::size_t number_;   // of clusters that the clustering shall have
+  std::size_t &clusterings_, &estimates_, &bounds_, &final_vertices_;
+  double& final_bound_;
+  double distance_, local_distance_;
+  std::map<std::size_t, double> estimates_by_level_, quick_estimates_; // of the clustering
+  Result result_;                                                      // no level if there is none
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_DISTANCE_SEARCH_H

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_CELLS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_CELLS_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Feature_graph.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Quad_subdivision.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/star_subdivision.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// How the mesh that is clustered is made where there are features: the faces around the nodes of the feature graph are cut
+// into one quadrilateral per corner, and those around a node joined to one polygon, its cell. Whatever clusters are made of
+// these polygons, each feature edge lies in at most two of them, and where it leads from one to the other, in its middle, the
+// two meet in an arc across it. So features are kept by rules for the cells alone: see Feature_rules.
+//
+// The polygons of this mesh have no geometry but their sums. Whatever looks at the surface uses `pieces`, of which the
+// polygons consist.
+class Feature_cells
+{
+public:
+  // Makes the mesh to be clustered; there must be features.
+  static Clustering_input run(const Clustering_input& base, const Feature_edges& edges, const Cancellation_point& cancellation)
+  {
+    auto cells = std::make_shared<Feature_cells>(base, edges);
+    const std::vector<char> too_wide = cells->faces_at_bigons();
+    if (!too_wide.empty())
+      return cells->in_fans(too_wide, cancellation);
+    if (!cells->graph_.has_room())
+      return cells->subdivided(std::vector<bool>(base.mesh.components.size(), true), cancellation);
+    Clustering_input result = cells->make(cancellation);
+    result.cells = cells;
+    return result;
+  }
+
+  Feature_cells(const Clustering_input& base, const Feature_edges& edges)
+    : base_(base), edges_(edges), graph_(base_.mesh, edges) {}
+
+  // The same with the faces of the chosen components of the original mesh subdivided.
+  Clustering_input subdivided(const std::vector<bool>& chosen_component, const Cancellation_point& cancellation) const
+  {
+    Clustering_input finer = base_;
+    finer.subdivide(chosen_component, cancellation);
+    const Feature_edges edges = edges_.subdivided(base_.mesh, chosen_component, finer.mesh);
+    return run(finer, edges, cancellation);
+  }
+
+  const Clustering_input& base() const { return base_; }
+  const Feature_edges& edges() const { return edges_; }
+  const Feature_graph& graph() const { return graph_; }
+
+  // The faces of the original mesh, those around nodes cut. Vertices have the same numbers as in the mesh of cells.
+  const Clustering_input& pieces() const { return pieces_; }
+  // The polygon, and the face of base(), that a piece is a part of.
+  Index polygon(Index piece) const { return polygon_of_piece_[piece]; }
+  Index base_face(Index piece) const { return face_of_piece_[piece]; }
+
+  // Whether a piece at a node has a feature edge.
+  bool has_line_at(Index piece) const
+  {
+    const Index f = face_of_piece_[piece], v = pieces_.mesh.corner_vertex[pieces_.mesh.first_corner[piece]];
+    const Index c = base_.mesh.corner_of(f, v);
+    return edges_.is_feature[c] || edges_.is_feature[base_.mesh.previous_corner(f, c)];
+  }
+
+  // The node of a polygon; NONE if it is no cell.
+  Index node(Index polygon) const { return node_of_polygon_[polygon]; }
+  Index cell(Index node) const { return cell_of_node_[node]; }
+  // Whether a polygon has an edge on the border.
+  bool is_at_border(Index polygon) const { return is_at_border_[polygon]; }
+  // Whether a corner lies on the border.
+  bool is_on_border(Index node) const { return base_.mesh.is_on_border(graph_.vertex(node)); }
+  // The vertex in the middle of the edge from a node to the next on a line.
+  Index middle(Index node, Index next) const
+  {
+    const Flat_mesh& m = base_.mesh;
+    const Index v = graph_.vertex(node), w = graph_.vertex(next);
+    for (Index i = m.first_in_star[v]; i != m.first_in_star[v + 1]; ++i) {
+      const Index f = m.star[i], c = m.corner_of(f, v);
+      if (m.corner_vertex[m.next_corner(f, c)] == w && edges_.is_feature[c])
+        return middle_[c];
+    }
+    return NONE;
+  }
+
+private:
+  // The faces at nodes between two faces only, whose cells would have two neighbors, and could not be clusters. Empty if there
+  // are none.
+  std::vector<char> faces_at_bigons() const
+  {
+    const Flat_mesh& m = base_.mesh;
+    std::vector<char> result;
+    for (Index i = 0; i < graph_.number_of_nodes(); ++i) {
+      const Index v = graph_.vertex(i);
+      if (m.is_on_border(v) || m.first_in_star[v + 1] - m.first_in_star[v] != 2)
+        continue;
+      result.resize(m.number_of_faces(), false);
+      for (Index k = m.first_in_star[v]; k != m.first_in_star[v + 1]; ++k)
+        result[m.star[k]] = true;
+    }
+    return result;
+  }
+
+  // The same with chosen faces of the original mesh cut into fans.
+  Clustering_input in_fans(const std::vector<char>& is_cut, const Cancellation_point& cancellation) const
+  {
+    Clustering_input fans;
+    std::vector<Index> old_face;
+    fans.mesh = star_subdivision(base_.mesh, is_cut, old_face, cancellation);
+    fans.inherit(base_, old_face);
+    for (std::size_t i = 0; i < fans.mesh.components.size(); ++i)
+      fans.mesh.components[i].original_vertices = base_.mesh.components[i].max_clusters();
+    return run(fans, edges_.in_fans(base_.mesh, is_cut, fans.mesh), cancellation);
+  }
+
+  Clustering_input make(const Cancellation_point& cancellation)
+  {
+    const Flat_mesh& m = base_.mesh;
+    std::vector<char> is_cut(m.number_of_faces(), false);
+    for (Index i = 0; i < graph_.number_of_nodes(); ++i) {
+      const Index v = graph_.vertex(i);
+      for (Index k = m.first_in_star[v]; k != m.first_in_star[v + 1]; ++k)
+        is_cut[m.star[k]] = true;
+    }
+    Quad_subdivision cutting(m, is_cut);
+    pieces_.mesh = cutting.run(cancellation);
+    pieces_.inherit(base_, cutting.old_face());
+    face_of_piece_ = cutting.old_face();
+    middle_ = cutting.middle();
+    number_polygons(cutting);
+    Clustering_input result;
+    join_pieces(result.mesh, cancellation);
+    sum_up(result);
+    count_in_components(result.mesh);
+    find_border(result.mesh);
+    return result;
+  }
+
+  // In the order of the pieces, so that components keep theirs.
+  void number_polygons(const Quad_subdivision& cutting)
+  {
+    const Flat_mesh& m = base_.mesh;
+    std::vector<Index> node_of_piece(pieces_.mesh.number_of_faces(), NONE);
+    for (Index i = 0; i < graph_.number_of_nodes(); ++i) {
+      const Index v = graph_.vertex(i);
+      for (Index k = m.first_in_star[v]; k != m.first_in_star[v + 1]; ++k)
+        node_of_piece[cutting.piece_at(m.star[k], v)] = i;
+    }
+    cell_of_node_.assign(graph_.number_of_nodes(), NONE);
+    for (std::size_t p = 0; p < node_of_piece.size(); ++p) {
+      const Index i = node_of_piece[p];
+      Index polygon = i == NONE ? NONE : cell_of_node_[i];
+      if (polygon == NONE) {
+        polygon = Index(node_of_polygon_.size());
+        node_of_polygon_.push_back(i);
+        first_piece_.push_back(Index(p));
+        if (i != NONE)
+          cell_of_node_[i] = polygon;
+      }
+      polygon_of_piece_.push_back(polygon);
+    }
+  }
+
+  void join_pieces(Flat_mesh& result, const Cancellation_point& cancellation) const
+  {
+    const Flat_mesh& m = pieces_.mesh;
+    result.points = m.points;
+    result.first_corner.assign(1, 0);
+    const auto push = [&](Index corner) {
+      const Index across = m.face_across[corner];
+      result.corner_vertex.push_back(m.corner_vertex[corner]);
+      result.face_across.push_back(across == NONE ? NONE : polygon_of_piece_[across]);
+    };
+    for (std::size_t polygon = 0; polygon < node_of_polygon_.size(); ++polygon) {
+      const Index i = node_of_polygon_[polygon];
+      if (i == NONE)
+        for (Index c = m.first_corner[first_piece_[polygon]]; c != m.first_corner[first_piece_[polygon] + 1]; ++c)
+          push(c);
+      else
+        add_cell(graph_.vertex(i), push);
+      result.first_corner.push_back(Index(result.corner_vertex.size()));
+    }
+    Flat_mesh_topology::complete(result, result.points.size(), cancellation);
+  }
+
+  // Around the pieces at `v`: their corners are the vertex, the middle of an edge, that of the face, that of an edge.
+  template <class Push>
+  void add_cell(Index v, const Push& push) const
+  {
+    const Flat_mesh& m = pieces_.mesh;
+    const Index first = m.first_in_star[v], last = m.first_in_star[v + 1] - 1;
+    if (m.is_on_border(v))
+      push(m.first_corner[m.star[first]]);
+    for (Index k = first; k <= last; ++k) {
+      push(m.first_corner[m.star[k]] + 1);
+      push(m.first_corner[m.star[k]] + 2);
+    }
+    if (m.is_on_border(v))
+      push(m.first_corner[m.star[last]] + 3);
+  }
+
+  void sum_up(Clustering_input& result) const
+  {
+    const std::size_t n = node_of_polygon_.size();
+    std::vector<Index> pieces_of_face(base_.mesh.number_of_faces(), 0);
+    for (const Index f : face_of_piece_)
+      ++pieces_of_face[f];
+    std::vector<double> mass(n, 0), density(n, 0), number(n, 0);
+    std::vector<Vector> moment(n, Vector{{0, 0, 0}}), sum(n, Vector{{0, 0, 0}});
+    result.area.assign(n, 0);
+    result.joined_faces.assign(n, 0);
+    for (std::size_t p = 0; p < polygon_of_piece_.size(); ++p) {
+      const Index polygon = polygon_of_piece_[p];
+      const double piece_mass = pieces_.mass(Index(p));
+      result.area[polygon] += pieces_.area[p];
+      mass[polygon] += piece_mass;
+      moment[polygon] = moment[polygon] + piece_mass * pieces_.centroid(Index(p));
+      sum[polygon] = sum[polygon] + pieces_.centroid(Index(p));
+      density[polygon] += pieces_.density[p];
+      number[polygon] += 1;
+      result.joined_faces[polygon] += 1. / double(pieces_of_face[face_of_piece_[p]]);
+    }
+    for (std::size_t polygon = 0; polygon < n; ++polygon) {
+      result.parent.push_back(pieces_.parent[first_piece_[polygon]]);
+      result.density.push_back(mass[polygon] > 0 ? mass[polygon] / result.area[polygon] : density[polygon] / number[polygon]);
+      result.joined_centroid.push_back(mass[polygon] > 0 ? (1 / mass[polygon]) * moment[polygon]
+                                                         : (1 / number[polygon]) * sum[polygon]);
+    }
+  }
+
+  // The clusters that the features of each component need, and the vertices of the original mesh.
+  void count_in_components(Flat_mesh& m) const
+  {
+    const auto component_of = [&](Index node) -> Component& { return m.components[m.component[cell_of_node_[node]]]; };
+    for (Index i = 0; i < graph_.number_of_corners(); ++i) {
+      ++component_of(i).feature_clusters;
+      ++component_of(i).feature_corners;
+    }
+    for (const Feature_line& line : graph_.lines())
+      component_of(line.nodes[0]).feature_clusters += line.is_loop ? line.min_crossings : line.min_crossings - 1;
+    for (std::size_t i = 0; i < m.components.size(); ++i)
+      m.components[i].original_vertices = base_.mesh.components[i].max_clusters();
+  }
+
+  void find_border(const Flat_mesh& m)
+  {
+    is_at_border_.assign(m.number_of_faces(), false);
+    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
+        if (m.face_across[c] == NONE)
+          is_at_border_[f] = true;
+  }
+
+  Clustering_input base_, pieces_;
+  Feature_edges edges_;
+  Feature_graph graph_;
+  std::vector<Index> middle_;                        // of the edge after each corner of the base
+  std::vector<Index> face_of_piece_, polygon_of_piece_;
+  std::vector<Index> node_of_polygon_, first_piece_, cell_of_node_;
+  std::vector<char> is_at_border_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_CELLS_H

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_EDGES_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_EDGES_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The edges inside a mesh that its feature lines are made of, and the corners, where these lines end or meet.
+struct Feature_edges
+{
+  std::vector<char> is_feature; // of the edge after each corner of a face; the same seen from both its faces
+  std::vector<char> is_corner;  // of each vertex
+
+  explicit Feature_edges(const Flat_mesh& m)
+    : is_feature(m.corner_vertex.size(), false), is_corner(m.number_of_vertices(), false) {}
+
+  bool empty() const
+  {
+    const auto is_set = [](char c) { return c != 0; };
+    return std::none_of(is_feature.begin(), is_feature.end(), is_set) && std::none_of(is_corner.begin(), is_corner.end(), is_set);
+  }
+
+  // Calls `visit(v, w, f, c)` for each feature edge: its ends, and the corner after which it follows in a face.
+  template <class Visit>
+  void for_each_edge(const Flat_mesh& m, const Visit& visit) const
+  {
+    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
+        if (is_feature[c] && f < m.face_across[c])
+          visit(m.corner_vertex[c], m.corner_vertex[m.next_corner(Index(f), c)], Index(f), c);
+  }
+
+  // The vertices that each vertex has feature edges to.
+  std::vector<std::vector<Index> > neighbors(const Flat_mesh& m) const
+  {
+    std::vector<std::vector<Index> > neighbors(m.number_of_vertices());
+    for_each_edge(m, [&](Index v, Index w, Index, Index) {
+      neighbors[v].push_back(w);
+      neighbors[w].push_back(v);
+    });
+    return neighbors;
+  }
+
+  // What becomes of them where chosen faces are cut as star_subdivision() does.
+  Feature_edges in_fans(const Flat_mesh& m, const std::vector<char>& is_cut, const Flat_mesh& fans) const
+  {
+    Feature_edges result(fans);
+    std::copy(is_corner.begin(), is_corner.end(), result.is_corner.begin());
+    std::size_t i = 0;
+    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c, i += is_cut[f] ? 3 : 1)
+        result.is_feature[i] = is_feature[c];
+    return result;
+  }
+
+  // What becomes of them where the faces of the chosen components are cut as Quad_subdivision does.
+  Feature_edges subdivided(const Flat_mesh& m, const std::vector<bool>& chosen, const Flat_mesh& subdivision) const
+  {
+    Feature_edges result(subdivision);
+    std::copy(is_corner.begin(), is_corner.end(), result.is_corner.begin());
+    std::size_t i = 0;
+    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
+        result.is_feature[i++] = is_feature[c];
+        if (!chosen[m.component[f]])
+          continue;
+        i += 2;
+        result.is_feature[i++] = is_feature[m.previous_corner(Index(f), c)];
+      }
+    return result;
+  }
+};
+
+// Finds feature edges and corners. Edges of the border are left out: the border is kept as it is anyway.
+class Feature_detection
+{
+public:
+  explicit Feature_detection(const Flat_mesh& m) : m_(m), result_(m) {}
+
+  // Takes the edge after corner `c` of face `f`.
+  void add_edge(Index f, Index c)
+  {
+    const Index g = m_.face_across[c];
+    if (g == NONE)
+      return;
+    result_.is_feature[c] = true;
+    result_.is_feature[m_.corner_of(g, m_.corner_vertex[m_.next_corner(f, c)])] = true;
+  }
+
+  void add_corner(Index v)
+  {
+    if (m_.first_in_star[v] != m_.first_in_star[v + 1])
+      result_.is_corner[v] = true;
+  }
+
+  // Takes the edges at which the normals of the two faces, as the corners beside the edge give them, are `degrees` or more
+  // apart: the rule of CGAL's detect_sharp_edges().
+  void add_sharp_edges(double degrees)
+  {
+    const double cosine = std::cos(degrees * 3.14159265358979323846 / 180);
+    for_each_inner_edge([&](Index f, Index c) {
+      const Index g = m_.face_across[c], next = m_.next_corner(f, c);
+      const Index o = m_.corner_of(g, m_.corner_vertex[next]);
+      const Vector& p = point(c);
+      const Vector edge = point(next) - p;
+      const Vector n = cross(edge, point(m_.next_corner(f, next)) - p);
+      const Vector m = cross(edge, p - point(m_.next_corner(g, m_.next_corner(g, o))));
+      const double product = dot(n, m), bound = cosine * cosine * dot(n, n) * dot(m, m);
+      if (degrees == 0 || (cosine < 0 ? product < 0 && product * product >= bound : product < 0 || product * product <= bound))
+        add_edge(f, c);
+    });
+  }
+
+  // Takes the edges between faces of different patches. `patch(f)` is that of face `f`.
+  template <class Patch>
+  void add_patch_borders(const Patch& patch)
+  {
+    for_each_inner_edge([&](Index f, Index c) {
+      if (patch(f) != patch(m_.face_across[c]))
+        add_edge(f, c);
+    });
+  }
+
+  // Also takes for corners the vertices where other than two feature edges meet, or lines reach the border or turn sharply.
+  Feature_edges result()
+  {
+    neighbors_ = result_.neighbors(m_);
+    for (std::size_t v = 0; v < m_.number_of_vertices(); ++v)
+      if (!neighbors_[v].empty() && (neighbors_[v].size() != 2 || m_.is_on_border(Index(v))))
+        result_.is_corner[v] = true;
+    std::vector<Index> turns;
+    for (std::size_t v = 0; v < m_.number_of_vertices(); ++v)
+      if (neighbors_[v].size() == 2 && !result_.is_corner[v] && turns_sharply(Index(v)))
+        turns.push_back(Index(v));
+    for (const Index v : turns)
+      result_.is_corner[v] = true;
+    std::vector<Index> halfway;
+    result_.for_each_edge(m_, [&](Index v, Index w, Index, Index) {
+      if (m_.is_on_border(v) && m_.is_on_border(w))
+        for (const auto& ends : {std::make_pair(v, w), std::make_pair(w, v)})
+          add_halfway(ends.first, ends.second, halfway);
+    });
+    for (const Index v : halfway)
+      result_.is_corner[v] = true;
+    return result_;
+  }
+
+private:
+  template <class Visit>
+  void for_each_inner_edge(const Visit& visit)
+  {
+    for (std::size_t f = 0; f < m_.number_of_faces(); ++f)
+      for (Index c = m_.first_corner[f]; c != m_.first_corner[f + 1]; ++c)
+        if (m_.face_across[c] != NONE && f < m_.face_across[c])
+          visit(Index(f), c);
+  }
+
+  const Vector& point(Index corner) const { return m_.points[m_.corner_vertex[corner]]; }
+
+  // A line of one edge that a part of the border without corners goes beside from end to end. In the middle of that part a
+  // corner keeps the two apart.
+  void add_halfway(Index begin, Index end, std::vector<Index>& halfway) const
+  {
+    std::vector<Index> between(1, Flat_mesh_topology::next_on_border(m_, begin));
+    while (!result_.is_corner[between.back()])
+      between.push_back(Flat_mesh_topology::next_on_border(m_, between.back()));
+    if (between.back() == end && between.size() > 1)
+      halfway.push_back(between[between.size() / 2 - 1]);
+  }
+
+  // By more than 60 degrees, between edges as well as between the ways some edges to both sides: borders of regions on
+  // regular meshes are zigzags or staircases without turning.
+  bool turns_sharply(Index v) const
+  {
+    return turns_between(neighbors_[v][0], v, neighbors_[v][1]) && turns_between(some_edges_on(v, 0), v, some_edges_on(v, 1));
+  }
+
+  Index some_edges_on(Index v, std::size_t side) const
+  {
+    Index previous = v, at = neighbors_[v][side];
+    for (int i = 1; i < 3 && !result_.is_corner[at] && at != v; ++i) {
+      const Index next = neighbors_[at][neighbors_[at][0] == previous];
+      previous = at;
+      at = next;
+    }
+    return at;
+  }
+
+  bool turns_between(Index before, Index v, Index after) const
+  {
+    const Vector a = m_.points[v] - m_.points[before], b = m_.points[after] - m_.points[v];
+    return dot(a, b) < 0.5 * std::sqrt(dot(a, a) * dot(b, b));
+  }
+
+  const Flat_mesh& m_;
+  Feature_edges result_;
+  std::vector<std::vector<Index> > neighbors_; // of each vertex, along feature edges
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_EDGES_H

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_RULES_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_RULES_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// What features ask of clusters: a cluster holds no cell of a feature, or those of one contiguous part of one line, or that of
+// one corner with contiguous parts of lines from there. A line has no fewer crossings from one cluster to another than it
+// needs. Clusters with a part of a line stay off the border, on which they would have to have their vertex, too.
+//
+// Cells without a cluster count as clusters of their own.
+class Feature_rules
+{
+public:
+  Feature_rules(const Feature_cells& cells, const Cluster_labels& labels)
+    : cells_(cells), labels_(labels), crossings_(cells.graph().lines().size(), 0) {}
+
+  const Feature_cells& cells() const { return cells_; }
+
+  // Begins with the faces, those of whole components, without clusters.
+  template <class FaceRange>
+  void begin(const FaceRange& faces)
+  {
+    clusters_.clear();
+    for (const Index f : faces)
+      if (is_on_line(cells_.node(f))) {
+        const Index line = cells_.graph().line(cells_.node(f));
+        crossings_[line] = Index(cells_.graph().lines()[line].number_of_edges());
+      }
+  }
+
+  // Takes clusters that are there over.
+  void count(std::size_t number_of_clusters)
+  {
+    clusters_.assign(number_of_clusters, Cluster());
+    for (std::size_t f = 0; f < labels_.labels().size(); ++f)
+      add(Index(f), labels_[Index(f)]);
+    const Feature_graph& graph = cells_.graph();
+    for (std::size_t l = 0; l < crossings_.size(); ++l) {
+      const std::vector<Index>& nodes = graph.lines()[l].nodes;
+      crossings_[l] = graph.lines()[l].is_loop && is_crossing(nodes.back(), nodes.front());
+      for (std::size_t i = 1; i < nodes.size(); ++i)
+        crossings_[l] += is_crossing(nodes[i - 1], nodes[i]);
+    }
+  }
+
+  // Whether face `f` may join cluster `to`, which is next to it, and leave its own if it has one.
+  bool may_take(Index f, Index to) const
+  {
+    const Cluster& target = cluster(to);
+    const Index node = cells_.node(f);
+    if (node == NONE)
+      return target.nodes == 0 || !cells_.is_at_border(f) || target.corner_is_on_border;
+    if (cells_.graph().is_corner(node) || (target.faces_at_border > 0 && !target.corner_is_on_border))
+      return false;
+    const Index line = cells_.graph().line(node);
+    const int beside_target = nodes_beside(node, to), beside_source = nodes_beside(node, labels_[f]);
+    return beside_target == (target.nodes > 0 ? 1 : 0) && beside_source < 2 &&
+           int(crossings_[line]) + beside_source - beside_target >= int(cells_.graph().lines()[line].min_crossings);
+  }
+
+  // Takes note that face `f` is about to leave its cluster, if it has one, for cluster `to`, if that is not NONE.
+  void change(Index f, Index to)
+  {
+    const Index node = cells_.node(f), from = labels_[f];
+    if (is_on_line(node)) {
+      Index& crossings = crossings_[cells_.graph().line(node)];
+      crossings = Index(int(crossings) + nodes_beside(node, from) - nodes_beside(node, to));
+    } else if (node != NONE) {
+      for (const Index other : cells_.graph().line_nodes_beside(node)) {
+        Index& crossings = crossings_[cells_.graph().line(other)];
+        const Index label = labels_[cells_.cell(other)];
+        crossings += label != NONE && label == from;
+        crossings -= label != NONE && label == to;
+      }
+    }
+    remove(f, from);
+    add(f, to);
+  }
+
+  // The cell of the corner of a cluster; NONE if it has none.
+  Index corner_cell(Index x) const { return x < clusters_.size() ? clusters_[x].corner_cell : NONE; }
+
+private:
+  struct Cluster
+  {
+    Index nodes = 0, faces_at_border = 0, corner_cell = NONE;
+    bool corner_is_on_border = false;
+  };
+
+  const Cluster& cluster(Index x) const
+  {
+    static const Cluster none;
+    return x < clusters_.size() ? clusters_[x] : none;
+  }
+
+  bool is_on_line(Index node) const { return node != NONE && !cells_.graph().is_corner(node); }
+
+  bool is_crossing(Index node, Index next) const
+  {
+    const Index x = labels_[cells_.cell(node)], y = labels_[cells_.cell(next)];
+    return x != y || x == NONE;
+  }
+
+  // How many of the two nodes beside one on a line belong to cluster `x`.
+  int nodes_beside(Index node, Index x) const
+  {
+    if (x == NONE)
+      return 0;
+    const Feature_graph& graph = cells_.graph();
+    return int(labels_[cells_.cell(graph.before(node))] == x) + int(labels_[cells_.cell(graph.after(node))] == x);
+  }
+
+  void add(Index f, Index x)
+  {
+    if (x == NONE)
+      return;
+    if (x >= clusters_.size())
+      clusters_.resize(x + 1);
+    Cluster& c = clusters_[x];
+    const Index node = cells_.node(f);
+    c.faces_at_border += cells_.is_at_border(f);
+    c.nodes += node != NONE;
+    if (node != NONE && cells_.graph().is_corner(node)) {
+      c.corner_cell = f;
+      c.corner_is_on_border = cells_.is_on_border(node);
+    }
+  }
+
+  void remove(Index f, Index x)
+  {
+    if (x == NONE)
+      return;
+    Cluster& c = clusters_[x];
+    c.faces_at_border -= cells_.is_at_border(f);
+    c.nodes -= cells_.node(f) != NONE;
+    if (c.corner_cell == f) {
+      c.corner_cell = NONE;
+      c.corner_is_on_border = false;
+    }
+  }
+
+  const Feature_cells& cells_;
+  const Cluster_labels& labels_;
+  std::vector<Cluster> clusters_;
+  std::vector<Index> crossings_; // of each line
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_RULES_H

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_LABELLED_PIECES_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_LABELLED_PIECES_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The faces that have a geometry, with their clusters: those that were clustered or, where features are kept, the pieces that
+// these consist of.
+class Labelled_pieces
+{
+public:
+  Labelled_pieces(const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters)
+    : input_(input.cells ? input.cells->pieces() : input), labels_(labels)
+  {
+    if (!input.cells)
+      return;
+    labels_of_pieces_.emplace(input_.mesh);
+    for (std::size_t p = 0; p < input_.mesh.number_of_faces(); ++p)
+      labels_of_pieces_->set(Index(p), labels[input.cells->polygon(Index(p))]);
+    labels_of_pieces_->recount();
+    features_.emplace(*input.cells, *labels_of_pieces_, clusters);
+  }
+
+  const Clustering_input& input() const { return input_; }
+  const Cluster_labels& labels() const { return labels_of_pieces_ ? *labels_of_pieces_ : labels_; }
+  // Null without features.
+  const Coarse_features* features() const { return features_ ? &*features_ : nullptr; }
+
+private:
+  const Clustering_input& input_;
+  const Cluster_labels& labels_;
+  std::optional<Cluster_labels> labels_of_pieces_;
+  std::optional<Coarse_features> features_;
+};
+
+// The cluster of a face of the caller's mesh: that of its largest part, or `none` if it has no part, as in a component that was
+// dropped. Where features are kept, it is that of a corner which the face has, before that; and that of a line, at the end
+// that comes first, if it has an edge of one. So the faces around a corner have the cluster of the corner, and two faces at a
+// feature edge the same, unless a face has several corners or edges.
+inline std::size_t cluster_of_face(const Clustering_input& input, const Cluster_labels& labels, std::size_t none, Index f)
+{
+  const Feature_cells* const cells = input.cells.get();
+  const Clustering_input& pieces = cells ? cells->pieces() : input;
+  if (pieces.parent.empty())
+    return labels[f];
+  // The pieces of a face follow each other in the order of the faces.
+  const auto range = std::equal_range(pieces.parent.begin(), pieces.parent.end(), f);
+  Index first_node = NONE;
+  std::map<Index, double> area;
+  for (auto i = range.first; i != range.second; ++i) {
+    const Index piece = Index(i - pieces.parent.begin());
+    area[labels[cells ? cells->polygon(piece) : piece]] += pieces.area[piece];
+    const Index node = cells ? cells->node(cells->polygon(piece)) : NONE;
+    if (node != NONE && (cells->graph().is_corner(node) || cells->has_line_at(piece)))
+      first_node = (std::min)(first_node, node);
+  }
+  if (first_node != NONE)
+    return labels[cells->cell(first_node)];
+  const auto smaller = [](const auto& a, const auto& b) { return a.second < b.second; };
+  return area.empty() ? none : std::max_element(area.begin(), area.end(), smaller)->first;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_LABELLED_PIECES_H

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_FLIPPABLE_TRIANGULATION_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_FLIPPABLE_TRIANGULATION_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// A point of a triangle: barycentric coordinates and the squared distance from the point it is the closest one to.
+struct Foot_point
+{
+  Vector barycentric;
+  double squared_distance;
+};
+
+// The closest point of a segment, as the parameter of its second end.
+inline double closest_on_segment(const Vector& p, const Vector& a, const Vector& b)
+{
+  const Vector ab = b - a;
+  const double length = dot(ab, ab);
+  return length > 0 ? (std::max)(0., (std::min)(1., dot(p - a, ab) / length)) : 0;
+}
+
+inline Foot_point closest_on_triangle(const Vector& p, const Vector& a, const Vector& b, const Vector& c)
+{
+  const Vector ab = b - a, ac = c - a, ap = p - a;
+  const double uu = dot(ab, ab), uv = dot(ab, ac), vv = dot(ac, ac), pu = dot(ap, ab), pv = dot(ap, ac);
+  const double determinant = uu * vv - uv * uv;
+  const double s = vv * pu - uv * pv, t = uu * pv - uv * pu;
+  if (determinant > 0 && s >= 0 && t >= 0 && s + t <= determinant) {
+    const double u = s / determinant, v = t / determinant;
+    const Vector d = ap - u * ab - v * ac;
+    return {{{1 - u - v, u, v}}, dot(d, d)};
+  }
+  const Vector* corner[3] = {&a, &b, &c};
+  Foot_point best{{{1, 0, 0}}, -1};
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const double u = closest_on_segment(p, *corner[i], *corner[j]);
+    const Vector d = p - ((1 - u) * *corner[i] + u * *corner[j]);
+    if (best.squared_distance < 0 || dot(d, d) < best.squared_distance) {
+      best.squared_distance = dot(d, d);
+      best.barycentric = {{0, 0, 0}};
+      best.barycentric[i] = 1 - u;
+      best.barycentric[j] = u;
+    }
+  }
+  return best;
+}
+
+// The cross product of two sides of a triangle.
+inline Vector normal_of(const std::vector<Vector>& positions, const Triangle& t)
+{
+  return cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
+}
+
+// The cosine of the smallest angle of a triangle; 1 where two corners coincide.
+inline double sharpest_of(const std::vector<Vector>& positions, const Triangle& t)
+{
+  double largest = -1;
+  for (int i = 0; i < 3; ++i) {
+    const Vector& p = positions[t[i]];
+    const Vector e = positions[t[(i + 1) % 3]] - p, f = positions[t[(i + 2) % 3]] - p;
+    const double product = std::sqrt(dot(e, e) * dot(f, f));
+    largest = (std::max)(largest, product > 0 ? dot(e, f) / product : 1);
+  }
+  return largest;
+}
+
+// The triangles of the dual, with those around each vertex and across each edge. Edges may be flipped, but for those of
+// features: nothing is across these, as on the border.
+class Flippable_triangulation
+{
+public:
+  Flippable_triangulation(const std::vector<Triangle>& triangles, std::size_t vertices, const Coarse_features* features = nullptr)
+    : triangles_(triangles), around_(vertices), features_(features)
+  {
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      for (const Index v : triangles_[t])
+        around_[v].push_back(Index(t));
+  }
+
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  const std::vector<Index>& around(Index vertex) const { return around_[vertex]; }
+
+  // The triangle on the other side of the edge from corner `i` to the next of triangle `t`; NONE on the border and on
+  // features.
+  Index across(Index t, int i) const
+  {
+    const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3];
+    if (features_ && features_->is_edge(a, b))
+      return NONE;
+    for (const Index u : around_[a])
+      if (u != t && corner(u, b) >= 0)
+        return u;
+    return NONE;
+  }
+
+  int corner(Index t, Index vertex) const
+  {
+    for (int i = 0; i < 3; ++i)
+      if (triangles_[t][i] == vertex)
+        return i;
+    return -1;
+  }
+
+  bool is_edge(Index a, Index b) const
+  {
+    for (const Index t : around_[a])
+      if (corner(t, b) >= 0)
+        return true;
+    return false;
+  }
+
+  // The vertex opposite to the edge of triangle `t` that begins at corner `i`.
+  Index opposite(Index t, int i) const { return triangles_[t][(i + 2) % 3]; }
+
+  // Whether that edge, with triangle `u` on its other side, may be flipped: whether the edge to come is none yet.
+  bool may_flip(Index t, int i, Index u) const
+  {
+    const Index c = opposite(t, i), d = opposite(u, corner(u, triangles_[t][(i + 1) % 3]));
+    return c != d && !is_edge(c, d);
+  }
+
+  // Replaces that edge by the one between the vertices opposite to it.
+  void flip(Index t, int i, Index u)
+  {
+    const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3], c = opposite(t, i);
+    const Index d = opposite(u, corner(u, b));
+    take_away(a, u);
+    take_away(b, t);
+    triangles_[t] = {c, a, d};
+    triangles_[u] = {c, d, b};
+    around_[c].push_back(u);
+    around_[d].push_back(t);
+  }
+
+  // Gives two triangles the corners back that they had before they were flipped.
+  void undo_flip(Index t, const Triangle& old_t, Index u, const Triangle& old_u)
+  {
+    for (const Index x : {t, u})
+      for (const Index v : triangles_[x])
+        take_away(v, x);
+    triangles_[t] = old_t;
+    triangles_[u] = old_u;
+    for (const Index x : {t, u})
+      for (const Index v : triangles_[x])
+        around_[v].push_back(x);
+  }
+
+  // The mean of the neighbors of an inner vertex.
+  Vector mean_of_neighbors(Index v, const std::vector<Vector>& positions) const
+  {
+    Vector sum{{0, 0, 0}};
+    for (const Index t : around_[v])
+      sum = sum + positions[triangles_[t][(corner(t, v) + 1) % 3]];
+    return (1. / double(around_[v].size())) * sum;
+  }
+
+private:
+  void take_away(Index vertex, Index gone)
+  {
+    std::vector<Index>& list = around_[vertex];
+    list.erase(std::find(list.begin(), list.end(), gone));
+  }
+
+  std::vector<Triangle> triangles_;
+  std::vector<std::vector<Index> > around_;
+  const Coarse_features* features_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_FLIPPABLE_TRIANGULATION_H

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_TRIANGLE_CONFLICTS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_TRIANGLE_CONFLICTS_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Intersections_3/Segment_3_Triangle_3.h>
+#include <CGAL/Intersections_3/Triangle_3_Triangle_3.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+typedef Exact_predicates_inexact_constructions_kernel Exact_tests;
+typedef Exact_tests::Point_3 Exact_point;
+
+// A pair of triangles, by their numbers, the smaller first.
+typedef std::pair<Index, Index> Triangle_pair;
+
+// Exact tests of whether triangles with common vertices, or with none, have more in common than these. A triangle without
+// area is in conflict with those around it only as far as its longest side is.
+class Triangle_conflict
+{
+public:
+  explicit Triangle_conflict(const std::vector<Exact_point>& points) : points_(points) {}
+
+  bool operator()(const Triangle& t, const Triangle& u) const
+  {
+    std::array<int, 3> in_u{{-1, -1, -1}};
+    int common = 0, shared = 0, other = 0; // the last common corner of t, and the last one that is not
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j)
+        if (t[i] == u[j])
+          in_u[i] = j;
+      common += in_u[i] >= 0;
+      (in_u[i] >= 0 ? shared : other) = i;
+    }
+    if (common == 3)
+      return true;
+    if (common == 2)
+      return folds(t[(other + 1) % 3], t[(other + 2) % 3], t[other], third(u, t[(other + 1) % 3], t[(other + 2) % 3]));
+    if (common == 1) {
+      const int j = in_u[shared];
+      const Index a = u[(j + 1) % 3], b = u[(j + 2) % 3], c = t[(shared + 1) % 3], d = t[(shared + 2) % 3];
+      // Mostly all but the common corner of one triangle is on one side of the plane of the other.
+      if (are_beside(t, a, b) || are_beside(u, c, d))
+        return false;
+      return crosses(t, a, b) || crosses(u, c, d);
+    }
+    if (is_beside(t, u) || is_beside(u, t) || is_flat(t) || is_flat(u))
+      return false;
+    return do_intersect(triangle(t), triangle(u));
+  }
+
+  // Whether the corners lie on a line.
+  bool is_flat(const Triangle& t) const { return collinear(points_[t[0]], points_[t[1]], points_[t[2]]); }
+
+  // Whether the corners are at one place. Such a triangle is in conflict with no other.
+  bool is_point(const Triangle& t) const { return points_[t[0]] == points_[t[1]] && points_[t[1]] == points_[t[2]]; }
+
+  Bbox_3 box(const Triangle& t) const
+  {
+    return points_[t[0]].bbox() + points_[t[1]].bbox() + points_[t[2]].bbox();
+  }
+
+private:
+  static Index third(const Triangle& t, Index a, Index b)
+  {
+    for (const Index v : t)
+      if (v != a && v != b)
+        return v;
+    return t[0];
+  }
+
+  // Whether a triangle is on one side of the plane of another, which is quick to tell.
+  bool is_beside(const Triangle& t, const Triangle& u) const
+  {
+    const Exact_point &p = points_[u[0]], &q = points_[u[1]], &r = points_[u[2]];
+    const Orientation side = orientation(p, q, r, points_[t[0]]);
+    return side != COPLANAR && orientation(p, q, r, points_[t[1]]) == side && orientation(p, q, r, points_[t[2]]) == side;
+  }
+
+  bool are_beside(const Triangle& t, Index a, Index b) const
+  {
+    const Exact_point &p = points_[t[0]], &q = points_[t[1]], &r = points_[t[2]];
+    const Orientation side = orientation(p, q, r, points_[a]);
+    return side != COPLANAR && orientation(p, q, r, points_[b]) == side;
+  }
+
+  Exact_tests::Triangle_3 triangle(const Triangle& t) const { return {points_[t[0]], points_[t[1]], points_[t[2]]}; }
+
+  // Whether two triangles on edge ab lie on each other.
+  bool folds(Index a, Index b, Index c, Index d) const
+  {
+    const Exact_point &p = points_[a], &q = points_[b], &r = points_[c], &s = points_[d];
+    return coplanar(p, q, r, s) && !collinear(p, q, r) && !collinear(p, q, s) &&
+           coplanar_orientation(p, q, r, s) == POSITIVE;
+  }
+
+  // Whether an edge that begins and ends off the vertex that it shares a triangle with meets that other triangle.
+  bool crosses(const Triangle& t, Index a, Index b) const
+  {
+    const Exact_point &p = points_[t[0]], &q = points_[t[1]], &r = points_[t[2]];
+    const Orientation at_a = orientation(p, q, r, points_[a]), at_b = orientation(p, q, r, points_[b]);
+    if (at_a == at_b && at_a != COPLANAR)
+      return false;
+    if (points_[a] == points_[b] || collinear(p, q, r))
+      return false;
+    return do_intersect(triangle(t), Exact_tests::Segment_3(points_[a], points_[b]));
+  }
+
+  const std::vector<Exact_point>& points_;
+};
+
+typedef Box_intersection_d::Box_with_info_d<double, 3, Index> Triangle_box;
+
+inline std::vector<Triangle_box> triangle_boxes(const std::vector<Triangle>& triangles, const Triangle_conflict& conflict)
+{
+  std::vector<Triangle_box> boxes;
+  boxes.reserve(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    boxes.emplace_back(conflict.box(triangles[t]), Index(t));
+  return boxes;
+}
+
+// All pairs of triangles that are in conflict, in order.
+inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>& triangles,
+                                                    const std::vector<Exact_point>& points, Execution execution)
+{
+  const Triangle_conflict conflict(points);
+  std::vector<Triangle_box> boxes = triangle_boxes(triangles, conflict);
+  // Of very many at one place, each would be compared with each.
+  const auto is_point = [&](const Triangle_box& b) { return conflict.is_point(triangles[b.info()]); };
+  boxes.erase(std::remove_if(boxes.begin(), boxes.end(), is_point), boxes.end());
+  std::vector<Triangle_pair> pairs;
+  std::vector<Triangle_pair> waiting;
+  const auto test_waiting = [&] {
+    std::vector<char> is_conflict(waiting.size());
+    for_each_chunk(execution, waiting.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        is_conflict[i] = conflict(triangles[waiting[i].first], triangles[waiting[i].second]);
+    });
+    for (std::size_t i = 0; i < waiting.size(); ++i)
+      if (is_conflict[i])
+        pairs.push_back(waiting[i]);
+    waiting.clear();
+  };
+  const auto note_pair = [&](const Triangle_box& a, const Triangle_box& b) {
+    waiting.push_back(std::minmax(a.info(), b.info()));
+    if (waiting.size() == 1 << 16)
+      test_waiting();
+  };
+  constexpr std::ptrdiff_t compared_one_by_one = 200; // boxes; CGAL's default of 10 takes longer
+  box_self_intersection_d(boxes.begin(), boxes.end(), note_pair, Box_intersection_d::Box_traits_d<Triangle_box>(),
+                          compared_one_by_one);
+  test_waiting();
+  sort_unique(pairs);
+  return pairs;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_TRIANGLE_CONFLICTS_H

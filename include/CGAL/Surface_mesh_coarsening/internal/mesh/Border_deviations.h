@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_BORDER_DEVIATIONS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_BORDER_DEVIATIONS_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Raises the deviations of faces near the border to what the turn of the border asks for, and no higher than four times the
+// largest of the deviations, on which the scale of the densities depends and which stays what it was.
+//
+// Where the border has radius of curvature R, its parallel at distance s, on the outer side, has R + s. What is asked for is
+// in proportion to the angle by which that parallel turns on the way to the faces around.
+class Border_deviations
+{
+public:
+  explicit Border_deviations(const Flat_mesh& m, const Cancellation_point& cancellation = Cancellation_point())
+    : mesh_(m), cancellation_(cancellation), radius_(m.number_of_vertices(), std::numeric_limits<double>::infinity()),
+      reach_(m.number_of_vertices(), 0)
+  {}
+
+  void raise(std::vector<double>& deviations)
+  {
+    measure_border();
+    spread();
+    const double most = max_raised * largest_of(deviations);
+    for (std::size_t f = 0; f < deviations.size(); ++f) {
+      cancellation_.poll();
+      double radius = std::numeric_limits<double>::infinity();
+      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+        radius = (std::min)(radius, radius_[mesh_.corner_vertex[c]]);
+      if (!(radius < std::numeric_limits<double>::infinity()))
+        continue;
+      const Vector n = vector_area(mesh_, Index(f));
+      const double turn = strength * std::sqrt(std::sqrt(dot(n, n)));
+      if (turn > deviations[f] * radius)
+        deviations[f] = turn < most * radius ? turn / radius : most;
+    }
+  }
+
+private:
+  // Border edges on each side of a vertex that its turn is measured between; fewer let the zigzag of triangles count.
+  static constexpr std::size_t edges_aside = 3;
+  // How far the border is felt, as a part of the length of the loop: a small hole needs few vertices, however it turns.
+  static constexpr double far = 0.1;
+  // In a regular mesh of triangles of area 1, the way between two faces around a vertex is 1.09 on average, and a circle is
+  // sqrt(6) times as far from an inscribed polygon as from the best one. That makes 2.7. But what is left of the border's
+  // distance lies across all of it, and that of the surface mostly where the densities are low: these two, with which both come
+  // out much the same, have been measured on open meshes.
+  static constexpr double strength = 32;
+  static constexpr double max_raised = 4;
+
+  void measure_border()
+  {
+    std::vector<bool> done(mesh_.number_of_vertices(), false);
+    for (std::size_t v = 0; v < done.size(); ++v) {
+      if (!mesh_.is_on_border(Index(v)) || done[v])
+        continue;
+      std::vector<Index> loop;
+      double length = 0;
+      for (Index w = Index(v); !done[w];) {
+        cancellation_.poll();
+        done[w] = true;
+        loop.push_back(w);
+        const Index next = Flat_mesh_topology::next_on_border(mesh_, w);
+        length += distance(w, next);
+        w = next;
+      }
+      measure_loop(loop, length);
+    }
+  }
+
+  void measure_loop(const std::vector<Index>& loop, double length)
+  {
+    const std::size_t n = loop.size(), k = (std::max)(std::size_t(1), (std::min)(edges_aside, n / 4));
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index before = loop[(i + n - k) % n], at = loop[i], after = loop[(i + k) % n];
+      const double a = distance(before, at), b = distance(at, after);
+      if (!(a > 0 && b > 0))
+        continue;
+      const Vector d = (1 / a) * (mesh_.points[at] - mesh_.points[before]) - (1 / b) * (mesh_.points[after] - mesh_.points[at]);
+      const double turn = std::sqrt(dot(d, d));
+      if (!(turn > straight))
+        continue;
+      radius_[at] = 0.5 * (a + b) / turn;
+      reach_[at] = radius_[at] + far * length;
+    }
+  }
+
+  // Gives each vertex near the border the smallest radius of parallels that pass through it, as Dijkstra's algorithm does
+  // with the lengths of edges and of diagonals of faces.
+  void spread()
+  {
+    typedef std::pair<double, Index> Entry;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
+    for (std::size_t v = 0; v < radius_.size(); ++v)
+      if (radius_[v] < reach_[v])
+        queue.push({radius_[v], Index(v)});
+    while (!queue.empty()) {
+      const Entry entry = queue.top();
+      queue.pop();
+      const Index v = entry.second;
+      if (entry.first > radius_[v])
+        continue;
+      cancellation_.poll(mesh_.first_in_star[v + 1] - mesh_.first_in_star[v]);
+      for (Index i = mesh_.first_in_star[v]; i != mesh_.first_in_star[v + 1]; ++i)
+        for_each_neighbor(mesh_.star[i], v, [&](Index w) {
+          const double radius = entry.first + distance(v, w);
+          if (radius <= reach_[v] && radius < radius_[w]) {
+            radius_[w] = radius;
+            reach_[w] = reach_[v];
+            queue.push({radius, w});
+          }
+        });
+    }
+  }
+
+  // The vertices of a triangle or quadrilateral; of larger faces, those before and after, which keeps the work linear.
+  template <class Visit>
+  void for_each_neighbor(Index f, Index v, const Visit& visit) const
+  {
+    const Index c = mesh_.corner_of(f, v), before = mesh_.previous_corner(f, c), after = mesh_.next_corner(f, c);
+    visit(mesh_.corner_vertex[before]);
+    visit(mesh_.corner_vertex[after]);
+    if (mesh_.degree(f) == 4)
+      visit(mesh_.corner_vertex[mesh_.next_corner(f, after)]);
+  }
+
+  double distance(Index v, Index w) const
+  {
+    const Vector d = mesh_.points[w] - mesh_.points[v];
+    return std::sqrt(dot(d, d));
+  }
+
+  static constexpr double straight = 1e-6;
+  const Flat_mesh& mesh_;
+  Cancellation_point cancellation_;
+  std::vector<double> radius_, reach_; // of each vertex; the largest radius to be passed on
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_BORDER_DEVIATIONS_H

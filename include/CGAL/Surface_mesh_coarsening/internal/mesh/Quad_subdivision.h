@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_QUAD_SUBDIVISION_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_QUAD_SUBDIVISION_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/build_flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Cuts chosen faces into one quadrilateral per corner, from the corner to the middles of its two edges and the middle of the
+// face; the surface does not change. Faces beside them get the middles of the common edges as further corners. The pieces of a
+// face follow each other in the order of its corners; vertices keep their numbers, and those added follow.
+//
+// Where the faces of whole components are cut, any two of these quadrilaterals meet in a vertex, in an arc, or not at all, even
+// if the faces themselves meet twice: each of them can be a cluster of its own.
+class Quad_subdivision
+{
+public:
+  Quad_subdivision(const Flat_mesh& m, const std::vector<char>& is_cut)
+    : m_(m), is_cut_(is_cut), middle_(m.corner_vertex.size(), NONE), center_(m.number_of_faces(), NONE) {}
+
+  Flat_mesh run(const Cancellation_point& cancellation)
+  {
+    number_new_elements(cancellation);
+    for (Index f = 0; f < m_.number_of_faces(); ++f) {
+      cancellation.poll();
+      is_cut_[f] ? cut(f) : copy(f);
+    }
+    Flat_mesh_topology::complete(result_, result_.points.size(), cancellation);
+    return std::move(result_);
+  }
+
+  // The face that each new face is a piece of.
+  const std::vector<Index>& old_face() const { return old_face_; }
+  // The piece of face `f` at its vertex `v`.
+  Index piece_at(Index f, Index v) const
+  {
+    return is_cut_[f] ? first_piece_[f] + (m_.corner_of(f, v) - m_.first_corner[f]) : first_piece_[f];
+  }
+  // The vertex in the middle of the edge after each corner; NONE if neither of its faces is cut.
+  const std::vector<Index>& middle() const { return middle_; }
+
+private:
+  void number_new_elements(const Cancellation_point& cancellation)
+  {
+    std::size_t corners = 0;
+    result_.points = m_.points;
+    first_piece_.reserve(m_.number_of_faces());
+    for (Index f = 0; f < m_.number_of_faces(); ++f) {
+      cancellation.poll();
+      first_piece_.push_back(Index(old_face_.size()));
+      old_face_.insert(old_face_.end(), is_cut_[f] ? m_.degree(f) : 1, f);
+      corners += is_cut_[f] ? 4 * m_.degree(f) : m_.degree(f) + number_of_cut_neighbors(f);
+      check_countable(corners, "face corners after faces were cut");
+      if (is_cut_[f])
+        add_points(f);
+    }
+    result_.first_corner.assign(1, 0);
+    result_.first_corner.reserve(old_face_.size() + 1);
+    result_.corner_vertex.reserve(corners);
+    result_.face_across.reserve(corners);
+  }
+
+  Index number_of_cut_neighbors(Index f) const
+  {
+    Index n = 0;
+    for (Index c = m_.first_corner[f]; c != m_.first_corner[f + 1]; ++c)
+      n += m_.face_across[c] != NONE && is_cut_[m_.face_across[c]];
+    return n;
+  }
+
+  void add_points(Index f)
+  {
+    center_[f] = Index(result_.points.size());
+    result_.points.push_back(mean_of_corners(m_, f));
+    for (Index c = m_.first_corner[f]; c != m_.first_corner[f + 1]; ++c) {
+      if (middle_[c] != NONE)
+        continue;
+      const Index g = m_.face_across[c], end = m_.corner_vertex[m_.next_corner(f, c)];
+      middle_[c] = Index(result_.points.size());
+      result_.points.push_back(0.5 * (m_.points[m_.corner_vertex[c]] + m_.points[end]));
+      if (g != NONE)
+        middle_[m_.corner_of(g, end)] = middle_[c];
+    }
+  }
+
+  // The piece at `v` of the face across the edge after corner `c`.
+  Index piece_across(Index c, Index v) const
+  {
+    const Index g = m_.face_across[c];
+    return g == NONE ? NONE : piece_at(g, v);
+  }
+
+  void push(Index vertex, Index across)
+  {
+    result_.corner_vertex.push_back(vertex);
+    result_.face_across.push_back(across);
+  }
+
+  void cut(Index f)
+  {
+    for (Index c = m_.first_corner[f]; c != m_.first_corner[f + 1]; ++c) {
+      const Index v = m_.corner_vertex[c], next = m_.next_corner(f, c), previous = m_.previous_corner(f, c);
+      push(v, piece_across(c, v));
+      push(middle_[c], first_piece_[f] + (next - m_.first_corner[f]));
+      push(center_[f], first_piece_[f] + (previous - m_.first_corner[f]));
+      push(middle_[previous], piece_across(previous, v));
+      result_.first_corner.push_back(Index(result_.corner_vertex.size()));
+    }
+  }
+
+  void copy(Index f)
+  {
+    for (Index c = m_.first_corner[f]; c != m_.first_corner[f + 1]; ++c) {
+      const Index v = m_.corner_vertex[c];
+      push(v, piece_across(c, v));
+      if (middle_[c] != NONE)
+        push(middle_[c], piece_across(c, m_.corner_vertex[m_.next_corner(f, c)]));
+    }
+    result_.first_corner.push_back(Index(result_.corner_vertex.size()));
+  }
+
+  const Flat_mesh& m_;
+  const std::vector<char>& is_cut_; // of each face
+  Flat_mesh result_;
+  std::vector<Index> middle_, center_, first_piece_, old_face_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_QUAD_SUBDIVISION_H

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_BOXES_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_BOXES_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+inline Bbox_3 box_of_point(const Vector& p) { return Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]); }
+
+inline Vector low_corner(const Bbox_3& box) { return {{box.xmin(), box.ymin(), box.zmin()}}; }
+inline Vector high_corner(const Bbox_3& box) { return {{box.xmax(), box.ymax(), box.zmax()}}; }
+
+inline double squared_diagonal(const Bbox_3& box)
+{
+  const Vector d = high_corner(box) - low_corner(box);
+  return dot(d, d);
+}
+
+// Zero inside.
+inline double squared_distance_from_box(const Vector& p, const Bbox_3& box)
+{
+  const Vector low = low_corner(box), high = high_corner(box);
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double d = (std::max)((std::max)(low[i] - p[i], p[i] - high[i]), 0.);
+    sum += d * d;
+  }
+  return sum;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_BOXES_H

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NAMED_PARAMETERS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NAMED_PARAMETERS_H
+
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Border_deviations.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/build_flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <cmath>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+using CGAL::parameters::choose_parameter;
+using CGAL::parameters::get_parameter;
+using CGAL::parameters::get_parameter_reference;
+
+template <class Parameter, class NamedParameters, class Default>
+using Parameter_type =
+  std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<Parameter, NamedParameters, Default>::type>;
+
+template <class Parameter, class NamedParameters>
+constexpr bool has_parameter =
+  !std::is_same<Parameter_type<Parameter, NamedParameters, CGAL::internal_np::Param_not_found>,
+                CGAL::internal_np::Param_not_found>::value;
+
+template <class FaceGraph, class NamedParameters>
+Numbering<FaceGraph> numbering(const FaceGraph& mesh, const NamedParameters& np,
+                               const Cancellation_point& cancellation = Cancellation_point())
+{
+  return number_elements(mesh, get_parameter(np, CGAL::internal_np::face_index), cancellation);
+}
+
+template <class FaceGraph>
+Flat_mesh flat_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n,
+                            const Cancellation_point& cancellation = Cancellation_point(),
+                            Execution execution = Execution::SEQUENTIAL)
+{
+  Flat_mesh m;
+  copy_connectivity(mesh, n, m, cancellation, execution);
+  Flat_mesh_topology::complete(m, n.vertices.size(), cancellation, execution);
+  return m;
+}
+
+template <class FaceGraph, class NamedParameters>
+auto point_map(const FaceGraph& mesh, const NamedParameters& np)
+{
+  return choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                          get_const_property_map(CGAL::vertex_point, mesh));
+}
+
+// Reads the coordinates of vertices by the caller's point map and traits.
+template <class FaceGraph, class NamedParameters>
+class Vertex_coordinates
+{
+public:
+  Vertex_coordinates(const FaceGraph& mesh, const NamedParameters& np)
+    : traits_(choose_parameter<Traits>(get_parameter(np, CGAL::internal_np::geom_traits))), points_(point_map(mesh, np))
+  {}
+
+  Vector operator()(typename boost::graph_traits<FaceGraph>::vertex_descriptor v) const
+  {
+    const auto& p = get(points_, v);
+    return {{CGAL::to_double(traits_.compute_x_3_object()(p)), CGAL::to_double(traits_.compute_y_3_object()(p)),
+             CGAL::to_double(traits_.compute_z_3_object()(p))}};
+  }
+
+private:
+  typedef typename GetGeomTraits<FaceGraph, NamedParameters>::type Traits;
+
+  const Traits traits_;
+  const decltype(point_map(std::declval<const FaceGraph&>(), std::declval<const NamedParameters&>())) points_;
+};
+
+template <class FaceGraph, class NamedParameters>
+Local_frame copy_points(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n, Flat_mesh& m,
+                  const Cancellation_point& cancellation = Cancellation_point())
+{
+  const Vertex_coordinates<FaceGraph, NamedParameters> coordinates(mesh, np);
+  m.points.reserve(n.vertices.size());
+  for (const auto v : n.vertices) {
+    cancellation.poll();
+    m.points.push_back(coordinates(v));
+  }
+  return to_local_frame(m.points, m.first_in_star, cancellation);
+}
+
+// Which densities to compute.
+struct Density_choice
+{
+  double maximum;
+  bool at_borders;
+};
+
+template <class NamedParameters>
+Density_choice density_choice(const NamedParameters& np)
+{
+  const double r = choose_parameter(get_parameter(np, internal_np::maximum_density_p), 50.);
+  if (!(r >= 1 && r <= largest_density))
+    throw Invalid_input("the maximum density is " + std::to_string(r) + ", not in [1, 1e20]");
+  return {r, choose_parameter(get_parameter(np, internal_np::border_densities_p), true)};
+}
+
+// The caller's densities, checked.
+template <class FaceGraph, class DensityMap>
+std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&, const Density_choice&,
+                                 const DensityMap& map, const Cancellation_point& cancellation = Cancellation_point(),
+                                 Execution = Execution::SEQUENTIAL)
+{
+  std::vector<double> densities;
+  densities.reserve(n.faces.size());
+  for (const auto f : n.faces) {
+    cancellation.poll();
+    const double r = CGAL::to_double(get(map, f));
+    if (!(r >= 1 / largest_density && r <= largest_density))
+      throw Invalid_input("the density of face " + std::to_string(densities.size()) + " is " + std::to_string(r) +
+                          ", not in [1e-20, 1e20]");
+    densities.push_back(r);
+  }
+  return densities;
+}
+
+// The densities of section 5.2, raised near borders.
+template <class FaceGraph>
+std::vector<double> densities_of(const Numbering<FaceGraph>&, const Flat_mesh& m, const Density_choice& choice,
+                                 const CGAL::internal_np::Param_not_found&,
+                                 const Cancellation_point& cancellation = Cancellation_point(),
+                                 Execution execution = Execution::SEQUENTIAL)
+{
+  std::vector<double> densities = mean_normal_deviations(m, cancellation, execution);
+  const double largest = largest_of(densities);
+  if (choice.at_borders)
+    Border_deviations(m, cancellation).raise(densities);
+  map_to_densities(densities, largest, choice.maximum);
+  return densities;
+}
+
+template <class FaceGraph, class NamedParameters>
+Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
+                                  Local_frame& frame, const Cancellation_point& cancellation,
+                                  Execution execution = Execution::SEQUENTIAL)
+{
+  Clustering_input input;
+  const Density_choice choice = density_choice(np);
+  input.mesh = flat_connectivity(mesh, n, cancellation, execution);
+  if (n.faces.empty())
+    throw Invalid_input("the input has no faces");
+  frame = copy_points(mesh, np, n, input.mesh, cancellation);
+  input.density = densities_of(n, input.mesh, choice, get_parameter(np, internal_np::face_density), cancellation, execution);
+  input.measure(cancellation, execution);
+  return input;
+}
+
+// Leaves out the components of less than the area asked for, which is in the units of the mesh.
+template <class NamedParameters>
+std::size_t drop_small_components(const NamedParameters& np, const Local_frame& frame, Clustering_input& input,
+                                  const Cancellation_point& cancellation)
+{
+  const double least = choose_parameter(get_parameter(np, internal_np::minimum_component_area_p), 0.);
+  if (!(least >= 0))
+    throw Invalid_input("the minimum component area is " + std::to_string(least));
+  const std::size_t dropped = input.drop_components_below(std::ldexp(least, -2 * frame.exponent), cancellation);
+  if (input.mesh.number_of_faces() == 0)
+    throw Invalid_input("no component of the input has an area of " + std::to_string(least));
+  return dropped;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NAMED_PARAMETERS_H

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_VALID_MOVES_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_VALID_MOVES_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Feature_rules.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/prefetch.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Section 7 of the paper: moves faces between clusters if the clusters remain closed discs, and their dual a simplicial
+// surface.
+class Valid_moves
+{
+public:
+  Valid_moves(Cluster_labels& labels, std::size_t number_of_clusters)
+    : mesh_(labels.mesh()), labels_(labels), walk_(labels), stamp_of_cluster_(number_of_clusters, 0) {}
+
+  // From now on follows the rules for features.
+  void keep_features(const Feature_cells& cells)
+  {
+    rules_.emplace(cells, labels_);
+    rules_->count(stamp_of_cluster_.size());
+  }
+
+  // Whether both clusters remain discs, features what they are, and the clusters are free to change.
+  bool keeps_discs(Index f, Index to) const
+  {
+    return labels_.stays_disc_without(f) && labels_.stays_disc_with(f, to) && !labels_.is_frozen(labels_[f]) &&
+           !labels_.is_frozen(to) && (!rules_ || rules_->may_take(f, to));
+  }
+
+  // What `keeps_discs()` reads of a face, in three steps, each of which reads what the one before has asked for.
+  BOOST_FORCEINLINE void prefetch_corners(Index f) const
+  {
+    prefetch(&mesh_.corner_vertex[mesh_.first_corner[f]]);
+    prefetch(&mesh_.face_across[mesh_.first_corner[f]]);
+  }
+  BOOST_FORCEINLINE void prefetch_labels(Index f) const
+  {
+    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+      const Index v = mesh_.corner_vertex[c], g = mesh_.face_across[c];
+      if (g != NONE)
+        prefetch(&labels_.labels()[g]);
+      prefetch(&labels_.boundary_counts()[v]);
+      prefetch(&mesh_.first_in_star[v]);
+    }
+  }
+  BOOST_FORCEINLINE void prefetch_stars(Index f) const
+  {
+    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+      prefetch(&mesh_.star[mesh_.first_in_star[mesh_.corner_vertex[c]]]);
+  }
+
+  // Moves face `f` if it may move. Returns whether it did.
+  bool move(Index f, Index to)
+  {
+    const Index from = labels_[f];
+    if (!keeps_discs(f, to))
+      return false;
+    const bool dual_may_change = !only_slides(f, to);
+    if (rules_)
+      rules_->change(f, to);
+    labels_.move(f, to);
+    if (dual_may_change && !dual_stays_simplicial(f, from)) {
+      if (rules_)
+        rules_->change(f, from);
+      labels_.move(f, from);
+      return false;
+    }
+    return true;
+  }
+
+private:
+  // Whether the dual remains what it was because the face borders on at most one cluster X more, and the point where that meets
+  // the two of the move only slides along the edge to X, from its end at `to` to its end at the cluster of the face. It does
+  // where no more than three clusters meet at a vertex, before or after. Where four do, it does if the diagonal between the apex
+  // of the fan and the cluster opposite to it stands in for that edge; the manual, in section smc_guarantee_moves, says when.
+  bool only_slides(Index f, Index to) const
+  {
+    const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1], from = labels_[f];
+    Index before = labels_.label_across(end - 1);
+    int others = 0;
+    for (Index c = begin; c != end; ++c) {
+      const Index after = labels_.label_across(c), v = mesh_.corner_vertex[c];
+      others += after != from && after != to;
+      if (others > 1 || !keeps_fan(f, to, v, before, after))
+        return false;
+      before = after;
+    }
+    return true;
+  }
+
+  // Whether it does at vertex `v` of the face, which lies between edges to clusters `x` and `y`.
+  bool keeps_fan(Index f, Index to, Index v, Index x, Index y) const
+  {
+    const Index from = labels_[f];
+    const auto change = [&](Index label) { return int(label == from) - int(label == to); };
+    const int count = int(labels_.boundary_count(v)), difference = change(x) + change(y);
+    const int larger = count + (std::max)(0, difference);
+    if (larger != 4)
+      return larger < 4;
+    const Index first = mesh_.star[mesh_.first_in_star[v]];
+    if (first == f)
+      return false;
+    return difference == 0 ? change(x) != 0 : std::abs(difference) == 1 && (labels_[first] == x || labels_[first] == y);
+  }
+
+  // All edges that a move adds to the dual belong to the cluster that has grown: the dual remains simplicial if the
+  // neighbors of that cluster still form a simple cycle.
+  bool dual_stays_simplicial(Index f, Index from)
+  {
+    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+      if (labels_.label_across(c) == from)
+        return walk_.first_link_defect({f, c}, stamp_of_cluster_, stamp_) == NONE;
+    return false;
+  }
+
+  const Flat_mesh& mesh_;
+  Cluster_labels& labels_;
+  Dual_walk walk_;
+  std::optional<Feature_rules> rules_;
+  std::vector<Index> stamp_of_cluster_;
+  Index stamp_ = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_VALID_MOVES_H

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_FACE_GRAPH_FILLER_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_FACE_GRAPH_FILLER_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
+
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// A position in the arrays in the coordinates of the mesh. Near the end of the range of double, positions beyond those of the
+// mesh may have none; they get the largest number.
+inline Vector to_mesh_coordinates(const Local_frame& frame, const Vector& p)
+{
+  if (frame.exact) {
+    const auto is_before = [](const Exact_points::value_type& known, const Vector& v) { return known.first < v; };
+    const auto known = std::lower_bound(frame.exact->begin(), frame.exact->end(), p, is_before);
+    if (known != frame.exact->end() && known->first == p)
+      return known->second;
+  }
+  constexpr double largest = (std::numeric_limits<double>::max)();
+  Vector q;
+  for (int i = 0; i < 3; ++i) {
+    const double x = frame.origin[i] + (frame.exponent == 0 ? p[i] : std::ldexp(p[i], frame.exponent));
+    q[i] = (std::min)((std::max)(x, -largest), largest);
+  }
+  return q;
+}
+
+template <class GeomTraits>
+std::vector<typename GeomTraits::Point_3> to_points(const std::vector<Vector>& positions, const Local_frame& frame,
+                                                    const GeomTraits& traits)
+{
+  typedef typename GeomTraits::FT FT;
+  const auto construct = traits.construct_point_3_object();
+  std::vector<typename GeomTraits::Point_3> points;
+  points.reserve(positions.size());
+  for (const Vector& position : positions) {
+    const Vector p = to_mesh_coordinates(frame, position);
+    points.push_back(construct(FT(p[0]), FT(p[1]), FT(p[2])));
+  }
+  return points;
+}
+
+// Gives the coordinates that a position in the arrays has in the output.
+template <class GeomTraits>
+auto output_coordinates(const Local_frame& frame)
+{
+  return [frame](const Vector& p) {
+    Vector q = to_mesh_coordinates(frame, p);
+    for (double& x : q)
+      x = CGAL::to_double(typename GeomTraits::FT(x));
+    return q;
+  };
+}
+
+// The halfedges of a triangulated 2-manifold. Edge `e` has the halfedges `2 e` and `2 e + 1`; edges are numbered in the
+// order in which the triangles have them, and halfedge `2 e` is that of the first of its triangles.
+struct Halfedges
+{
+  std::vector<Index> target, next, face; // per halfedge; `face` is NONE on the border
+  std::vector<Index> of_vertex, of_face; // a halfedge that ends in the vertex, on the border if it can be
+
+  Halfedges(const std::vector<Triangle>& triangles, std::size_t vertices, const Cancellation_point& cancellation)
+    : of_vertex(vertices, NONE),
+      of_face(triangles.size())
+  {
+    std::vector<Index> side_halfedge(3 * triangles.size(), NONE);
+    pair_sides(triangles, side_halfedge, cancellation);
+    next.assign(target.size(), NONE);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      of_face[t] = side_halfedge[3 * t];
+      for (int i = 0; i < 3; ++i)
+        next[side_halfedge[3 * t + i]] = side_halfedge[3 * t + (i + 1) % 3];
+    }
+    close_borders();
+  }
+
+private:
+  void pair_sides(const std::vector<Triangle>& triangles, std::vector<Index>& side_halfedge,
+                  const Cancellation_point& cancellation)
+  {
+    // Sides ordered by their ends, the two of an edge next to each other in the order of their triangles.
+    std::vector<std::pair<std::uint64_t, Index> > sides;
+    sides.reserve(3 * triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      for (int i = 0; i < 3; ++i) {
+        const Index a = triangles[t][i], b = triangles[t][(i + 1) % 3];
+        sides.push_back({(std::uint64_t((std::min)(a, b)) << 32) | (std::max)(a, b), Index(3 * t + i)});
+      }
+    std::sort(sides.begin(), sides.end());
+    std::vector<Index> twin(sides.size(), NONE);
+    for (std::size_t k = 1; k < sides.size(); ++k)
+      if (sides[k].first == sides[k - 1].first) {
+        twin[sides[k].second] = sides[k - 1].second;
+        twin[sides[k - 1].second] = sides[k].second;
+      }
+    for (Index s = 0; s < Index(twin.size()); ++s) {
+      cancellation.poll();
+      if (side_halfedge[s] != NONE)
+        continue;
+      const Index h = Index(target.size()), t = s / 3;
+      const Index a = triangles[t][s % 3], b = triangles[t][(s + 1) % 3];
+      side_halfedge[s] = h;
+      if (twin[s] != NONE)
+        side_halfedge[twin[s]] = h + 1;
+      target.push_back(b);
+      target.push_back(a);
+      face.push_back(t);
+      face.push_back(twin[s] == NONE ? NONE : twin[s] / 3);
+    }
+  }
+
+  // Before a halfedge of the border comes the one that the faces around its source end with.
+  void close_borders()
+  {
+    for (Index h = 0; h < Index(target.size()); ++h)
+      if (face[h] == NONE || of_vertex[target[h]] == NONE)
+        of_vertex[target[h]] = h;
+    for (Index h = 0; h < Index(target.size()); ++h) {
+      if (face[h] != NONE)
+        continue;
+      Index arriving = h ^ 1;
+      while (face[arriving] != NONE)
+        arriving = next[arriving] ^ 1;
+      next[arriving] = h;
+    }
+  }
+};
+
+template <class Output, class NamedParameters>
+auto output_points(const std::vector<Vector>& positions, const Local_frame& frame, const NamedParameters& np)
+{
+  typedef typename GetGeomTraits<Output, NamedParameters>::type Traits;
+  return to_points(positions, frame, choose_parameter<Traits>(get_parameter(np, CGAL::internal_np::geom_traits)));
+}
+
+// Replaces a face graph by the surface of triangles, in two steps: the constructor does what can fail and changes nothing,
+// `commit()` does the rest.
+//
+// A face graph of any type can only be filled element by element. If that fails, for want of memory or because a point
+// map throws, it is left empty.
+template <class Output, class NamedParameters>
+class Face_graph_filler
+{
+  typedef decltype(output_points<Output>(std::vector<Vector>(), Local_frame(), std::declval<NamedParameters>())) Points;
+
+  Output& output_;
+  const NamedParameters& np_;
+  Points points_;
+  std::vector<std::array<std::size_t, 3> > polygons_;
+
+public:
+  Face_graph_filler(const std::vector<Vector>& positions, const Local_frame& frame, const std::vector<Triangle>& triangles,
+                    Output& output, const NamedParameters& np, const Cancellation_point& cancellation = Cancellation_point())
+    : output_(output),
+      np_(np),
+      points_(output_points<Output>(positions, frame, np))
+  {
+    polygons_.reserve(triangles.size());
+    for (const Triangle& t : triangles) {
+      cancellation.poll();
+      polygons_.push_back({{t[0], t[1], t[2]}});
+    }
+  }
+
+  void commit()
+  {
+    const auto point_map = choose_parameter(get_parameter(np_, CGAL::internal_np::vertex_point),
+                                            get_property_map(CGAL::vertex_point, output_));
+    clear(output_);
+    try {
+      Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points_, polygons_, output_,
+                                                            CGAL::parameters::default_values(),
+                                                            CGAL::parameters::vertex_point_map(point_map));
+    } catch (...) {
+      clear(output_);
+      throw;
+    }
+  }
+};
+
+// A `Surface_mesh` gets all its memory before it changes, so that it is as before if anything fails. Its property maps stay,
+// which `clear()` would remove; the caller may hold some.
+template <class Point, class NamedParameters>
+class Face_graph_filler<Surface_mesh<Point>, NamedParameters>
+{
+  typedef Surface_mesh<Point> Mesh;
+  typedef typename Mesh::size_type size_type;
+  typedef typename Mesh::Vertex_index Vertex;
+  typedef typename Mesh::Halfedge_index Halfedge;
+  typedef typename Mesh::Face_index Face;
+  typedef decltype(output_points<Mesh>(std::vector<Vector>(), Local_frame(), std::declval<NamedParameters>())) Points;
+
+  static constexpr bool has_own_map = has_parameter<CGAL::internal_np::vertex_point_t, NamedParameters>;
+
+  Mesh& mesh_;
+  const NamedParameters& np_;
+  Points points_;
+  Halfedges halfedges_;
+
+  size_type vertices() const { return size_type(points_.size()); }
+  size_type edges() const { return size_type(halfedges_.target.size() / 2); }
+  size_type faces() const { return size_type(halfedges_.of_face.size()); }
+
+public:
+  Face_graph_filler(const std::vector<Vector>& positions, const Local_frame& frame, const std::vector<Triangle>& triangles,
+                    Mesh& mesh, const NamedParameters& np, const Cancellation_point& cancellation = Cancellation_point())
+    : mesh_(mesh),
+      np_(np),
+      points_(output_points<Mesh>(positions, frame, np)),
+      halfedges_(triangles, positions.size(), cancellation)
+  {
+    if (!mesh_.has_garbage())
+      reserve();
+  }
+
+  void commit()
+  {
+    // Only a mesh without elements marked as removed can be emptied and keep its memory. Getting rid of them moves the
+    // others, so it is done as late as can be.
+    if (mesh_.has_garbage()) {
+      mesh_.collect_garbage();
+      reserve();
+    }
+    put_points();
+    for (size_type h = 0; h < 2 * edges(); ++h) {
+      mesh_.set_target(Halfedge(h), Vertex(halfedges_.target[h]));
+      mesh_.set_next(Halfedge(h), Halfedge(halfedges_.next[h]));
+      mesh_.set_face(Halfedge(h), halfedges_.face[h] == NONE ? Mesh::null_face() : Face(halfedges_.face[h]));
+    }
+    for (size_type v = 0; v < vertices(); ++v)
+      mesh_.set_halfedge(Vertex(v), Halfedge(halfedges_.of_vertex[v]));
+    for (size_type f = 0; f < faces(); ++f)
+      mesh_.set_halfedge(Face(f), Halfedge(halfedges_.of_face[f]));
+  }
+
+private:
+  void reserve()
+  {
+    mesh_.reserve((std::max)(vertices(), mesh_.number_of_vertices()), (std::max)(edges(), mesh_.number_of_edges()),
+                  (std::max)(faces(), mesh_.number_of_faces()));
+  }
+
+  // Leaves the mesh with as many elements as it shall have.
+  void put_points()
+  {
+    if constexpr (has_own_map) {
+      // The caller's map may throw. Until it has taken all points, the mesh only has some elements more.
+      const auto map = get_parameter(np_, CGAL::internal_np::vertex_point);
+      const size_type v = mesh_.number_of_vertices(), e = mesh_.number_of_edges(), f = mesh_.number_of_faces();
+      mesh_.resize((std::max)(v, vertices()), e, f);
+      try {
+        for (size_type i = 0; i < vertices(); ++i)
+          put(map, Vertex(i), points_[i]);
+      } catch (...) {
+        mesh_.resize(v, e, f);
+        throw;
+      }
+    } else {
+      mesh_.resize(0, 0, 0); // so that all properties begin with their defaults
+      mesh_.resize(vertices(), 0, 0);
+      for (size_type i = 0; i < vertices(); ++i)
+        mesh_.point(Vertex(i)) = points_[i];
+    }
+    mesh_.resize(vertices(), 0, 0);
+    mesh_.resize(vertices(), edges(), faces());
+  }
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_FACE_GRAPH_FILLER_H

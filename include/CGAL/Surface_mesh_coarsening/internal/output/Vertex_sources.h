@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_VERTEX_SOURCES_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_VERTEX_SOURCES_H
+
+#include <CGAL/Surface_mesh_coarsening/Surface_location.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_access.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The cluster of each vertex of a mesh: of the clusters of the faces around it, the one with the largest area, and of equal
+// ones the first in number; `clusters` at vertices without faces.
+inline std::vector<Index> clusters_of_vertices(const Flat_mesh& m, const std::vector<double>& area,
+                                               const std::vector<Index>& cluster_of_face, Index clusters)
+{
+  std::vector<Index> result(m.number_of_vertices(), clusters);
+  std::vector<std::pair<Index, double> > around;
+  for (std::size_t v = 0; v < result.size(); ++v) {
+    around.clear();
+    for (Index i = m.first_in_star[v]; i != m.first_in_star[v + 1]; ++i)
+      around.emplace_back(cluster_of_face[m.star[i]], area[m.star[i]]);
+    std::sort(around.begin(), around.end());
+    double largest = -1;
+    for (std::size_t i = 0; i < around.size();) {
+      const Index x = around[i].first;
+      double sum = 0;
+      for (; i < around.size() && around[i].first == x; ++i)
+        sum += around[i].second;
+      if (sum > largest) {
+        largest = sum;
+        result[v] = x;
+      }
+    }
+  }
+  return result;
+}
+
+// The clusters of the whole faces of the input.
+template <class Clustering>
+std::vector<Index> clusters_of_faces(const Clustering& clustering)
+{
+  const Clustering_input& input = Clustering_access::input(clustering);
+  const auto& faces = Clustering_access::numbering(clustering).faces;
+  std::vector<Index> clusters;
+  clusters.reserve(input.mesh.number_of_faces());
+  for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
+    clusters.push_back(Index(clustering.cluster(faces[input.parent_of(Index(f))])));
+  return clusters;
+}
+
+// Writes clusters of the faces of the input that were not left out; the others get `number`.
+template <class Clustering, class Map>
+void write_face_clusters(const Clustering& clustering, const std::vector<Index>& clusters, std::size_t number, const Map& map)
+{
+  typedef typename boost::property_traits<Map>::value_type Value;
+  const auto& faces = Clustering_access::numbering(clustering).faces;
+  const Clustering_input& input = Clustering_access::input(clustering);
+  std::vector<Index> of_face(faces.size(), Index(number));
+  for (std::size_t i = 0; i < clusters.size(); ++i)
+    of_face[input.parent_of(Index(i))] = clusters[i];
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    put(map, faces[f], Value(of_face[f]));
+}
+template <class Clustering>
+void write_face_clusters(const Clustering&, const std::vector<Index>&, std::size_t, const CGAL::internal_np::Param_not_found&)
+{}
+
+template <class Clustering, class Map>
+void write_vertex_clusters(const Clustering& clustering, const std::vector<Index>& clusters, std::size_t number,
+                           const Map& map)
+{
+  typedef typename boost::property_traits<Map>::value_type Value;
+  const Clustering_input& input = Clustering_access::input(clustering);
+  const std::vector<Index> of_vertex = clusters_of_vertices(input.mesh, input.area, clusters, Index(number));
+  const auto& vertices = Clustering_access::numbering(clustering).vertices;
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    put(map, vertices[v], Value(of_vertex[v]));
+}
+template <class Clustering>
+void write_vertex_clusters(const Clustering&, const std::vector<Index>&, std::size_t,
+                           const CGAL::internal_np::Param_not_found&)
+{}
+
+// Finds where on the input the vertices come from before the output changes, and writes that when it has its vertices.
+template <class FaceGraph, class Map>
+class Vertex_sources
+{
+public:
+  explicit Vertex_sources(const Map& map) : map_(map) {}
+
+  template <class Clustering>
+  void find(const FaceGraph& mesh, const Clustering& clustering, const std::vector<Index>& clusters,
+            const std::vector<Vector>& positions)
+  {
+    const Clustering_input& input = Clustering_access::input(clustering);
+    locations_ = surface_locations(mesh, Clustering_access::numbering(clustering), input,
+                                   clusters, positions,
+                                   Cancellation_point(Clustering_access::visitor(clustering)));
+  }
+
+  template <class Output>
+  void write(const Output& output)
+  {
+    std::size_t i = 0;
+    for (const auto v : vertices(output))
+      put(map_, v, std::move(locations_[i++]));
+  }
+
+private:
+  Map map_;
+  std::vector<Surface_location<FaceGraph> > locations_;
+};
+
+template <class FaceGraph>
+class Vertex_sources<FaceGraph, CGAL::internal_np::Param_not_found>
+{
+public:
+  explicit Vertex_sources(const CGAL::internal_np::Param_not_found&) {}
+  template <class Clustering>
+  void find(const FaceGraph&, const Clustering&, const std::vector<Index>&, const std::vector<Vector>&) {}
+  template <class Output>
+  void write(const Output&) {}
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_VERTEX_SOURCES_H

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_WRITE_FEATURES_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_WRITE_FEATURES_H
+
+#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The regions between feature lines, numbered from 0 in the order of the faces: that of each face.
+inline std::vector<long long> regions(const Flat_mesh& m, const Feature_edges& edges)
+{
+  std::vector<long long> region(m.number_of_faces(), -1);
+  std::vector<Index> stack;
+  long long number = 0;
+  for (std::size_t seed = 0; seed < region.size(); ++seed) {
+    if (region[seed] >= 0)
+      continue;
+    region[seed] = number;
+    stack.assign(1, Index(seed));
+    while (!stack.empty()) {
+      const Index f = stack.back();
+      stack.pop_back();
+      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
+        const Index g = m.face_across[c];
+        if (g != NONE && !edges.is_feature[c] && region[g] < 0) {
+          region[g] = number;
+          stack.push_back(g);
+        }
+      }
+    }
+    ++number;
+  }
+  return region;
+}
+
+// The patches of the triangles of the dual, in their order: that of the face around the vertex they stand at. Such a vertex
+// is never on a line, and all faces around belong to one patch. `labels` are those of the mesh that was clustered, `patches`
+// those of the faces of the caller's mesh, or none, for regions to be numbered.
+inline std::vector<long long> patches_of_triangles(const Clustering_input& input, const Cluster_labels& labels,
+                                                   const std::vector<long long>& patches)
+{
+  const Clustering_input& pieces = input.cells ? input.cells->pieces() : input;
+  const std::vector<long long> numbered =
+    patches.empty() && input.cells ? regions(input.cells->base().mesh, input.cells->edges()) : std::vector<long long>();
+  const auto patch_of = [&](Index face) -> long long {
+    if (!patches.empty())
+      return patches[pieces.parent_of(face)];
+    return numbered.empty() ? pieces.mesh.component[face] : numbered[input.cells->base_face(face)];
+  };
+  std::vector<long long> result;
+  for_each_meeting_point(labels, 0, Index(labels.mesh().number_of_vertices()), [&](Index v, const std::vector<Index>& runs) {
+    result.insert(result.end(), runs.size() - 2, patch_of(pieces.mesh.star[pieces.mesh.first_in_star[v]]));
+  });
+  return result;
+}
+
+template <class Output>
+auto vertices_of(const Output& output)
+{
+  return std::vector<typename boost::graph_traits<Output>::vertex_descriptor>(vertices(output).begin(), vertices(output).end());
+}
+
+template <class Output, class Vertices>
+auto halfedge_between(const Output& output, const Vertices& vertices, Index x, Index y)
+{
+  return halfedge(vertices[x], vertices[y], output).first;
+}
+
+template <class Output, class Map>
+void write_patches(const Output& output, const Map& map, const std::vector<Triangle>& triangles,
+                   const Clustering_input& input, const Cluster_labels& labels, const std::vector<long long>& patches)
+{
+  typedef typename boost::property_traits<Map>::value_type Value;
+  const auto v = vertices_of(output);
+  const std::vector<long long> patch = patches_of_triangles(input, labels, patches);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    put(map, face(halfedge_between(output, v, triangles[t][0], triangles[t][1]), output), static_cast<Value>(patch[t]));
+}
+template <class Output>
+void write_patches(const Output&, const CGAL::internal_np::Param_not_found&, const std::vector<Triangle>&,
+                   const Clustering_input&, const Cluster_labels&, const std::vector<long long>&)
+{}
+
+template <class Output, class Map>
+void write_lines(const Output& output, const Map& map, const Coarse_features* features)
+{
+  const auto v = vertices_of(output);
+  for (const auto e : edges(output))
+    put(map, e, false);
+  if (!features)
+    return;
+  for (const Coarse_features::Line& line : features->lines()) {
+    const std::size_t n = line.arcs.size();
+    for (std::size_t i = line.is_loop ? 0 : 1; i < n; ++i)
+      put(map, edge(halfedge_between(output, v, line.arcs[(i + n - 1) % n].cluster, line.arcs[i].cluster), output), true);
+  }
+}
+template <class Output>
+void write_lines(const Output&, const CGAL::internal_np::Param_not_found&, const Coarse_features*)
+{}
+
+template <class Output, class Map>
+void write_corners(const Output& output, const Map& map, const Coarse_features* features)
+{
+  std::size_t i = 0;
+  for (const auto v : vertices(output))
+    put(map, v, features && features->corners()[i++] != NONE);
+}
+template <class Output>
+void write_corners(const Output&, const CGAL::internal_np::Param_not_found&, const Coarse_features*)
+{}
+
+// Writes what the output's parameters ask for. `triangles` are those of `output`, in their order.
+template <class Output, class NamedParameters>
+void write_features(const Output& output, const NamedParameters& np, const std::vector<Triangle>& triangles,
+                    const Coarse_features* features, const Clustering_input& input, const Cluster_labels& labels,
+                    const std::vector<long long>& patches)
+{
+  write_patches(output, get_parameter(np, CGAL::internal_np::face_patch), triangles, input, labels, patches);
+  write_lines(output, get_parameter(np, CGAL::internal_np::edge_is_constrained), features);
+  write_corners(output, get_parameter(np, CGAL::internal_np::vertex_is_constrained), features);
+}
+
+inline void count_features(const Clustering_input& input, Coarsening_report& report)
+{
+  if (!input.cells)
+    return;
+  report.feature_lines = input.cells->graph().lines().size();
+  report.feature_corners = input.cells->graph().number_of_corners();
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_WRITE_FEATURES_H

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EDGE_FLIPS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EDGE_FLIPS_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Surface_fit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Flips edges of a coarse mesh where that lowers the squared distance from the input enough for what it takes from the
+// smallest angles of the two triangles, or gives enough to these for what it adds to the distance. The rate between the two
+// is that at which the mean of the smallest angles comes to a goal.
+class Edge_flips
+{
+public:
+  Edge_flips(Flippable_triangulation& coarse, const std::vector<Vector>& positions, Surface_fit& fit)
+    : coarse_(coarse), positions_(positions), fit_(fit) {}
+
+  // Angles are in radians. No flip makes an angle smaller than `min_angle` if there is none yet among the two triangles.
+  void run(double mean_angle, double min_angle)
+  {
+    sharpest_allowed_ = std::cos(min_angle);
+    const std::vector<Triangle>& triangles = coarse_.triangles();
+    std::vector<Flip> flips;
+    double budget = 0, total = 0;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      budget += angle(triangles[t]) - mean_angle;
+      total += fit_.cost(Index(t));
+      for (int i = 0; i < 3; ++i) {
+        const Flip flip = flip_at(Index(t), i);
+        if (flip.is_possible)
+          flips.push_back(flip);
+      }
+    }
+    if (triangles.empty() || !(total > 0))
+      return;
+    const double rate = rate_for(flips, budget, total / double(triangles.size()));
+    apply(flips, rate);
+  }
+
+private:
+  struct Flip
+  {
+    Index triangle = NONE;
+    int corner = 0;
+    bool is_possible = false;
+    double gain = 0; // in squared distance
+    double loss = 0; // of angle
+    bool pays(double rate) const { return gain > rate * loss; }
+  };
+
+  double angle(const Triangle& t) const { return std::acos((std::min)(1., sharpest_of(positions_, t))); }
+
+  Flip flip_at(Index t, int i) const
+  {
+    Flip flip;
+    flip.triangle = t;
+    flip.corner = i;
+    const Index u = coarse_.across(t, i);
+    if (u == NONE || u < t)
+      return flip;
+    const Triangle old_t = coarse_.triangles()[t], old_u = coarse_.triangles()[u];
+    const Index a = old_t[i], b = old_t[(i + 1) % 3], c = coarse_.opposite(t, i);
+    if (!coarse_.may_flip(t, i, u))
+      return flip;
+    const Index d = coarse_.opposite(u, coarse_.corner(u, b));
+    const Triangle new_t{c, a, d}, new_u{c, d, b};
+    const double before = (std::max)(sharpest_of(positions_, old_t), sharpest_of(positions_, old_u));
+    const double after = (std::max)(sharpest_of(positions_, new_t), sharpest_of(positions_, new_u));
+    if (after > (std::max)(sharpest_allowed_, before) || folds_over(old_t, old_u, new_t, new_u))
+      return flip;
+    flip.is_possible = true;
+    flip.loss = angle(old_t) + angle(old_u) - angle(new_t) - angle(new_u);
+    const double now = fit_.cost(t) + fit_.cost(u);
+    flip.gain = now - fit_.cost_instead(t, u, new_t, new_u, max_growth * now);
+    return flip;
+  }
+
+  // Whether the new triangles look away from each other or from the old.
+  bool folds_over(const Triangle& old_t, const Triangle& old_u, const Triangle& new_t, const Triangle& new_u) const
+  {
+    const Vector old_normal = normal_of(positions_, old_t) + normal_of(positions_, old_u);
+    const Vector n = normal_of(positions_, new_t), m = normal_of(positions_, new_u);
+    return !(dot(n, old_normal) > 0 && dot(m, old_normal) > 0 && dot(n, m) > 0);
+  }
+
+  // The smallest rate at which all flips that pay take no more than `budget` from the angles. It is bounded, because there
+  // may be no such rate. `unit` is a typical squared distance.
+  static double rate_for(const std::vector<Flip>& flips, double budget, double unit)
+  {
+    constexpr double degrees_per_radian = 180 / 3.14159265358979323846;
+    double low = -30, high = 0;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = 0.5 * (low + high), rate = unit * std::exp(middle) * degrees_per_radian;
+      double loss = 0;
+      for (const Flip& flip : flips)
+        if (flip.pays(rate))
+          loss += flip.loss;
+      (loss > budget ? low : high) = middle;
+    }
+    return unit * std::exp(high) * degrees_per_radian;
+  }
+
+  // The best first. Triangles are flipped only once, later ones having been judged with the earlier in place.
+  void apply(std::vector<Flip>& flips, double rate)
+  {
+    flips.erase(std::remove_if(flips.begin(), flips.end(), [&](const Flip& f) { return !f.pays(rate); }), flips.end());
+    std::stable_sort(flips.begin(), flips.end(), [&](const Flip& f, const Flip& g) {
+      return f.gain - rate * f.loss > g.gain - rate * g.loss;
+    });
+    std::vector<bool> is_done(coarse_.triangles().size(), false);
+    for (const Flip& old : flips) {
+      const Index t = old.triangle, u = coarse_.across(t, old.corner);
+      if (is_done[t] || u == NONE || is_done[u])
+        continue;
+      const Flip flip = flip_at(t, old.corner);
+      if (!flip.is_possible || !flip.pays(rate))
+        continue;
+      coarse_.flip(t, old.corner, u);
+      fit_.redistribute(t, u);
+      is_done[t] = is_done[u] = true;
+    }
+  }
+
+  // Flips that raise the distance by a larger factor are not looked at closely.
+  static constexpr double max_growth = 1.2;
+
+  Flippable_triangulation& coarse_;
+  const std::vector<Vector>& positions_;
+  Surface_fit& fit_;
+  double sharpest_allowed_ = 1;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EDGE_FLIPS_H

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_LINE_FITS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_LINE_FITS_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_equations.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Line_fit.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The feature lines in the fit of a surface, if there are some: first each is fitted by itself, then all of them add to the
+// equations for the whole.
+class Line_fits
+{
+public:
+  Line_fits(const Clustered_surface& surface, std::vector<Vector>& positions) : positions_(positions)
+  {
+    if (!surface.features())
+      return;
+    const Coarse_features& features = *surface.features();
+    is_on_line_.assign(positions.size(), false);
+    lines_.reserve(features.lines().size());
+    for (const Coarse_features::Line& line : features.lines()) {
+      lines_.emplace_back(surface.input().mesh, line, positions);
+      lines_.back().run();
+      for (const Coarse_features::Arc& arc : line.arcs)
+        is_on_line_[arc.cluster] = features.corners()[arc.cluster] == NONE;
+    }
+  }
+
+  // Whether a vertex lies on a line, and not at a corner.
+  bool is_on_line(Index v) const { return !is_on_line_.empty() && is_on_line_[v]; }
+
+  void find_feet()
+  {
+    for (Line_fit& line : lines_)
+      line.find_feet();
+  }
+
+  // Samples of lines are held across the edge where their foot is. Lines count as strips of width `width`.
+  void add_to(Fit_equations& equations, const Flippable_triangulation& coarse, double width, double damping) const
+  {
+    for (const Line_fit& line : lines_)
+      line.for_each_foot([&](Index x, Index y, double at, const Vector& off, double length) {
+        const std::vector<Index>& around = coarse.around(x);
+        const Index t = *std::find_if(around.begin(), around.end(), [&](Index u) { return coarse.corner(u, y) >= 0; });
+        Eigen::Vector3d b = Eigen::Vector3d::Zero();
+        b[coarse.corner(t, x)] = 1 - at;
+        b[coarse.corner(t, y)] = at;
+        const Vector way = positions_[y] - positions_[x];
+        Eigen::Vector3d along(way[0], way[1], way[2]);
+        if (along.squaredNorm() > 0)
+          along.normalize();
+        const double weight = width * length;
+        equations.add_stiffness(t, weight * b * b.transpose(),
+                                Eigen::Matrix3d::Identity() - (1 - damping) * along * along.transpose());
+        equations.add_force(x, off, weight * (1 - at));
+        equations.add_force(y, off, weight * at);
+      });
+  }
+
+private:
+  const std::vector<Vector>& positions_;
+  std::vector<Line_fit> lines_;
+  std::vector<char> is_on_line_; // of each vertex
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_LINE_FITS_H

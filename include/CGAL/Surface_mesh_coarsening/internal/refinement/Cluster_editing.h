@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_EDITING_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_EDITING_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/faces_in_bfs_order.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Splits a cluster of a valid clustering in two, or gives its faces to a neighbor, if the clustering is valid afterwards. What
+// may have become invalid is looked at from scratch: the clusters that have changed, and the links of those around them. The
+// time depends on their sizes alone.
+class Cluster_editing
+{
+public:
+  Cluster_editing(const Clustering_input& input, Cluster_labels& labels, Index clusters)
+    : input_(input), mesh_(input.mesh), labels_(labels), walk_(labels), face_of_(clusters, NONE)
+  {
+    for (std::size_t f = mesh_.number_of_faces(); f-- > 0;)
+      face_of_[labels_[Index(f)]] = Index(f);
+  }
+
+  Index number_of_clusters() const { return Index(face_of_.size()); }
+
+  // The new cluster has the next number. Returns whether there is one.
+  bool split(Index x)
+  {
+    const std::vector<Index> faces = outward(face_of_[x]);
+    constexpr std::size_t attempts = 8;
+    for (std::size_t i = 0; i < (std::min)(attempts, faces.size()) && faces.size() > 1; ++i) {
+      const Index first = outward(faces[i * faces.size() / (std::min)(attempts, faces.size())]).back();
+      const Index second = outward(first).back();
+      if (try_split(x, faces, first, second))
+        return true;
+    }
+    return false;
+  }
+
+  // Its neighbors are tried in the order of what the union adds to the inertia. The last cluster gets the number of `x`.
+  bool remove(Index x)
+  {
+    const std::vector<Index> faces = outward(face_of_[x]);
+    std::vector<std::pair<double, Index> > candidates;
+    for (const Index y : neighbors_in_arcs(faces))
+      if (!labels_.is_frozen(y))
+        candidates.emplace_back(inertia_between(moments_of(faces), moments_of(outward(face_of_[y]))), y);
+    std::sort(candidates.begin(), candidates.end());
+    for (const auto& candidate : candidates) {
+      for (const Index f : faces)
+        labels_.move(f, candidate.second);
+      if (is_valid_around(candidate.second)) {
+        take_number(x);
+        return true;
+      }
+      for (const Index f : faces)
+        labels_.move(f, x);
+    }
+    return false;
+  }
+
+private:
+  std::vector<Index> outward(Index f) { return faces_in_bfs_order(labels_, f); }
+
+  template <class Visit>
+  void for_each_side(Index f, const Visit& visit) const
+  {
+    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+      visit(c);
+  }
+
+  bool try_split(Index x, const std::vector<Index>& faces, Index first, Index second)
+  {
+    const Index y = number_of_clusters();
+    for (const Index f : faces)
+      labels_.set(f, NONE);
+    Cluster_growth growth(labels_);
+    growth.plant(first, x);
+    growth.plant(second, y);
+    growth.run();
+    std::vector<Index> of_second;
+    bool is_covered = true;
+    for (const Index f : faces) {
+      is_covered = is_covered && labels_[f] != NONE;
+      if (labels_[f] == y)
+        of_second.push_back(f);
+      labels_.set(f, x);
+    }
+    if (!is_covered)
+      return false;
+    for (const Index f : of_second)
+      labels_.move(f, y);
+    face_of_.push_back(second);
+    const Index former = std::exchange(face_of_[x], first);
+    if (is_valid_around(x) && is_valid_around(y))
+      return true;
+    for (const Index f : of_second)
+      labels_.move(f, x);
+    face_of_.pop_back();
+    face_of_[x] = former;
+    return false;
+  }
+
+  void take_number(Index x)
+  {
+    const Index last = number_of_clusters() - 1;
+    if (x != last) {
+      for (const Index f : outward(face_of_[last]))
+        labels_.move(f, x);
+      face_of_[x] = face_of_[last];
+      labels_.freeze(x, labels_.is_frozen(last));
+    }
+    labels_.freeze(last, false);
+    face_of_.pop_back();
+  }
+
+  std::vector<Index> neighbors_in_arcs(const std::vector<Index>& faces) const
+  {
+    std::vector<Index> neighbors;
+    for (const Index f : faces)
+      for_each_side(f, [&](Index c) {
+        const Index y = labels_.label_across(c);
+        if (y != labels_[f] && !Cluster_labels::is_cap(y))
+          neighbors.push_back(y);
+      });
+    sort_unique(neighbors);
+    return neighbors;
+  }
+
+  // Without the inertia.
+  Moments moments_of(const std::vector<Index>& faces) const
+  {
+    Moments result;
+    for (const Index f : faces) {
+      result.mass += input_.mass(f);
+      result.centroid = result.centroid + input_.mass(f) * input_.centroid(f);
+    }
+    if (result.mass > 0)
+      result.centroid = (1 / result.mass) * result.centroid;
+    return result;
+  }
+
+  // Whether cluster `x` is a disc, and its link and those of the clusters in it are simple.
+  bool is_valid_around(Index x)
+  {
+    const std::vector<Index> faces = outward(face_of_[x]);
+    if (!is_disc(x, faces))
+      return false;
+    const Directed_edge edge = boundary_edge(faces);
+    if (edge.face == NONE || is_at_fault(edge))
+      return false;
+    std::vector<Index> link;
+    walk_.along_link(edge, [&](Index y) {
+      if (!Cluster_labels::is_cap(y))
+        link.push_back(y);
+      return true;
+    });
+    for (const Index y : link) {
+      const Directed_edge its = boundary_edge(outward(face_of_[y]));
+      if (its.face == NONE || is_at_fault(its))
+        return false;
+    }
+    return true;
+  }
+
+  Directed_edge boundary_edge(const std::vector<Index>& faces) const
+  {
+    for (const Index f : faces) {
+      const Directed_edge e = walk_.boundary_edge(f);
+      if (e.face != NONE)
+        return e;
+    }
+    return {};
+  }
+
+  bool is_at_fault(const Directed_edge& edge)
+  {
+    stamp_of_cluster_.resize(face_of_.size(), 0);
+    return walk_.first_link_defect(edge, stamp_of_cluster_, stamp_) != NONE;
+  }
+
+  // The faces are all those of the cluster that are connected to one.
+  bool is_disc(Index x, const std::vector<Index>& faces) const
+  {
+    long euler = long(faces.size());
+    std::vector<Index> vertices, runs;
+    for (const Index f : faces)
+      for_each_side(f, [&](Index c) {
+        vertices.push_back(mesh_.corner_vertex[c]);
+        euler -= labels_.label_across(c) != x || mesh_.face_across[c] > f;
+      });
+    sort_unique(vertices);
+    for (const Index v : vertices) {
+      clusters_around_vertex(labels_, v, runs);
+      if (std::count(runs.begin(), runs.end(), x) != 1)
+        return false;
+    }
+    return euler + long(vertices.size()) == 1;
+  }
+
+  const Clustering_input& input_;
+  const Flat_mesh& mesh_;
+  Cluster_labels& labels_;
+  Dual_walk walk_;
+  std::vector<Index> face_of_; // one of each cluster
+  std::vector<Index> stamp_of_cluster_;
+  Index stamp_ = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_EDITING_H

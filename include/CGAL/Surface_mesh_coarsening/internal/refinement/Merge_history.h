@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_MERGE_HISTORY_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_MERGE_HISTORY_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_merging.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Valid clusters merged two by two, each time those whose merge adds least to the energy, for as long as the dual stays a
+// simplicial surface; and what undoes the merges.
+//
+// Clusters are numbered anew so that the numbers of level n, which has n clusters, are 0 to n - 1: cluster k is gone from
+// level k on, merged into its parent, which has a smaller number. A triangle of the dual is stored with the corners that it
+// has last, before it goes. From the coarsest level on, each merge undone gives one or two triangles back and some corners of
+// others to the cluster that comes back.
+class Merge_history
+{
+public:
+  Merge_history(const Clustering_input& input, const Cluster_labels& labels, Index clusters,
+                const Cancellation_point& cancellation)
+    : cancellation_(cancellation),
+      dual_(labels, all_faces(input), clusters),
+      finest_(clusters),
+      sums_(clusters),
+      version_(clusters, 0)
+  {
+    add_up_moments(input, labels, sums_, cancellation, Execution::SEQUENTIAL, [](const Moments&, Index) {});
+    merge_all();
+    number_clusters();
+    list_triangles();
+  }
+
+  std::size_t finest() const { return finest_; }
+  std::size_t coarsest() const { return finest_ - steps_.size(); }
+  // The number here of a cluster of the clustering.
+  Index number(Index cluster) const { return number_[cluster]; }
+  // That a cluster is merged into, for clusters that are not of the coarsest level.
+  Index parent(Index number) const { return parent_[number - coarsest()]; }
+
+  // The cluster of level `n` that each of the clusters of level `from` is part of.
+  std::vector<Index> ancestors(std::size_t from, std::size_t n) const
+  {
+    std::vector<Index> result(from);
+    std::iota(result.begin(), result.begin() + (std::min)(n, from), Index(0));
+    for (std::size_t k = n; k < from; ++k)
+      result[k] = result[parent(Index(k))];
+    return result;
+  }
+
+  // The triangles of a level, in time linear in their number.
+  std::vector<Triangle> triangles(std::size_t n) const
+  {
+    std::vector<Triangle> result(last_.begin(), last_.begin() + first_triangle_[n - coarsest()]);
+    for (std::size_t k = coarsest(); k < n; ++k)
+      for (Index i = first_corner_[k - coarsest()]; i != first_corner_[k - coarsest() + 1]; ++i)
+        result[corner_[i] / 3][corner_[i] % 3] = Index(k);
+    return result;
+  }
+
+private:
+  typedef Dual_surface::Edge Edge;
+
+  struct Step
+  {
+    Index gone, kept;
+    std::size_t moved;             // first of the corners in `moved_`
+    std::array<Index, 2> removed;  // triangles
+  };
+
+  // Merges by what they cost; of those of equal cost the one of the smallest numbers.
+  struct Candidate
+  {
+    double cost;
+    Index a, b;
+    Index versions;
+    Edge edge;
+
+    bool operator>(const Candidate& c) const { return std::tie(cost, a, b) > std::tie(c.cost, c.a, c.b); }
+  };
+
+  static std::vector<Index> all_faces(const Clustering_input& input)
+  {
+    std::vector<Index> faces(input.mesh.number_of_faces());
+    std::iota(faces.begin(), faces.end(), Index(0));
+    return faces;
+  }
+
+  static Moments joined(const Moments& a, const Moments& b)
+  {
+    Moments s;
+    s.mass = a.mass + b.mass;
+    if (!(s.mass > 0))
+      return a;
+    s.centroid = a.centroid + (b.mass / s.mass) * (b.centroid - a.centroid);
+    s.inertia = a.inertia + b.inertia + inertia_between(a, b);
+    return s;
+  }
+
+  // The energy with the weight of formula (9), which is known of a union from the sums of its parts.
+  static double energy(const Moments& s) { return s.mass * s.inertia; }
+
+  void enqueue(Edge e)
+  {
+    const Index a = dual_.source(e), b = dual_.target(e);
+    if (!dual_.is_arc(e) || dual_.is_cap(a) || dual_.is_cap(b))
+      return;
+    const double cost = energy(joined(sums_[a], sums_[b])) - energy(sums_[a]) - energy(sums_[b]);
+    queue_.push({rounded_for_comparison(cost), (std::min)(a, b), (std::max)(a, b), version_[a] + version_[b], e});
+  }
+
+  void merge_all()
+  {
+    for (std::size_t last = steps_.size() + 1; last != steps_.size();) {
+      last = steps_.size();
+      for (Index t = 0; t < dual_.number_of_triangles(); ++t)
+        if (dual_.is_triangle(t))
+          for (Edge e = 3 * t; e != 3 * t + 3; ++e)
+            if (dual_.source(e) < dual_.target(e))
+              enqueue(e);
+      while (!queue_.empty()) {
+        cancellation_.poll();
+        const Candidate c = queue_.top();
+        queue_.pop();
+        if (is_up_to_date(c) && dual_.may_contract(c.edge))
+          merge(c.edge);
+      }
+    }
+  }
+
+  bool is_up_to_date(const Candidate& c) const
+  {
+    if (!dual_.is_triangle(c.edge / 3))
+      return false;
+    const Index a = dual_.source(c.edge), b = dual_.target(c.edge);
+    return (std::min)(a, b) == c.a && (std::max)(a, b) == c.b && version_[a] + version_[b] == c.versions;
+  }
+
+  // The cluster of fewer neighbors goes: what is stored of all merges is short then.
+  void merge(Edge e)
+  {
+    Edge back = NONE;
+    std::size_t of_kept = 0, of_gone = 0;
+    dual_.for_each_edge_from(dual_.source(e), [&](Edge) { ++of_kept; });
+    dual_.for_each_edge_from(dual_.target(e), [&](Edge f) {
+      ++of_gone;
+      back = dual_.target(f) == dual_.source(e) ? f : back;
+    });
+    if (of_gone > of_kept)
+      std::swap(e, back);
+    const Index kept = dual_.source(e), gone = dual_.target(e);
+    Step step{gone, kept, moved_.size(), {{e / 3, back / 3}}};
+    dual_.for_each_edge_from(gone, [&](Edge f) { moved_.push_back(f); });
+    for (const Index t : step.removed)
+      removed_.push_back(corners(t));
+    steps_.push_back(step);
+    dual_.contract(e);
+    sums_[kept] = joined(sums_[kept], sums_[gone]);
+    version_[kept] += version_[gone] + 1;
+    dual_.for_each_edge_from(kept, [&](Edge f) { enqueue(f); });
+  }
+
+  Triangle corners(Index t) const { return {dual_.source(3 * t), dual_.source(3 * t + 1), dual_.source(3 * t + 2)}; }
+
+  void number_clusters()
+  {
+    number_.assign(finest_, NONE);
+    parent_.resize(steps_.size());
+    Index next = Index(finest_);
+    for (const Step& s : steps_)
+      number_[s.gone] = --next;
+    next = 0;
+    for (Index& x : number_)
+      if (x == NONE)
+        x = next++;
+    for (const Step& s : steps_)
+      parent_[number_[s.gone] - coarsest()] = number_[s.kept];
+  }
+
+  // The triangles in the order in which they come back. Those at what lies beyond the border are left out.
+  void list_triangles()
+  {
+    std::vector<Index> place(dual_.number_of_triangles(), NONE);
+    const auto list = [&](Index t, const Triangle& corners) {
+      if (std::any_of(corners.begin(), corners.end(), [&](Index x) { return dual_.is_cap(x); }))
+        return;
+      place[t] = Index(last_.size());
+      last_.push_back({number_[corners[0]], number_[corners[1]], number_[corners[2]]});
+    };
+    for (Index t = 0; t < place.size(); ++t)
+      if (dual_.is_triangle(t))
+        list(t, corners(t));
+    first_triangle_.push_back(Index(last_.size()));
+    first_corner_.push_back(0);
+    for (std::size_t s = steps_.size(); s-- > 0;) {
+      for (int i = 0; i < 2; ++i)
+        list(steps_[s].removed[i], removed_[2 * s + i]);
+      first_triangle_.push_back(Index(last_.size()));
+      const std::size_t end = s + 1 == steps_.size() ? moved_.size() : steps_[s + 1].moved;
+      for (std::size_t i = steps_[s].moved; i < end; ++i)
+        if (place[moved_[i] / 3] != NONE)
+          corner_.push_back(3 * place[moved_[i] / 3] + moved_[i] % 3);
+      first_corner_.push_back(Index(corner_.size()));
+    }
+    moved_ = std::vector<Edge>();
+    removed_ = std::vector<Triangle>();
+  }
+
+  Cancellation_point cancellation_;
+  Dual_surface dual_;
+  std::size_t finest_;
+  std::vector<Moments> sums_;      // of each cluster
+  std::vector<Index> version_;  // number of merges in each cluster
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > queue_;
+  std::vector<Step> steps_;
+  std::vector<Edge> moved_;       // corners of the clusters that go, step by step
+  std::vector<Triangle> removed_; // two for each step
+  std::vector<Index> number_;     // of each cluster of the clustering
+  std::vector<Index> parent_;     // of each cluster that is not of the coarsest level
+  std::vector<Triangle> last_;    // the corners of each triangle before it goes
+  std::vector<Index> corner_;     // corners given back, merge by merge
+  std::vector<Index> first_triangle_, first_corner_; // of what comes back from each level to the next
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_MERGE_HISTORY_H

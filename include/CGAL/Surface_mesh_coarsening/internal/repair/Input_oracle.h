@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_INPUT_ORACLE_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_INPUT_ORACLE_H
+
+#include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Input_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Triangle_conflicts.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// What the input says of coarse triangles: how the surface that they stand for faces, and whether it intersects itself there.
+class Input_oracle
+{
+public:
+  explicit Input_oracle(const Clustered_surface& surface)
+    : surface_(surface), input_(surface.input().mesh), normals_(surface.number_of_clusters(), Vector{{0, 0, 0}}),
+      first_block_(surface.number_of_clusters() + 1, 0)
+  {
+    for (std::size_t x = 0; x < normals_.size(); ++x)
+      first_block_[x + 1] = first_block_[x] + (surface.faces(x).size() + faces_of_block - 1) / faces_of_block;
+    box_of_block_.resize(first_block_.back());
+    for_each_chunk(surface.execution(), normals_.size(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t x = begin; x < end; ++x) {
+        for_each_block(x, [this](const Face_range& faces, std::size_t i) { box_of_block_[i] = box_of_faces(faces); });
+        normals_[x] = mean_normal(x);
+      }
+    });
+  }
+
+  // The mean normal of the faces of a cluster, the shorter the more they are bent. It is zero where they have no area.
+  const Vector& normal(Index cluster) const { return normals_[cluster]; }
+
+  // Whether any of the clusters of a coarse triangle has an area.
+  bool has_area(const Triangle& t) const
+  {
+    constexpr Vector none{{0, 0, 0}};
+    return std::any_of(t.begin(), t.end(), [&](Index x) { return normals_[x] != none; });
+  }
+
+  // Whether a coarse triangle looks away from the surface at the closest point of its clusters. That is looked for only where
+  // the mean normals are not enough. Where the point lies on an edge, or several are as close, roundings do not choose: all
+  // faces there count.
+  bool is_against(const Triangle& t, const std::vector<Vector>& positions) const
+  {
+    const Vector n = normal_of(positions, t), mean = normals_[t[0]] + normals_[t[1]] + normals_[t[2]];
+    const double size = std::sqrt(dot(n, n));
+    if (dot(n, mean) > 0.5 * size * std::sqrt(dot(mean, mean)))
+      return false;
+    const Vector middle = (1. / 3) * (positions[t[0]] + positions[t[1]] + positions[t[2]]);
+    double nearest = squared_distance_from_nearest_block(middle, t);
+    std::vector<std::pair<double, Index> > faces;
+    for (const Index x : t)
+      for_each_block(x, [&](const Face_range& block, std::size_t i) {
+        if (squared_distance_from_box(middle, box_of_block_[i]) > same_as(nearest, size))
+          return;
+        for (const Index f : block) {
+          const double squared_distance = input_.closest_on_face(middle, f).squared_distance;
+          if (squared_distance <= same_as(nearest, size))
+            faces.emplace_back(squared_distance, f);
+          nearest = (std::min)(nearest, squared_distance);
+        }
+      });
+    Vector there{{0, 0, 0}};
+    for (const auto& [squared_distance, f] : faces)
+      if (squared_distance <= same_as(nearest, size))
+        there = there + vector_area(surface_.input().mesh, f);
+    return dot(n, there) < -1e-9 * size * std::sqrt(dot(there, there));
+  }
+
+  // The sum over some clusters of about their area times their mean squared distance from coarse triangles. Stops where it
+  // has reached `limit`.
+  double squared_distance(const std::vector<Index>& clusters, const std::vector<Triangle>& triangles,
+                          const std::vector<Vector>& positions, double limit) const
+  {
+    constexpr std::size_t max_samples = 24;
+    std::vector<Ball> balls;
+    balls.reserve(triangles.size());
+    for (const Triangle& t : triangles)
+      balls.push_back(ball_around(t, positions));
+    std::size_t last = 0; // the triangle nearest to the sample before
+    double sum = 0;
+    for (const Index x : clusters) {
+      const Clustered_surface::Range faces = surface_.faces(x);
+      const std::size_t step = 1 + faces.size() / max_samples;
+      for (std::size_t i = 0; i < faces.size(); i += step) {
+        const Index f = faces.begin()[i];
+        sum += double(step) * surface_.area(f) * squared_distance(surface_.centroid(f), triangles, balls, positions, last);
+        if (sum >= limit)
+          return sum;
+      }
+    }
+    return sum;
+  }
+
+  // Whether faces of the clusters of one coarse triangle intersect those of another's. Faces with a common vertex are not
+  // looked at: there are many of them, and they hardly ever have more than that in common.
+  bool intersects_itself(const Triangle& t, const Triangle& u)
+  {
+    for (const Index x : t)
+      for (const Index y : u)
+        if (clusters_intersect((std::min)(x, y), (std::max)(x, y)))
+          return true;
+    return false;
+  }
+
+private:
+  // Up to where squared distances are the same but for rounding, in a triangle of about that squared size.
+  static double same_as(double squared_distance, double squared_size)
+  {
+    return 1.000000001 * squared_distance + 1e-18 * squared_size;
+  }
+
+  typedef Clustered_surface::Range Face_range;
+
+  // The faces of a cluster are looked through for the nearest one in blocks of so many, in their order, each with its box.
+  static constexpr std::size_t faces_of_block = 32;
+
+  // Calls `visit(faces, number)` for each block.
+  template <class Visit>
+  void for_each_block(std::size_t cluster, const Visit& visit) const
+  {
+    const Face_range faces = surface_.faces(cluster);
+    std::size_t number = first_block_[cluster];
+    for (auto begin = faces.begin(); begin != faces.end(); ++number) {
+      const auto end = begin + (std::min)(std::ptrdiff_t(faces_of_block), faces.end() - begin);
+      visit(Face_range(begin, end), number);
+      begin = end;
+    }
+  }
+
+  Bbox_3 box_of_faces(const Face_range& faces) const
+  {
+    Bbox_3 box;
+    for (const Index f : faces)
+      for (const Index v : surface_.vertices(f))
+        box += box_of_point(surface_.point(v));
+    return box;
+  }
+
+  Bbox_3 box_of_cluster(std::size_t cluster) const
+  {
+    Bbox_3 all;
+    for_each_block(cluster, [&](const Face_range&, std::size_t i) { all += box_of_block_[i]; });
+    return all;
+  }
+
+  Vector mean_normal(std::size_t cluster) const
+  {
+    constexpr double rounding = 1e-13; // what the rounding of coordinates makes of the area of points on a line
+    Vector sum{{0, 0, 0}};
+    double area = 0;
+    for (const Index f : surface_.faces(cluster)) {
+      sum = sum + vector_area(surface_.input().mesh, f);
+      area += surface_.area(f);
+    }
+    return area > rounding * squared_diagonal(box_of_cluster(cluster)) ? (1 / area) * sum : Vector{{0, 0, 0}};
+  }
+
+  // The squared distance of the block whose box is nearest.
+  double squared_distance_from_nearest_block(const Vector& p, const Triangle& t) const
+  {
+    double from_box = std::numeric_limits<double>::infinity(), nearest = from_box;
+    Face_range block(nullptr, nullptr);
+    for (const Index x : t)
+      for_each_block(x, [&](const Face_range& faces, std::size_t i) {
+        const double d = squared_distance_from_box(p, box_of_block_[i]);
+        if (d < from_box) {
+          from_box = d;
+          block = faces;
+        }
+      });
+    for (const Index f : block)
+      nearest = (std::min)(nearest, input_.closest_on_face(p, f).squared_distance);
+    return nearest;
+  }
+
+  struct Ball
+  {
+    Vector center;
+    double radius;
+  };
+
+  static Ball ball_around(const Triangle& t, const std::vector<Vector>& positions)
+  {
+    Ball ball{(1. / 3) * (positions[t[0]] + positions[t[1]] + positions[t[2]]), 0};
+    for (const Index v : t) {
+      const Vector d = positions[v] - ball.center;
+      ball.radius = (std::max)(ball.radius, dot(d, d));
+    }
+    ball.radius = std::sqrt(ball.radius);
+    return ball;
+  }
+
+  // From the nearest of some triangles. Those whose balls are farther away than the nearest so far are passed over.
+  static double squared_distance(const Vector& p, const std::vector<Triangle>& triangles, const std::vector<Ball>& balls,
+                                 const std::vector<Vector>& positions, std::size_t& last)
+  {
+    const auto to = [&](std::size_t i) {
+      const Triangle& t = triangles[i];
+      return closest_on_triangle(p, positions[t[0]], positions[t[1]], positions[t[2]]).squared_distance;
+    };
+    const std::size_t first = last;
+    double nearest = to(first), distance = std::sqrt(nearest);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const Vector d = p - balls[i].center;
+      const double reach = 1.000001 * (balls[i].radius + distance);
+      if (i == first || dot(d, d) > reach * reach)
+        continue;
+      const double square = to(i);
+      if (square < nearest) {
+        nearest = square;
+        distance = std::sqrt(square);
+        last = i;
+      }
+    }
+    return nearest;
+  }
+
+  bool clusters_intersect(Index x, Index y)
+  {
+    const auto known = intersecting_.find({x, y});
+    if (known != intersecting_.end())
+      return known->second;
+    std::vector<Triangle> all = pieces_at(x, box_of_cluster(y));
+    const std::ptrdiff_t of_x = std::ptrdiff_t(all.size());
+    const std::vector<Triangle> of_y = pieces_at(y, box_of_cluster(x));
+    all.insert(all.end(), of_y.begin(), of_y.end());
+    std::vector<Exact_point> points;
+    const std::vector<Triangle> named = name_common_points(all, points);
+    const Triangle_conflict conflict(points);
+    std::vector<Triangle_box> boxes = triangle_boxes(named, conflict);
+    const auto middle = boxes.begin() + of_x;
+    bool found = false;
+    box_intersection_d(boxes.begin(), middle, middle, boxes.end(), [&](const Triangle_box& a, const Triangle_box& b) {
+      const Triangle &f = named[a.info()], &g = named[b.info()];
+      found = found || (!have_common_corner(f, g) && conflict(f, g));
+    });
+    return intersecting_[{x, y}] = found;
+  }
+
+  static bool have_common_corner(const Triangle& t, const Triangle& u)
+  {
+    return std::find_first_of(t.begin(), t.end(), u.begin(), u.end()) != t.end();
+  }
+
+  // The faces of a cluster, as fans, as far as they may have to do with what is in a box.
+  std::vector<Triangle> pieces_at(Index x, const Bbox_3& box) const
+  {
+    std::vector<Triangle> triangles;
+    for (const Index f : surface_.faces(x)) {
+      if (!do_overlap(box_of_faces(Face_range(&f, &f + 1)), box))
+        continue;
+      const Clustered_surface::Range v = surface_.vertices(f);
+      for (std::size_t i = 2; i < v.size(); ++i)
+        triangles.push_back({v.begin()[0], v.begin()[i - 1], v.begin()[i]});
+    }
+    return triangles;
+  }
+
+  // Numbers the corners from 0, and makes their points.
+  std::vector<Triangle> name_common_points(std::vector<Triangle> triangles, std::vector<Exact_point>& points) const
+  {
+    std::vector<Index> used;
+    for (const Triangle& t : triangles)
+      used.insert(used.end(), t.begin(), t.end());
+    sort_unique(used);
+    for (const Index v : used) {
+      const Vector& p = surface_.point(v);
+      points.emplace_back(p[0], p[1], p[2]);
+    }
+    for (Triangle& t : triangles)
+      for (Index& v : t)
+        v = Index(std::lower_bound(used.begin(), used.end(), v) - used.begin());
+    return triangles;
+  }
+
+  const Clustered_surface& surface_;
+  Input_surface input_;
+  std::vector<Vector> normals_;
+  std::vector<std::size_t> first_block_; // of each cluster
+  std::vector<Bbox_3> box_of_block_;
+  std::map<std::pair<Index, Index>, bool> intersecting_; // pairs of clusters that were looked at
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_INPUT_ORACLE_H

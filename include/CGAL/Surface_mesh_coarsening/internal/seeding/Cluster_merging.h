@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_CLUSTER_MERGING_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_CLUSTER_MERGING_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Feature_merging.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Section 6 of the paper, fewer seeds: the three clusters around a vertex that are smallest together become one, again and
+// again, until a component has as many clusters as it should. Two are merged where one too many is left, or where only two
+// may be.
+//
+// The size of a cluster is its area in the paper. Here it is its mass, of which the clusters of low energy have about the
+// same: what merging does not even out, the minimization has to carry across the mesh face by face. But clusters of few
+// faces cannot be round, whatever their mass; so their faces count where that makes them smaller.
+//
+// Works on the valid clusters of one component, numbered from 0.
+class Cluster_merging
+{
+public:
+  // `by_threes`: whether three clusters may be merged at a time. If not, the order of the merges does not depend on the
+  // number wanted, and size is area. `may_join_at_vertices`: whether, when nothing else is left, clusters may be merged
+  // that meet in a vertex only, in an edge of the fan there; that leaves it to Pinch_resolution to make discs of them.
+  template <class FaceRange>
+  Cluster_merging(const Clustering_input& input, const Cluster_labels& labels, const FaceRange& faces, Index clusters,
+                  bool by_threes, bool may_join_at_vertices, const Cancellation_point& cancellation, Execution execution)
+    : cancellation_(cancellation), dual_(labels, faces, clusters, cancellation, execution), by_threes_(by_threes),
+      may_join_at_vertices_(may_join_at_vertices), count_(clusters), merged_into_(clusters), size_(clusters)
+  {
+    is_queued_.assign(dual_.number_of_triangles(), false);
+    std::iota(merged_into_.begin(), merged_into_.end(), Index(0));
+    for (const Index f : faces) {
+      Size& size = size_[labels[f]];
+      const double mass = by_threes ? input.mass(f) : input.area[f];
+      size.mass += mass;
+      size.faces += input.number_of_faces_in(f);
+      mass_of_all_ += mass;
+    }
+  }
+
+  // From now on follows the rules for features.
+  template <class FaceRange>
+  void keep_features(const Feature_cells& cells, const Cluster_labels& labels, const FaceRange& faces)
+  {
+    features_.emplace(cells, labels, faces, Index(merged_into_.size()));
+  }
+
+  // Merges until no more than `wanted` clusters are left, if the topology allows it. Returns the number of merges of two.
+  std::size_t run(std::size_t wanted)
+  {
+    wanted_ = wanted;
+    const std::size_t before = count_;
+    merge_while_possible();
+    if (may_join_at_vertices_ && excess() > 0) {
+      const std::size_t in_arcs = count_;
+      joins_at_vertices_ = true;
+      merge_while_possible();
+      joins_at_vertices_ = count_ != in_arcs;
+    }
+    return before - count_;
+  }
+
+  // Whether clusters have been merged that met in a vertex only.
+  bool has_pinches() const { return joins_at_vertices_; }
+
+  std::size_t number_of_clusters() const { return count_; }
+
+  // Renumbers the clusters of the faces without gaps, in their old order.
+  template <class FaceRange>
+  void relabel(Cluster_labels& labels, const FaceRange& faces)
+  {
+    std::vector<Index> number(merged_into_.size(), NONE);
+    Index next = 0;
+    for (Index x = 0; x < number.size(); ++x)
+      if (merged_into_[x] == x)
+        number[x] = next++;
+    for (const Index f : faces)
+      labels.set(f, number[cluster(labels[f])]);
+  }
+
+private:
+  typedef Dual_surface::Edge Edge;
+  typedef std::pair<double, Index> Candidate; // summed size and triangle
+
+  struct Size
+  {
+    double mass = 0; // area, unless by threes
+    double faces = 0;
+    Size operator+(const Size& other) const { return {mass + other.mass, faces + other.faces}; }
+  };
+
+  // So many faces count as much as the mass that a cluster has on average.
+  static constexpr double faces_of_round_cluster = 64;
+
+  // A merge is tried again after one of its clusters has changed. What may make it possible farther off is looked for when
+  // nothing is left to try.
+  void merge_while_possible()
+  {
+    for (std::size_t last = count_ + 1; last != count_ && excess() > 0;) {
+      last = count_;
+      for (Index t = 0; t < dual_.number_of_triangles(); ++t)
+        if (dual_.is_triangle(t))
+          enqueue(t);
+      work_off();
+    }
+  }
+
+  std::size_t excess() const { return count_ - (std::min)(count_, wanted_); }
+
+  Index cluster(Index x) const
+  {
+    while (merged_into_[x] != x)
+      x = merged_into_[x] = merged_into_[merged_into_[x]];
+    return x;
+  }
+
+  void enqueue(Index t)
+  {
+    const double key = is_queued_[t] ? -1 : key_of(t);
+    if (key < 0)
+      return;
+    is_queued_[t] = true;
+    queue_.emplace(key, t);
+  }
+
+  // The summed size of the three clusters, or of the two that are smallest, whichever number would be merged; -1 if there
+  // are no two.
+  double key_of(Index t) const
+  {
+    if (by_threes_ && excess() > 1) {
+      Size sum;
+      for (Edge e = 3 * t; e != 3 * t + 3; ++e)
+        if (!dual_.is_cap(dual_.source(e)))
+          sum = sum + size_[dual_.source(e)];
+      return number_of(sum);
+    }
+    double least = -1;
+    for (Edge e = 3 * t; e != 3 * t + 3; ++e)
+      if (is_candidate(e) && (least < 0 || size_of(e) < least))
+        least = size_of(e);
+    return least;
+  }
+
+  // A cluster that is large already, such as that of a face as large as many others, is not made larger without need.
+  bool may_be_third(Index merged, Index third) const
+  {
+    return (size_[merged] + size_[third]).mass <= 4 * mean_mass();
+  }
+
+  bool is_candidate(Edge e) const
+  {
+    return (dual_.is_arc(e) || joins_at_vertices_) && !dual_.is_cap(dual_.source(e)) && !dual_.is_cap(dual_.target(e)) &&
+           (!features_ || features_->may_merge(dual_.source(e), dual_.target(e), [this](Index x) { return cluster(x); }));
+  }
+  double size_of(Edge e) const { return number_of(size_[dual_.source(e)] + size_[dual_.target(e)]); }
+
+  double mean_mass() const { return mass_of_all_ / double(wanted_); }
+  double number_of(const Size& x) const
+  {
+    const double mass_of_faces = x.faces / faces_of_round_cluster * mean_mass();
+    return rounded_for_comparison(by_threes_ ? (std::min)(x.mass, mass_of_faces) : x.mass);
+  }
+
+  void work_off()
+  {
+    while (!queue_.empty() && excess() > 0) {
+      cancellation_.poll();
+      const Candidate candidate = queue_.top();
+      queue_.pop();
+      is_queued_[candidate.second] = false;
+      if (!dual_.is_triangle(candidate.second))
+        continue;
+      if (candidate.first < key_of(candidate.second))
+        enqueue(candidate.second); // the clusters have grown since
+      else
+        merge_at(candidate.second);
+    }
+    queue_ = Queue();
+    is_queued_.assign(is_queued_.size(), false);
+  }
+
+  void merge_at(Index t)
+  {
+    const std::array<Index, 3> corners{{dual_.source(3 * t), dual_.source(3 * t + 1), dual_.source(3 * t + 2)}};
+    const bool three = by_threes_ && excess() > 1;
+    const Edge e = smallest_of({3 * t, 3 * t + 1, 3 * t + 2});
+    if (e == NONE)
+      return;
+    const Index third = corners[(e + 2) % 3];
+    Index merged = merge(e);
+    if (three && !dual_.is_cap(third) && may_be_third(merged, third)) {
+      Edge to_third = NONE;
+      dual_.for_each_edge_from(merged, [&](Edge f) { to_third = dual_.target(f) == third ? f : to_third; });
+      if (to_third != NONE && is_candidate(to_third) && dual_.may_contract(to_third))
+        merged = merge(to_third);
+    }
+    dual_.for_each_edge_from(merged, [&](Edge f) { enqueue(f / 3); });
+  }
+
+  // Of those of the edges that may be contracted, the one of the smallest summed size; NONE if there is none.
+  Edge smallest_of(const std::array<Edge, 3>& edges)
+  {
+    Edge smallest = NONE;
+    for (const Edge e : edges)
+      if (is_candidate(e) && (smallest == NONE || size_of(e) < size_of(smallest)) && dual_.may_contract(e))
+        smallest = e;
+    return smallest;
+  }
+
+  // Merges the clusters at the ends of `e` and returns the one that is left.
+  Index merge(Edge e)
+  {
+    const Index kept = dual_.source(e), gone = dual_.target(e);
+    dual_.contract(e);
+    if (features_)
+      features_->merge(kept, gone, [this](Index x) { return cluster(x); });
+    merged_into_[gone] = kept;
+    size_[kept] = size_[kept] + size_[gone];
+    --count_;
+    return kept;
+  }
+
+  typedef std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > Queue;
+
+  Cancellation_point cancellation_;
+  Dual_surface dual_;
+  std::optional<Feature_merging> features_;
+  bool by_threes_, may_join_at_vertices_, joins_at_vertices_ = false;
+  std::size_t count_, wanted_ = 0;
+  mutable std::vector<Index> merged_into_; // ways get shorter when they are gone
+  std::vector<Size> size_;
+  double mass_of_all_ = 0;
+  Queue queue_;
+  std::vector<bool> is_queued_; // of each triangle
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_CLUSTER_MERGING_H

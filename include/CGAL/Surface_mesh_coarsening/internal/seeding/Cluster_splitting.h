@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_CLUSTER_SPLITTING_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_CLUSTER_SPLITTING_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/faces_in_bfs_order.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Splits the clusters of a component, all of them closed discs and numbered from 0, until their dual is a simplicial
+// surface: until the neighbors of every cluster form a simple cycle. Each split makes two or more smaller discs of one, so
+// this ends, at the latest with clusters of one face; what is wrong then lies in the mesh itself.
+template <class FaceRange>
+class Cluster_splitting
+{
+public:
+  Cluster_splitting(Cluster_labels& labels, const FaceRange& faces, Index number_of_clusters,
+                    const Cancellation_point& cancellation, Execution execution, Feature_rules* rules)
+    : labels_(labels), mesh_(labels.mesh()), walk_(labels), growth_(labels, cancellation, rules), cancellation_(cancellation),
+      execution_(execution), rules_(rules), faces_(faces),
+      clusters_(number_of_clusters) {}
+
+  // Returns whether the clusters are valid now. They are not if clusters of one face are at fault.
+  bool run()
+  {
+    for (;;) {
+      survey();
+      if (!find_faulty_clusters())
+        return false;
+      if (to_split_.empty())
+        return true;
+      for (const Index x : to_split_)
+        split(x);
+      splits_ += to_split_.size();
+    }
+  }
+
+  std::size_t number_of_splits() const { return splits_; }
+  Index number_of_clusters() const { return clusters_; }
+
+private:
+  // Size, a face, and a boundary edge of each cluster.
+  void survey()
+  {
+    size_.assign(clusters_, 0);
+    face_.assign(clusters_, NONE);
+    edge_.assign(clusters_, Directed_edge());
+    for (const Index f : faces_) {
+      cancellation_.poll();
+      const Index x = labels_[f];
+      ++size_[x];
+      if (face_[x] == NONE)
+        face_[x] = f;
+      if (edge_[x].face == NONE)
+        edge_[x] = walk_.boundary_edge(f);
+    }
+  }
+
+  // Returns whether they can be split.
+  bool find_faulty_clusters()
+  {
+    to_split_.clear();
+    std::vector<bool> listed(clusters_, false);
+    for (const auto& [x, fault] : faults()) {
+      const Index larger = cluster_to_split(x, fault);
+      if (larger == NONE)
+        return false;
+      if (!listed[larger]) {
+        listed[larger] = true;
+        to_split_.push_back(larger);
+      }
+    }
+    return true;
+  }
+
+  // The clusters at fault, each with one that it meets wrongly; with itself, if it has no boundary, or fewer than three
+  // neighbors.
+  std::vector<std::pair<Index, Index> > faults() const
+  {
+    struct Part
+    {
+      std::vector<Index> stamp_of_cluster;
+      Index stamp = 0;
+      std::vector<std::pair<Index, Index> > faults;
+    };
+    std::vector<std::pair<Index, Index> > all;
+    for_each_part<Part>(
+      execution_, clusters_, 1024, cancellation_,
+      [this](Part& part, std::size_t begin, std::size_t end) {
+        Dual_walk walk(labels_);
+        part.faults.clear();
+        part.stamp_of_cluster.resize(clusters_, 0);
+        for (Index x = Index(begin); x != end; ++x) {
+          const Index fault =
+            edge_[x].face == NONE ? x : walk.first_link_defect(edge_[x], part.stamp_of_cluster, part.stamp);
+          if (fault != NONE)
+            part.faults.emplace_back(x, fault);
+        }
+      },
+      [&all](const Part& part) { all.insert(all.end(), part.faults.begin(), part.faults.end()); });
+    return all;
+  }
+
+  // The larger of the two at fault; a neighbor, where both have a single face; NONE, where those have, too.
+  Index cluster_to_split(Index x, Index fault)
+  {
+    Index largest = x;
+    const auto consider = [&](Index y) {
+      if (!Cluster_labels::is_cap(y) && size_[y] > size_[largest])
+        largest = y;
+      return true;
+    };
+    consider(fault);
+    if (size_[largest] == 1 && edge_[x].face != NONE)
+      walk_.along_link(edge_[x], consider);
+    return size_[largest] == 1 ? NONE : largest;
+  }
+
+  // Grows the cluster anew from two faces far apart, of which one is at the corner if it has a feature corner.
+  void split(Index x)
+  {
+    const Index corner = rules_ ? rules_->corner_cell(x) : NONE;
+    const std::vector<Index> faces = faces_in_bfs_order(labels_, corner == NONE ? face_[x] : corner);
+    const std::vector<Index> back = corner == NONE ? faces_in_bfs_order(labels_, faces.back()) : faces;
+    for (const Index f : faces) {
+      if (rules_)
+        rules_->change(f, NONE);
+      labels_.set(f, NONE);
+    }
+    growth_.plant(back.front(), x);
+    growth_.plant(back.back(), clusters_++);
+    growth_.run();
+    clusters_ = growth_.cover(faces, clusters_);
+  }
+
+  Cluster_labels& labels_;
+  const Flat_mesh& mesh_;
+  Dual_walk walk_;
+  Cluster_growth growth_;
+  Cancellation_point cancellation_;
+  Execution execution_;
+  Feature_rules* rules_;
+  FaceRange faces_;
+  Index clusters_;
+  std::size_t splits_ = 0;
+  std::vector<Index> size_, face_;
+  std::vector<Directed_edge> edge_;
+  std::vector<Index> to_split_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_CLUSTER_SPLITTING_H

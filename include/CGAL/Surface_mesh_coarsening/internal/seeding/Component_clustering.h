@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_COMPONENT_CLUSTERING_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_COMPONENT_CLUSTERING_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Component_plan.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_merging.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Seed_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_splitting.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+typedef Bucketed_items<Index>::Range Face_range;
+
+struct Component_seeds
+{
+  std::vector<Index> faces;
+  Index level = 0;
+  std::size_t corners = 0; // how many of them are cells of feature corners, seeds of every level
+};
+
+// Makes clusters of the faces of one connected component as its plan says: seeds, growth, splitting, merging.
+class Component_clustering
+{
+public:
+  Component_clustering(const Clustering_input& input, const Cancellation_point& cancellation, Execution execution)
+    : input_(input), cancellation_(cancellation), execution_(execution), walk_(input.mesh, cancellation) {}
+
+  Component_seeds seeds(const Face_range& faces, const Component_plan& plan)
+  {
+    if (plan.level() != NONE)
+      return seeds_of_level(faces, plan.level());
+    Component_seeds seeds = largest_level_of(faces, plan.min_seeds());
+    if (plan.is_on_schedule())
+      return seeds_of_level(faces, Component_plan::scheduled_level(seeds.level));
+    // Merging from all faces takes long, and leads to nothing better than from those of the next level.
+    return seeds.level > 0 ? seeds : largest_level_of(faces, plan.wanted());
+  }
+
+  // Labels the faces from 0 and returns the number of clusters; 0 if the faces are too few, or the seeds.
+  std::size_t grow(Cluster_labels& labels, const Face_range& faces, const Component_seeds& seeds, const Component_plan& plan)
+  {
+    for (const Index f : faces)
+      labels.set(f, NONE);
+    if (faces.size() == input_.mesh.number_of_faces())
+      walk_.release();
+    std::optional<Feature_rules> rules;
+    if (input_.cells) {
+      rules.emplace(*input_.cells, labels);
+      rules->begin(faces);
+    }
+    Feature_rules* const rules_or_none = rules ? &*rules : nullptr;
+    Index clusters = 0;
+    {
+      Cluster_growth growth(labels, cancellation_, rules_or_none);
+      for (const Index f : seeds.faces)
+        growth.plant(f, clusters++);
+      growth.run();
+      clusters = growth.cover(faces, clusters);
+    }
+
+    Cluster_splitting<Face_range> splitting(labels, faces, clusters, cancellation_, execution_, rules_or_none);
+    if (!splitting.run() || !plan.may_begin_with(splitting.number_of_clusters()))
+      return 0;
+    splits_ = splitting.number_of_splits();
+    merges_ = 0;
+    is_pinched_ = false;
+    if (splitting.number_of_clusters() <= plan.wanted())
+      return splitting.number_of_clusters();
+    Cluster_merging merging(input_, labels, faces, splitting.number_of_clusters(), !plan.is_on_schedule(),
+                            plan.from_pieces() && plan.is_on_schedule() && !input_.cells, cancellation_, execution_);
+    if (input_.cells)
+      merging.keep_features(*input_.cells, labels, faces);
+    merges_ = merging.run(plan.wanted());
+    is_pinched_ = merging.has_pinches();
+    merging.relabel(labels, faces);
+    return merging.number_of_clusters();
+  }
+
+  // What the last growth has done.
+  std::size_t number_of_splits() const { return splits_; }
+  std::size_t number_of_merges() const { return merges_; }
+  // Whether it has left it to Pinch_resolution to make discs of the clusters.
+  bool is_pinched() const { return is_pinched_; }
+
+private:
+  Component_seeds seeds_of_level(const Face_range& faces, Index level)
+  {
+    Component_seeds seeds;
+    seeds.level = level;
+    walk_.forget(faces);
+    if (input_.cells)
+      take_seeds_on_features(faces, seeds);
+    walk_.run(faces, level, seeds.faces);
+    return seeds;
+  }
+
+  // All corners, and then those on lines.
+  void take_seeds_on_features(const Face_range& faces, Component_seeds& seeds)
+  {
+    std::vector<Index> on_lines;
+    for (const Index f : faces) {
+      const Index node = input_.cells->node(f);
+      if (node == NONE)
+        continue;
+      if (input_.cells->graph().is_corner(node))
+        walk_.take(f, seeds.level, seeds.faces);
+      else
+        on_lines.push_back(f);
+    }
+    seeds.corners = seeds.faces.size();
+    walk_.run(on_lines, seeds.level, seeds.faces);
+  }
+
+  // The seeds of the largest level, near the one expected, that gives `wanted` of them.
+  Component_seeds largest_level_of(const Face_range& faces, std::size_t wanted)
+  {
+    // On a regular mesh the neighborhood of level k has 1 + 3 k (k + 1) / 2 faces, and some three quarters of all
+    // faces lie in one.
+    const double faces_each = 0.75 * double(faces.size()) / double(wanted);
+    const Index level = faces_each <= 1 ? 0 : Index(std::lround(std::sqrt((faces_each - 1) / 1.5 + 0.25)));
+    Component_seeds seeds = seeds_of_level(faces, level);
+    if (seeds.faces.size() < wanted) {
+      while (seeds.faces.size() < wanted && seeds.level > 0)
+        seeds = seeds_of_level(faces, seeds.level - 1);
+      return seeds;
+    }
+    while (seeds.faces.size() > (std::max)(seeds.corners, std::size_t(1))) {
+      Component_seeds fewer = seeds_of_level(faces, seeds.level + 1);
+      if (fewer.faces.size() < wanted)
+        break;
+      seeds = std::move(fewer);
+    }
+    return seeds;
+  }
+
+  const Clustering_input& input_;
+  Cancellation_point cancellation_;
+  Execution execution_;
+  Seed_walk walk_;
+  std::size_t splits_ = 0, merges_ = 0;
+  bool is_pinched_ = false;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_COMPONENT_CLUSTERING_H

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_COMPONENT_PLAN_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_COMPONENT_PLAN_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// How a connected component is brought to its number of clusters.
+//
+// The usual way is the paper's: seeds of the largest level that gives twice as many, growth, and merging, three clusters at a
+// time. It may end too high where the faces or the topology leave little freedom. Then, and always where fewer clusters are
+// wanted than are `always_enough()`, there is a schedule of levels, the same for every number of clusters below that.
+//
+// From the seeds of a level, clusters are merged in pairs, in an order that does not depend on the number wanted. So a level
+// gives every number between the start and the end of its merging. The schedule begins with the highest level from which merging
+// starts with always_enough() clusters, or with the lowest level. The levels above follow, as long as their merging starts where
+// the merging of earlier levels has ended, or higher; then the levels below; then the same levels with subdivided faces, which
+// can form any clusters. Hence the attainable numbers are all numbers from the smallest that a level reaches. Consecutive levels
+// that reach no smaller number are limited, so that the work on large components stays in proportion to their faces: with large
+// clusters all levels end near the same number.
+class Component_plan
+{
+public:
+  // Merging until no two clusters may be merged leads to an irreducible triangulation. Those of closed surfaces of genus g
+  // have at most 26 g - 4 vertices (Joret and Wood: Irreducible triangulations are small, 2010); with b border loops their
+  // number is linear in g and b, too (Boulch, Colin de Verdiere, Nakamoto: Irreducible triangulations of surfaces with
+  // boundary, 2013).
+  // Features keep clusters apart; how many more there have to be, they do not tell.
+  static std::size_t always_enough(const Component& c)
+  {
+    return 8 + 26 * c.genus() + 8 * c.loops + 4 * c.feature_clusters;
+  }
+
+  // Begins anew for `wanted` clusters.
+  void begin(const Component& component, std::size_t wanted)
+  {
+    aim_at(component, wanted);
+    if (has_nearest() && wanted >= nearest_ && wanted < enough_) {
+      go_to_nearest();
+      return;
+    }
+    on_schedule_ = wanted < enough_;
+    from_pieces_ = component.faces < wanted;
+    go_to_first();
+  }
+
+  // The same, beginning with the seeds of level `level` in the paper's way.
+  void begin(const Component& component, std::size_t wanted, Index level)
+  {
+    aim_at(component, wanted);
+    on_schedule_ = false;
+    from_pieces_ = component.faces < wanted;
+    go_to_first();
+    level_ = level;
+  }
+
+  // The level of the seeds; NONE: the largest that gives min_seeds(), or the scheduled level below it.
+  Index level() const { return level_; }
+  std::size_t min_seeds() const { return on_schedule_ ? (std::max)(wanted_, enough_) : seeds_per_cluster * wanted_; }
+  bool is_on_schedule() const { return on_schedule_; }
+  bool from_pieces() const { return from_pieces_; }
+  std::size_t wanted() const { return wanted_; }
+
+  // Whether merging may begin with `clusters`.
+  bool may_begin_with(std::size_t clusters) const { return !is_climbing_ || clusters >= lowest_end_; }
+
+  // The highest level of the schedule that is not above `level`.
+  static Index scheduled_level(Index level)
+  {
+    Index below = 0;
+    while (next_scheduled_level(below) <= level)
+      below = next_scheduled_level(below);
+    return below;
+  }
+
+  // The number of clusters that the best try has come down to.
+  std::size_t nearest() const { return nearest_; }
+  bool has_nearest() const { return nearest_ != (std::numeric_limits<std::size_t>::max)(); }
+
+  // Takes note of a try that failed: with `seeds` seeds of level `level` it ended with `reached` clusters, or without any,
+  // reached = 0, because merging may not begin there. Returns whether there is something else to try; if not, nearest() is
+  // the smallest number there is.
+  bool revise(Index level, std::size_t seeds, std::size_t reached)
+  {
+    if (on_schedule_ && reached > wanted_ && reached < nearest_) {
+      nearest_ = reached;
+      nearest_level_ = level;
+      nearest_from_pieces_ = from_pieces_;
+    }
+    if (!on_schedule_)
+      return leave_usual_way(level, reached);
+    const bool is_in_vain = reached == 0 || reached >= lowest_end_;
+    levels_in_vain_ = is_in_vain ? levels_in_vain_ + 1 : 0;
+    if (!is_in_vain)
+      lowest_end_ = reached;
+    if (first_scheduled_level_ == NONE) {
+      first_scheduled_level_ = level;
+      lowest_has_failed_ = level == 0 || seeds > max_seeds();
+      is_climbing_ = reached > wanted_ && wanted_ < enough_ && seeds > 1;
+    } else if (is_climbing_) {
+      is_climbing_ = reached != 0 && seeds > 1 && levels_in_vain_ < max_in_vain();
+      if (!is_climbing_)
+        levels_in_vain_ = 0;
+    } else {
+      lowest_has_failed_ = level == 0 || reached == 0 || seeds > max_seeds() || levels_in_vain_ >= max_in_vain();
+    }
+    if (is_climbing_)
+      level_ = next_scheduled_level(level);
+    else if (!lowest_has_failed_)
+      level_ = scheduled_level((std::min)(level, first_scheduled_level_) - 1);
+    else
+      return take_pieces();
+    return true;
+  }
+
+private:
+  // Seeds are spread by the number of faces alone: with more of them than clusters, merging can even out what they have of the
+  // mass.
+  static constexpr std::size_t seeds_per_cluster = 2;
+
+  static Index next_scheduled_level(Index level)
+  {
+    if (level < 2)
+      return level + 1;
+    const bool is_power_of_two = (level & (level - 1)) == 0;
+    return is_power_of_two ? level + level / 2 : level / 3 * 4;
+  }
+
+  // From ever more seeds merging takes long on large components, and leads to no better end.
+  std::size_t max_seeds() const { return 16 * enough_; }
+
+  std::size_t max_in_vain() const
+  {
+    const std::size_t faces_of_all_levels = 2000000, faces = from_pieces_ ? 3 * faces_ : faces_;
+    return (std::max)(std::size_t(2), faces_of_all_levels / faces);
+  }
+
+  void aim_at(const Component& component, std::size_t wanted)
+  {
+    enough_ = always_enough(component);
+    faces_ = component.faces;
+    wanted_ = wanted;
+    lowest_end_ = (std::numeric_limits<std::size_t>::max)();
+  }
+
+  void go_to_first()
+  {
+    levels_in_vain_ = 0;
+    level_ = first_scheduled_level_ = NONE;
+    is_climbing_ = lowest_has_failed_ = false;
+  }
+
+  void go_to_nearest()
+  {
+    go_to_first();
+    on_schedule_ = true;
+    level_ = nearest_level_;
+    from_pieces_ = nearest_from_pieces_;
+  }
+
+  bool leave_usual_way(Index level, std::size_t reached)
+  {
+    if (reached == 0 && !from_pieces_)
+      return take_pieces();
+    on_schedule_ = true;
+    go_to_first();
+    if (wanted_ >= enough_)
+      level_ = scheduled_level(level);
+    return true;
+  }
+
+  bool take_pieces()
+  {
+    if (from_pieces_) {
+      if (has_nearest())
+        go_to_nearest();
+      return false;
+    }
+    from_pieces_ = true;
+    on_schedule_ = wanted_ < enough_;
+    go_to_first();
+    return true;
+  }
+
+  std::size_t enough_ = 0, faces_ = 0, wanted_ = 0;
+  std::size_t levels_in_vain_ = 0, lowest_end_ = 0; // of the levels since begin()
+  Index level_ = NONE, first_scheduled_level_ = NONE, nearest_level_ = NONE;
+  bool on_schedule_ = false, is_climbing_ = false, lowest_has_failed_ = false;
+  bool from_pieces_ = false, nearest_from_pieces_ = false;
+  std::size_t nearest_ = (std::numeric_limits<std::size_t>::max)();
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_COMPONENT_PLAN_H

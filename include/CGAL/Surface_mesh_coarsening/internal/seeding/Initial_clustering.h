@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_INITIAL_CLUSTERING_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_INITIAL_CLUSTERING_H
+
+#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Component_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Pinch_resolution.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/apportion.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Seeds and growth: a clustering with the number of clusters asked for, all of them closed discs, whose dual is a
+// simplicial surface of the topology of the mesh.
+//
+// The number is shared out among the connected components, and Component_clustering brings each to its own. Components of
+// fewer faces than clusters, and those where whole faces do not do, are cut into pieces.
+class Initial_clustering
+{
+public:
+  Initial_clustering(const Clustering_input& input, Coarsening_report& report, const Cancellation_point& cancellation,
+                     Execution execution)
+    : uncut_input_(&input),
+      input_(&input),
+      report_(report),
+      cancellation_(cancellation),
+      execution_(execution)
+  {
+    const std::vector<Component>& components = input.mesh.components;
+    for (const Component& c : components)
+      min_.push_back(fewest_vertices(c));
+    bound_by_vertices();
+    share_.assign(components.size(), 0);
+    for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f) {
+      cancellation_.poll();
+      share_[input.mesh.component[f]] += input.mass(Index(f));
+    }
+    cut_.assign(components.size(), false);
+    plan_.resize(components.size());
+    state_.assign(components.size(), State::NEW);
+    seeds_.resize(components.size());
+    splits_.assign(components.size(), 0);
+    merges_.assign(components.size(), 0);
+    is_pinched_.assign(components.size(), false);
+  }
+
+  // Cuts all faces into pieces, as often as it takes to have `faces` of them.
+  void subdivide(std::size_t faces)
+  {
+    while (uncut_input_->mesh.number_of_faces() < faces) {
+      if (!subdivided_input_)
+        subdivided_input_ = *uncut_input_;
+      cut_faces(*subdivided_input_, std::vector<bool>(cut_.size(), true));
+      input_ = uncut_input_ = &*subdivided_input_;
+    }
+    bound_by_vertices();
+  }
+
+  // Finds seeds, as many as give `number` clusters or more. Throws if that number cannot be had.
+  void seed(std::size_t number)
+  {
+    number_ = number;
+    if (number_ > sum(max_) && some_component_may_need_more_clusters_than_vertices())
+      find_minimum();
+    if (number_ > sum(max_))
+      throw Unreachable_number_of_vertices(std::to_string(number_) + " vertices were asked for, but the input has only " +
+                                             std::to_string(sum(max_)), sum(max_));
+    apportion_number();
+    prepare();
+    find_seeds();
+  }
+
+  // Takes all seeds of one level.
+  void seed_from_level(Index level)
+  {
+    may_exceed_number_ = true;
+    wanted_.assign(min_.size(), 0);
+    for (std::size_t i = 0; i < wanted_.size(); ++i)
+      plan_[i].begin(input_->mesh.components[i], 0, level);
+    prepare();
+    find_seeds();
+    for (std::size_t i = 0; i < wanted_.size(); ++i) {
+      wanted_[i] = (std::min)((std::max)(seeds_[i].faces.size(), min_[i]), max_[i]);
+      plan_[i].begin(input_->mesh.components[i], wanted_[i], level);
+    }
+    number_ = sum(wanted_);
+  }
+
+  // The faces that the seeds and the clusters are made of: those given, or pieces of them.
+  const Clustering_input& input() const { return resolved_input_ ? *resolved_input_ : *input_; }
+
+  // The seeds, and after growth a face of each cluster.
+  std::vector<Index> seeds() const
+  {
+    std::vector<Index> all(face_of_cluster_);
+    if (!all.empty())
+      return all;
+    for (const Component_seeds& seeds : seeds_)
+      all.insert(all.end(), seeds.faces.begin(), seeds.faces.end());
+    return all;
+  }
+
+  // Grows the clusters from the seeds and brings them to the number asked for.
+  Cluster_labels grow()
+  {
+    if (!labels_)
+      grow_again();
+    if (!pieces_are_up_to_date()) {
+      prepare();
+      find_seeds();
+    }
+    while (!grow_components()) {
+      apportion_number();
+      prepare();
+      find_seeds();
+    }
+    number_clusters();
+    if (std::find(is_pinched_.begin(), is_pinched_.end(), true) != is_pinched_.end())
+      resolve_pinches();
+    labels_->recount();
+    find_face_of_clusters();
+    Cluster_labels labels = std::move(*labels_);
+    labels_.reset();
+    release();
+    return labels;
+  }
+
+private:
+  static std::size_t sum(const std::vector<std::size_t>& v)
+  {
+    return std::accumulate(v.begin(), v.end(), std::size_t(0));
+  }
+
+  // Gives memory back that later stages need. To grow again begins with the seeds then, which are found as before.
+  void release()
+  {
+    clustering_.reset();
+    faces_.reset();
+  }
+
+  void cut_faces(Clustering_input& input, const std::vector<bool>& chosen_component) const
+  {
+    if (input.cells)
+      input = input.cells->subdivided(chosen_component, cancellation_);
+    else
+      input.subdivide(chosen_component, cancellation_);
+  }
+
+  void grow_again()
+  {
+    resolved_input_.reset();
+    labels_.emplace(input_->mesh);
+    std::fill(state_.begin(), state_.end(), State::SEEDED);
+  }
+
+  void bound_by_vertices()
+  {
+    max_.clear();
+    for (std::size_t i = 0; i < min_.size(); ++i)
+      max_.push_back((std::max)(uncut_input_->mesh.components[i].max_clusters(), min_[i]));
+  }
+
+  void apportion_number()
+  {
+    if (may_exceed_number_)
+      number_ = (std::max)(number_, sum(min_));
+    if (number_ < sum(min_))
+      throw_too_small();
+    begin_plans(apportion(number_, share_, min_, max_));
+  }
+
+  void begin_plans(const std::vector<std::size_t>& wanted)
+  {
+    wanted_.resize(wanted.size(), 0);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (wanted_[i] != wanted[i]) {
+        wanted_[i] = wanted[i];
+        plan_[i].begin(uncut_input_->mesh.components[i], wanted[i]);
+        state_[i] = State::NEW;
+      }
+  }
+
+  bool some_component_may_need_more_clusters_than_vertices() const
+  {
+    const std::vector<Component>& components = uncut_input_->mesh.components;
+    return std::any_of(components.begin(), components.end(), [](const Component& c) {
+      return c.max_clusters() < Component_plan::always_enough(c);
+    });
+  }
+
+  // The smallest number that works is known once every component has been brought down to its own.
+  void find_minimum()
+  {
+    do {
+      begin_plans(min_);
+      prepare();
+      find_seeds();
+    } while (!grow_components());
+  }
+
+  [[noreturn]] void throw_too_small()
+  {
+    find_minimum();
+    const std::size_t least = sum(min_);
+    throw Unreachable_number_of_vertices(
+      std::to_string(number_) + (number_ == 1 ? " vertex was" : " vertices were") + " asked for, but the input, with " +
+        std::to_string(min_.size()) + " connected components, needs " + std::to_string(least), least);
+  }
+
+  bool pieces_are_up_to_date() const
+  {
+    for (std::size_t i = 0; i < plan_.size(); ++i)
+      if (plan_[i].from_pieces() != cut_[i])
+        return false;
+    return faces_.has_value();
+  }
+
+  // Cuts the components into pieces that have to be, and lists the faces component by component, in their order.
+  void prepare()
+  {
+    if (pieces_are_up_to_date())
+      return;
+    for (std::size_t i = 0; i < plan_.size(); ++i)
+      cut_[i] = plan_[i].from_pieces();
+    const std::size_t cut = std::count(cut_.begin(), cut_.end(), true);
+    report_.subdivided_components = subdivided_input_ ? cut_.size() : cut;
+    input_ = uncut_input_;
+    if (cut > 0) {
+      labels_.reset();
+      clustering_.reset();
+      cut_input_ = *uncut_input_;
+      cut_faces(*cut_input_, cut_);
+      input_ = &*cut_input_;
+    }
+    const Flat_mesh& m = input_->mesh;
+    faces_.reset();
+    faces_.emplace(numbers_below(Index(m.number_of_faces())), m.components.size(), [&](Index f) { return m.component[f]; },
+                   cancellation_);
+    labels_.emplace(m);
+    clustering_.emplace(*input_, cancellation_, execution_);
+    std::fill(state_.begin(), state_.end(), State::NEW);
+  }
+
+  Face_range faces_of(std::size_t i) const { return (*faces_)[i]; }
+
+  void find_seeds()
+  {
+    report_.level = report_.seeds = 0;
+    for (std::size_t i = 0; i < plan_.size(); ++i) {
+      if (state_[i] == State::NEW) {
+        seeds_[i] = clustering_->seeds(faces_of(i), plan_[i]);
+        state_[i] = State::SEEDED;
+      }
+      report_.level = (std::max)(report_.level, std::size_t(seeds_[i].level));
+      report_.seeds += seeds_[i].faces.size();
+    }
+  }
+
+  // Brings all components to their numbers of clusters. Returns false if the minimum of one has turned out to be larger.
+  bool grow_components()
+  {
+    for (;;) {
+      bool raised = false;
+      for (std::size_t i = 0; i < plan_.size(); ++i)
+        if (state_[i] != State::DONE && !grow_component(i))
+          raised = true;
+      if (raised)
+        return false;
+      if (pieces_are_up_to_date())
+        return true;
+      prepare();
+      find_seeds();
+    }
+  }
+
+  // Tries what the plan of a component holds until it works, or until the faces have to be cut first.
+  bool grow_component(std::size_t i)
+  {
+    while (plan_[i].from_pieces() == cut_[i]) {
+      const std::size_t reached = clustering_->grow(*labels_, faces_of(i), seeds_[i], plan_[i]);
+      if (reached == wanted_[i]) {
+        state_[i] = State::DONE;
+        splits_[i] = clustering_->number_of_splits();
+        merges_[i] = clustering_->number_of_merges();
+        is_pinched_[i] = clustering_->is_pinched();
+        return true;
+      }
+      if (!plan_[i].revise(seeds_[i].level, seeds_[i].faces.size() - seeds_[i].corners, reached)) {
+        raise_minimum(i);
+        return false;
+      }
+      if (plan_[i].from_pieces() == cut_[i])
+        seeds_[i] = clustering_->seeds(faces_of(i), plan_[i]);
+    }
+    state_[i] = State::NEW;
+    return true;
+  }
+
+  void raise_minimum(std::size_t i)
+  {
+    if (!plan_[i].has_nearest())
+      throw Invalid_input("component " + std::to_string(i) + " of the input cannot be clustered");
+    min_[i] = plan_[i].nearest();
+    max_[i] = (std::max)(max_[i], min_[i]);
+  }
+
+  // Numbers the clusters, so far component by component, through.
+  void number_clusters()
+  {
+    Index offset = 0;
+    for (std::size_t i = 0; i < plan_.size(); ++i) {
+      if (offset > 0)
+        for (const Index f : faces_of(i))
+          labels_->set(f, (*labels_)[f] + offset);
+      offset += Index(wanted_[i]);
+    }
+    report_.clusters = offset;
+    report_.splits = sum(splits_);
+    report_.merges = sum(merges_);
+  }
+
+  void resolve_pinches()
+  {
+    std::vector<Index> new_labels;
+    resolved_input_ = Pinch_resolution(*input_, *labels_).run(new_labels);
+    labels_.emplace(resolved_input_->mesh);
+    for (std::size_t f = 0; f < new_labels.size(); ++f)
+      labels_->set(Index(f), new_labels[f]);
+  }
+
+  // A face of each cluster, its seed where it has one.
+  void find_face_of_clusters()
+  {
+    face_of_cluster_.assign(report_.clusters, NONE);
+    const auto offer = [&](Index f) {
+      Index& face = face_of_cluster_[(*labels_)[f]];
+      if (face == NONE)
+        face = f;
+    };
+    if (!resolved_input_)
+      for (const Component_seeds& seeds : seeds_)
+        std::for_each(seeds.faces.begin(), seeds.faces.end(), offer);
+    for (std::size_t f = 0; f < labels_->labels().size(); ++f) {
+      cancellation_.poll();
+      offer(Index(f));
+    }
+  }
+
+  enum class State { NEW, SEEDED, DONE };
+
+  const Clustering_input* uncut_input_; // the one given, or a subdivision of it
+  const Clustering_input* input_;       // the same, or with components cut into pieces
+  std::optional<Clustering_input> subdivided_input_, cut_input_;
+  std::optional<Clustering_input> resolved_input_; // after growth, where clusters are joined at vertices
+  Coarsening_report& report_;
+  Cancellation_point cancellation_;
+  Execution execution_;
+  std::size_t number_ = 0;
+  bool may_exceed_number_ = false;       // where topology needs more
+  std::optional<Bucketed_items<Index> > faces_; // of each component
+  std::optional<Component_clustering> clustering_;
+  std::optional<Cluster_labels> labels_;
+  std::vector<Index> face_of_cluster_;
+  // Of each component:
+  std::vector<double> share_;                      // its mass
+  std::vector<std::size_t> min_, max_, wanted_; // clusters
+  std::vector<Component_plan> plan_;
+  std::vector<bool> cut_;
+  std::vector<State> state_;
+  std::vector<Component_seeds> seeds_;
+  std::vector<std::size_t> splits_, merges_;
+  std::vector<bool> is_pinched_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_INITIAL_CLUSTERING_H

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_PINCH_RESOLUTION_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_PINCH_RESOLUTION_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Corner_truncation.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Makes discs of clusters that are pinched at vertices, because two that met in nothing but a vertex, in an edge of the fan
+// there, were merged: cuts corners off the faces of the others, and gives them to the cluster.
+//
+// The pinched cluster is that of the first face around the vertex, the apex of the fan. Whatever lies between two of its
+// parts is cut off from the vertex, but for the last, which holds the border if the vertex lies there. Along the cuts the
+// cluster meets the others in the order of the fan, so the dual is that of the contracted fan.
+class Pinch_resolution
+{
+public:
+  Pinch_resolution(const Clustering_input& input, const Cluster_labels& labels) : input_(input), labels_(labels) {}
+
+  // Returns the input with the corners cut off, and the labels of its faces.
+  Clustering_input run(std::vector<Index>& new_labels)
+  {
+    const Flat_mesh& m = input_.mesh;
+    is_cut_.assign(m.corner_vertex.size(), false);
+    for (Index v = 0; v < m.number_of_vertices(); ++v)
+      choose_corners(v);
+    Clustering_input result;
+    Corner_truncation cutting(m, is_cut_);
+    result.mesh = cutting.run();
+    new_labels.clear();
+    for (std::size_t i = 0; i < cutting.old_face().size(); ++i) {
+      const Index f = cutting.old_face()[i], c = cutting.old_corner()[i];
+      new_labels.push_back(c == NONE ? labels_[f] : label_of_first(m.corner_vertex[c]));
+    }
+    result.inherit(input_, cutting.old_face());
+    return result;
+  }
+
+private:
+  Index label_of_first(Index v) const { return labels_[input_.mesh.star[input_.mesh.first_in_star[v]]]; }
+
+  void choose_corners(Index v)
+  {
+    const Flat_mesh& m = input_.mesh;
+    const Index begin = m.first_in_star[v], end = m.first_in_star[v + 1];
+    if (begin == end)
+      return;
+    const Index pinched = label_of_first(v);
+    // What follows the last part of the cluster is the last segment; inside, the cluster may go on over the end.
+    Index last = end;
+    if (!m.is_on_border(v))
+      while (last != begin && labels_[m.star[last - 1]] == pinched)
+        --last;
+    while (last != begin && labels_[m.star[last - 1]] != pinched)
+      --last;
+    for (Index i = begin; i != last; ++i)
+      if (labels_[m.star[i]] != pinched)
+        is_cut_[m.corner_of(m.star[i], v)] = true;
+  }
+
+  const Clustering_input& input_;
+  const Cluster_labels& labels_;
+  std::vector<bool> is_cut_; // of each corner
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_PINCH_RESOLUTION_H

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_SEED_WALK_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_SEED_WALK_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Section 6 of the paper: walk the faces in order and take a face as a seed if no face within `level` steps across
+// edges belongs to the neighborhood of an earlier seed.
+//
+// Two neighborhoods of `level` steps are disjoint if and only if their centers are more than 2 * level steps apart.
+// So each new seed marks the faces within 2 * level steps, and whether a face may be a seed is one look. The walk that
+// marks does not go on behind a face that an earlier seed reached in as few steps, because that seed has marked
+// whatever lies behind; seeds being far apart, a face is reached by few of them, and the time is linear in the number
+// of faces for every level.
+class Seed_walk
+{
+public:
+  explicit Seed_walk(const Flat_mesh& mesh, const Cancellation_point& cancellation = Cancellation_point())
+    : mesh_(mesh), cancellation_(cancellation) {}
+
+  // Appends the seeds among the faces `candidates` to `seeds`.
+  template <class FaceRange>
+  void run(const FaceRange& candidates, Index level, std::vector<Index>& seeds)
+  {
+    steps_.resize(mesh_.number_of_faces(), NONE);
+    for (const Index f : candidates) {
+      cancellation_.poll();
+      if (steps_[f] == NONE) {
+        seeds.push_back(f);
+        mark(f, level);
+      }
+    }
+  }
+
+  // Takes face `f` as a seed whatever other seeds are near.
+  void take(Index f, Index level, std::vector<Index>& seeds)
+  {
+    steps_.resize(mesh_.number_of_faces(), NONE);
+    seeds.push_back(f);
+    mark(f, level);
+  }
+
+  // Forgets the marks on the faces `candidates`.
+  template <class FaceRange>
+  void forget(const FaceRange& candidates)
+  {
+    if (!steps_.empty())
+      for (const Index f : candidates)
+        steps_[f] = NONE;
+  }
+
+  // Forgets all marks, and gives their memory back.
+  void release() { steps_ = std::vector<Index>(); }
+
+private:
+  void mark(Index seed, Index level)
+  {
+    const Index reach = level < NONE / 4 ? 2 * level : NONE / 2;
+    queue_.assign(1, seed);
+    steps_[seed] = 0;
+    for (std::size_t i = 0; i < queue_.size(); ++i) {
+      const Index f = queue_[i], next = steps_[f] + 1;
+      if (next > reach)
+        break;
+      cancellation_.poll();
+      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+        const Index g = mesh_.face_across[c];
+        if (g != NONE && next < steps_[g]) {
+          steps_[g] = next;
+          queue_.push_back(g);
+        }
+      }
+    }
+  }
+
+  const Flat_mesh& mesh_;
+  Cancellation_point cancellation_;
+  std::vector<Index> steps_; // to the nearest seed, as far as walked; NONE: not within reach of any
+  std::vector<Index> queue_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_SEED_WALK_H

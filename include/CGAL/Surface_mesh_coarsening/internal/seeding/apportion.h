@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_APPORTION_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_APPORTION_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// A number of vertices below which no simplicial surface of the component's topology exists. Closed surfaces of genus
+// g need ceil((7 + sqrt(1 + 48 g)) / 2) of them (Jungerman and Ringel, 1980). A surface with border becomes closed
+// with one vertex more per loop, and its loops, which share no vertex, have at least three each.
+inline std::size_t fewest_vertices(const Component& c)
+{
+  const std::size_t g = c.genus();
+  // The smallest n with (n - 3)(n - 4) >= 12 g, in integers; the Klein bottle's exception is not orientable, that of
+  // genus 2 is: it needs 10.
+  std::size_t n = 4;
+  while ((n - 3) * (n - 4) < 12 * g)
+    ++n;
+  if (g == 2)
+    n = 10;
+  return (std::max)({3 * c.loops, n - (std::min)(n, c.loops), c.feature_clusters});
+}
+
+// Shares `total` out in proportion to `shares`, with `least[i] <= result[i] <= most[i]`. Needs that the sums of
+// `least` and `most` enclose `total`. Rounds by largest remainders; equal ones go to the smaller index.
+inline std::vector<std::size_t> apportion(std::size_t total, std::vector<double> shares,
+                                          const std::vector<std::size_t>& least, const std::vector<std::size_t>& most)
+{
+  const std::size_t n = shares.size();
+  // No share is nothing, so that what others cannot take goes to those without area.
+  const double all_shares = std::accumulate(shares.begin(), shares.end(), 0.);
+  const double all_most = double(std::accumulate(most.begin(), most.end(), std::size_t(0)));
+  for (std::size_t i = 0; i < n; ++i)
+    shares[i] = (all_shares > 0 ? shares[i] / all_shares : 0) + 1e-9 * double(most[i]) / all_most;
+  const auto clamped = [&](std::size_t i, double x) {
+    return (std::min)((std::max)(x, double(least[i])), double(most[i]));
+  };
+  // The factor at which the clamped shares add up to the total, by bisection; what bisection leaves is rounding.
+  double low = 0, high = 1;
+  const auto sum_at = [&](double factor) {
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      sum += clamped(i, factor * shares[i]);
+    return sum;
+  };
+  while (sum_at(high) < double(total))
+    high *= 2;
+  for (int step = 0; step < 100; ++step) {
+    const double middle = 0.5 * (low + high);
+    (sum_at(middle) < double(total) ? low : high) = middle;
+  }
+  std::vector<std::size_t> result(n), order(n);
+  std::vector<double> remainder(n);
+  std::size_t given = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double exact = clamped(i, high * shares[i]);
+    result[i] = std::size_t(exact + 1e-6);
+    remainder[i] = std::floor(1024 * (exact - double(result[i])) + 0.5); // rounded: equal shares stay equal
+    given += result[i];
+  }
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return remainder[a] > remainder[b]; });
+  while (given != total) // ends: the bounds enclose the total
+    for (std::size_t k = 0; k < n && given != total; ++k) {
+      const std::size_t i = given < total ? order[k] : order[n - 1 - k];
+      if (given < total && result[i] < most[i]) {
+        ++result[i];
+        ++given;
+      } else if (given > total && result[i] > least[i]) {
+        --result[i];
+        --given;
+      }
+    }
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_APPORTION_H
