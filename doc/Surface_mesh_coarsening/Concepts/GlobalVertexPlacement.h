@@ -28,6 +28,9 @@ public:
   /// long as no edge comes to exist twice; the topology must not be changed otherwise.
   /// \param positions the position of the vertex of each cluster, in the coordinates of `surface`. On entry, those of the
   /// clusters on the border are on it, and the others are not set.
+  /// On return, each lies in `surface.vertex_bounds()` of its cluster, where `surface.within_bounds()` brings it:
+  /// `CGAL::Surface_mesh_coarsening::Invalid_input` is thrown for one that lies outside, and the output is not touched. A
+  /// position that is not finite stands for the centroid of its cluster.
   void operator()(const CGAL::Surface_mesh_coarsening::Clustered_surface& surface,
                   const CGAL::Surface_mesh_coarsening::Border_arcs& border,
                   std::vector<std::array<std::uint32_t, 3> >& triangles,

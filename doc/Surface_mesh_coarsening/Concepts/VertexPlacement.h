@@ -23,6 +23,10 @@ class VertexPlacement
 public:
   /// returns the position of the vertex of cluster `cluster`, in the coordinates of `surface`: those of its faces and
   /// vertices, which are relative to a local origin.
+  ///
+  /// The position lies in `surface.vertex_bounds(cluster)`, the bounding box of the cluster grown by half its diagonal, where
+  /// `surface.within_bounds()` brings it: `CGAL::Surface_mesh_coarsening::Invalid_input` is thrown for one that lies outside,
+  /// and the output is not touched. A position that is not finite stands for the centroid of the cluster.
   CGAL::Surface_mesh_coarsening::Clustered_surface::Point
   operator()(const CGAL::Surface_mesh_coarsening::Clustered_surface& surface, std::size_t cluster) const;
 };

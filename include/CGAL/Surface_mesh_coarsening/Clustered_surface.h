@@ -7,13 +7,18 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Iterator_range.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -40,8 +45,14 @@ public:
                     const internal::Cancellation_point& cancellation = internal::Cancellation_point())
     : input_(input), labels_(labels), execution_(execution), features_(features),
       faces_(internal::numbers_below(std::uint32_t(input.mesh.number_of_faces())), clusters,
-             [&](std::uint32_t f) { return labels[f]; }, cancellation)
-  {}
+             [&](std::uint32_t f) { return labels[f]; }, cancellation),
+      bounds_(clusters)
+  {
+    internal::for_each_chunk(execution, clusters, 64, cancellation, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t x = begin; x < end; ++x)
+        bounds_[x] = grown_box(x);
+    });
+  }
   const internal::Clustering_input& input() const { return input_; }
   const internal::Cluster_labels& labels() const { return labels_; }
   internal::Execution execution() const { return execution_; }
@@ -84,15 +95,42 @@ public:
       mass += input_.mass(f);
       sum = sum + center;
     }
-    return without_last_digits(mass > 0 ? (1 / mass) * moment : (1 / double(faces(cluster).size())) * sum);
+    constexpr double least = (std::numeric_limits<double>::min)(); // has an inverse
+    return without_last_digits(mass >= least ? (1 / mass) * moment : (1 / double(faces(cluster).size())) * sum);
+  }
+
+  /// returns the box that the vertex of a cluster has to lie in: the bounding box of the vertices of its faces, grown by half
+  /// its diagonal on all sides.
+  const Bbox_3& vertex_bounds(std::size_t cluster) const { return bounds_[cluster]; }
+
+  /// returns the point of `vertex_bounds()` that is closest to `p`, which is `p` itself inside; the centroid of the cluster if
+  /// `p` is not finite.
+  Point within_bounds(std::size_t cluster, const Point& p) const
+  {
+    const bool is_finite = std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+    return is_finite ? internal::closest_in_box(p, bounds_[cluster]) : cluster_centroid(cluster);
   }
 
 private:
+  Bbox_3 grown_box(std::size_t cluster) const
+  {
+    Bbox_3 box;
+    for (const std::uint32_t f : faces(cluster))
+      for (const std::uint32_t v : vertices(f))
+        box += internal::box_of_point(point(v));
+    // Computed positions may be off by as much as they are rounded.
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+      largest = (std::max)({largest, std::abs((box.min)(i)), std::abs((box.max)(i))});
+    return internal::grown(box, 0.5 * std::sqrt(internal::squared_diagonal(box)) + 1e-12 * largest);
+  }
+
   const internal::Clustering_input& input_;
   const internal::Cluster_labels& labels_;
   const internal::Execution execution_;
   const internal::Coarse_features* features_; // null without features
   internal::Bucketed_items<std::uint32_t> faces_; // of each cluster
+  std::vector<Bbox_3> bounds_;                     // of the vertex of each cluster
 };
 
 } // namespace Surface_mesh_coarsening

@@ -66,6 +66,8 @@ public:
       fit.find_feet();
       flips.run((mean_angle_ + reserve) / degrees_per_radian, min_angle / degrees_per_radian);
       fit.move_vertices();
+      for (std::size_t x = 0; x < positions.size(); ++x)
+        positions[x] = surface.within_bounds(x, positions[x]);
     }
     triangles = coarse.triangles();
   }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace CGAL {
@@ -64,7 +65,7 @@ public:
       yz += s[1] * n[2];
       zz += s[2] * n[2];
     }
-    if (!(area > 0) || !(mass > 0))
+    if (!(area > 0) || !(mass >= (std::numeric_limits<double>::min)()))
       return surface.cluster_centroid(cluster);
     const Vector center = (1 / mass) * moment;
     Eigen::Matrix3d a;
@@ -74,7 +75,7 @@ public:
     a.diagonal().array() += pull_ * area;
     const Eigen::Vector3d x = a.ldlt().solve(right);
     const double share = share_within_reach(surface, cluster, origin + center, x.squaredNorm());
-    return origin + center + share * Vector{{x[0], x[1], x[2]}};
+    return surface.within_bounds(cluster, origin + center + share * Vector{{x[0], x[1], x[2]}});
   }
 
 private:

@@ -36,6 +36,24 @@ inline double squared_distance_from_box(const Vector& p, const Bbox_3& box)
   return sum;
 }
 
+inline bool is_in_box(const Vector& p, const Bbox_3& box) { return squared_distance_from_box(p, box) == 0; }
+
+inline Vector closest_in_box(const Vector& p, const Bbox_3& box)
+{
+  const Vector low = low_corner(box), high = high_corner(box);
+  Vector result;
+  for (std::size_t i = 0; i < 3; ++i)
+    result[i] = (std::min)((std::max)(p[i], low[i]), high[i]);
+  return result;
+}
+
+// The box with all sides moved outwards.
+inline Bbox_3 grown(const Bbox_3& box, double width)
+{
+  return Bbox_3(box.xmin() - width, box.ymin() - width, box.zmin() - width, box.xmax() + width, box.ymax() + width,
+                box.zmax() + width);
+}
+
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

@@ -3,8 +3,9 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_FACE_GEOMETRY_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_FACE_GEOMETRY_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,21 +50,61 @@ inline double face_area(const Flat_mesh& m, Index f)
   return std::sqrt(dot(normal, normal));
 }
 
+// The bounding box of the corners of a face.
+inline Bbox_3 face_box(const Flat_mesh& m, Index f)
+{
+  Bbox_3 box;
+  for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
+    box += box_of_point(m.points[m.corner_vertex[c]]);
+  return box;
+}
+
+// The centroid of the triangles between the edges of a face and the mean of its corners, all of them counted positive. It lies
+// in the convex hull of the corners whatever the shape of the face.
+inline Vector centroid_of_star(const Flat_mesh& m, Index f)
+{
+  const Vector center = mean_of_corners(m, f);
+  Vector sum{{0, 0, 0}};
+  double weight = 0;
+  Vector a = m.points[m.corner_vertex[m.first_corner[f + 1] - 1]] - center;
+  for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
+    const Vector b = m.points[m.corner_vertex[c]] - center, n = cross(a, b);
+    const double size = std::sqrt(dot(n, n));
+    sum = sum + (size / 3) * (a + b);
+    weight += size;
+    a = b;
+  }
+  return weight > 0 ? closest_in_box(center + (1 / weight) * sum, face_box(m, f)) : center;
+}
+
+// The area and the centroid of a planar simple polygon; of other faces, the length of the vector area, and a point in their
+// bounding box.
 inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
 {
   const Vector normal = vector_area(m, f);
   const double area = std::sqrt(dot(normal, normal));
   const Index begin = m.first_corner[f], end = m.first_corner[f + 1];
-  if (end - begin == 3 || !(area > 0))
+  if (end - begin == 3)
     return {area, mean_of_corners(m, f)};
+  if (!(area > 0))
+    return {area, centroid_of_star(m, f)};
   // Triangles of the fan that lie on the other side of the polygon's boundary count negative.
   const Vector& p = m.points[m.corner_vertex[begin]];
   Vector sum{{0, 0, 0}};
+  double absolute_weight = 0;
   for (Index c = begin + 2; c != end; ++c) {
     const Vector a = m.points[m.corner_vertex[c - 1]] - p, b = m.points[m.corner_vertex[c]] - p;
-    sum = sum + (dot(cross(a, b), normal) / (6 * area * area)) * (a + b);
+    const double weight = dot(cross(a, b), normal) / (6 * area * area);
+    sum = sum + weight * (a + b);
+    absolute_weight += std::abs(weight);
   }
-  return {area, p + sum};
+  const Vector centroid = p + sum;
+  // Weights sum to a third. If some are negative, the sum is a centroid only if the polygon does not cross itself and is nearly
+  // planar, and then lies in the bounding box; if they nearly cancel, it consists of rounding errors.
+  constexpr double convex = (1 + 1e-6) / 3, cancelling = 1e9;
+  if (absolute_weight < convex || (absolute_weight < cancelling && is_in_box(centroid, face_box(m, f))))
+    return {area, centroid};
+  return {area, centroid_of_star(m, f)};
 }
 
 // The unit normal of each face, zero where a face has no area.

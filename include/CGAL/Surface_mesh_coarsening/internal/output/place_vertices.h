@@ -10,8 +10,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Placement_repair.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 
-#include <algorithm>
 #include <cmath>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -36,6 +36,18 @@ constexpr bool is_own_placement = std::is_same<Placement, Centroid_placement>::v
 template <class Placement>
 constexpr bool is_at_input_vertices = std::is_same<Placement, Closest_vertex_placement>::value;
 
+// Where a placement finds nothing, as among coordinates of very different sizes, the centroid stands in.
+inline Vector checked_position(const Clustered_surface& surface, std::size_t cluster, const Vector& p)
+{
+  const Vector inside = surface.within_bounds(cluster, p);
+  const bool is_finite = std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  if (is_finite && inside != p)
+    throw Invalid_input("the placement puts the vertex of cluster " + std::to_string(cluster) + " at (" + std::to_string(p[0]) +
+                        ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
+                        "), outside of the bounding box of the cluster grown by half its diagonal");
+  return inside;
+}
+
 // Places the vertices of the clusters as `placement` says, those on the border on it. A global placement may flip edges
 // of the triangles.
 template <class Placement>
@@ -58,11 +70,8 @@ std::vector<Vector> place_vertices(const Clustered_surface& surface, const Borde
   } else {
     placement(surface, border, triangles, positions);
   }
-  // Where a placement finds nothing, as among coordinates of very different sizes, the centroid stands in.
-  const auto is_number = [](double x) { return std::isfinite(x); };
   for (std::size_t x = 0; x < positions.size(); ++x)
-    if (!std::all_of(positions[x].begin(), positions[x].end(), is_number))
-      positions[x] = surface.cluster_centroid(x);
+    positions[x] = checked_position(surface, x, positions[x]);
   return positions;
 }
 

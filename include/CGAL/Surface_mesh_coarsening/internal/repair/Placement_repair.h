@@ -365,7 +365,7 @@ private:
       const Vector way = goes_back ? surface_.cluster_centroid(v) - positions_[v]
                                    : size_around(coarse_, positions_, v) * reference_.normal(v);
       const double part = goes_back ? 0.5 : time % 3 == 1 ? 0.03 : -0.03;
-      make({{{v, without_last_digits(positions_[v] + part * way)}}, NONE, 0});
+      make({{{v, surface_.within_bounds(v, without_last_digits(positions_[v] + part * way))}}, NONE, 0});
     }
   }
 

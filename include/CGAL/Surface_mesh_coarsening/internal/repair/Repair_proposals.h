@@ -72,7 +72,7 @@ public:
     add_common_moves(faulty, vertices, changes);
     for (Placement_change& change : changes)
       for (Vertex_move& move : change.moves)
-        move.to = without_last_digits(move.to);
+        move.to = surface_.within_bounds(move.vertex, without_last_digits(move.to));
     return changes;
   }
 
