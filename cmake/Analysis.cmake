@@ -8,13 +8,12 @@ find_program(CPPCHECK cppcheck)
 find_program(VALGRIND valgrind)
 mark_as_advanced(CLANG_TIDY CPPCHECK VALGRIND)
 
-file(GLOB analyzed CONFIGURE_DEPENDS
-  ${PROJECT_SOURCE_DIR}/examples/Surface_mesh_coarsening/*.cpp
-  ${PROJECT_SOURCE_DIR}/examples/Surface_mesh_coarsening/coarsen_mesh/*.cpp)
+file(GLOB analyzed CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/Surface_mesh_coarsening/*.cpp)
+file(GLOB_RECURSE tool CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/Surface_mesh_coarsening/coarsen_mesh/*.cpp)
 
 if(CLANG_TIDY)
   add_custom_target(tidy
-    COMMAND ${CLANG_TIDY} --quiet -p ${PROJECT_BINARY_DIR} --extra-arg=-Wno-unknown-warning-option ${analyzed}
+    COMMAND ${CLANG_TIDY} --quiet -p ${PROJECT_BINARY_DIR} --extra-arg=-Wno-unknown-warning-option ${analyzed} ${tool}
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} USES_TERMINAL VERBATIM COMMENT "clang-tidy")
 endif()
 
@@ -23,7 +22,7 @@ if(CPPCHECK)
   add_custom_target(cppcheck
     COMMAND ${CPPCHECK} --quiet --enable=warning,performance,portability --std=c++17 --language=c++
       "-DCGAL_assertion_code(x)=" "-DCGAL_assertion(x)=" --suppressions-list=.cppcheck-suppressions --error-exitcode=1
-      -Iinclude -Iexamples/Surface_mesh_coarsening include examples/Surface_mesh_coarsening
+      -Iinclude -Iexamples/Surface_mesh_coarsening/coarsen_mesh include examples/Surface_mesh_coarsening
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} USES_TERMINAL VERBATIM COMMENT "cppcheck")
 endif()
 

@@ -3,19 +3,11 @@
 # Stands for all tools.
 add_custom_target(tools)
 
-# surface_mesh_coarsening_add_tool(NAME SOURCE...): a program that is built to bin/. What tools share is in the examples'
-# directory support/.
+# surface_mesh_coarsening_add_tool(NAME SOURCE...): a program that is built to bin/, with the parts of coarsen_mesh.
 function(surface_mesh_coarsening_add_tool name)
   find_package(Boost REQUIRED COMPONENTS program_options)
-  find_package(PNG REQUIRED)
-  find_package(nlohmann_json 3 REQUIRED)
   add_executable(${name} ${ARGN})
-  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/examples/Surface_mesh_coarsening)
-  target_link_libraries(${name} PRIVATE
-    Surface_mesh_coarsening::Surface_mesh_coarsening
-    Boost::program_options
-    PNG::PNG
-    nlohmann_json::nlohmann_json)
+  target_link_libraries(${name} PRIVATE coarsen_mesh_parts Boost::program_options)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   add_dependencies(tools ${name})
 endfunction()

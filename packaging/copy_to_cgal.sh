@@ -19,12 +19,11 @@ cp -r "$here/include/CGAL/$name" "$target/include/CGAL/"
 cp "$here"/examples/$name/*.cpp "$target/examples/$name/"
 cp -r "$here"/doc/$name/{Concepts,fig,PackageDescription.txt,$name.txt,examples.txt} "$target/doc/$name/"
 cp -r "$here"/test/$name/support "$target/test/$name/"
-# Those tests that need neither the tool nor models that CGAL does not have, with what they share with it.
+# Those tests that need neither the tool nor models that CGAL does not have.
 for test in "$here"/test/$name/test_*.cpp; do
-  grep -qE 'models\.h"|Tool_process|COARSEN_MESH|nlohmann|read_soup|boost/gil' "$test" || cp "$test" "$target/test/$name/"
+  grep -qE 'models\.h"|Tool_process|COARSEN_MESH|nlohmann|"(io|check|render)/' "$test" || cp "$test" "$target/test/$name/"
 done
-rm -f "$target/test/$name/test_tool_support.cpp" "$target/test/$name/support/Tool_process.h"
-cp -n "$here"/examples/$name/support/{Mesh,certificate,soup_fault,to_mesh}.h "$target/test/$name/support/"
+rm -f "$target/test/$name/support/Tool_process.h"
 
 for kind in Examples:examples Tests:test; do
   cat > "$target/${kind#*:}/$name/CMakeLists.txt" <<END

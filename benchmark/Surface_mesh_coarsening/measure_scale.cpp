@@ -9,7 +9,7 @@
 //
 // The torus is made face by face; 20 million of them take some 4 GB in all.
 
-#include "support/Mesh.h"
+#include "io/Mesh.h"
 
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 

@@ -4,12 +4,12 @@
 // 2-manifold triangle mesh with exactly the number of vertices asked for, and component by component the genus, the
 // border loops and the orientation of the input. Prints a line per mesh and ends with 1 if a run failed.
 
+#include "check/soup_fault.h"
+#include "io/read_soup.h"
+#include "io/to_mesh.h"
 #include "support/Validity_checks.h"
 #include "support/Watchdog.h"
-#include "support/read_soup.h"
-#include "support/soup_fault.h"
 #include "support/torture_set.h"
-#include "support/to_mesh.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>

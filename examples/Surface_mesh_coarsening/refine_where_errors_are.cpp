@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Solves a Poisson problem on a coarse mesh, and splits clusters where an estimate of the error is large, three times.
+// Solves a Poisson problem on a coarse mesh, and splits clusters where an estimate of the error is large, three times. Writes
+// clusters_0.ply to clusters_3.ply, the input with a cluster for each face, and solution_0.ply to solution_3.ply, the coarse
+// meshes with the solution at each vertex.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
@@ -11,7 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <numeric>
 #include <string>
@@ -103,6 +108,13 @@ void refine(SMC::Mwcvd_clustering<Mesh>& clustering, const std::vector<double>& 
 }
 //! [refinement]
 
+bool write(const std::string& file, const Mesh& mesh)
+{
+  std::ofstream os(file, std::ios::binary);
+  CGAL::IO::set_binary_mode(os);
+  return CGAL::IO::write_PLY(os, mesh);
+}
+
 int main(int argc, char* argv[])
 {
   const std::string name = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/fandisk.off");
@@ -121,15 +133,24 @@ int main(int argc, char* argv[])
   clustering.seed(200);
   clustering.grow();
   clustering.minimize();
-  Mesh coarse;
-  for (int step = 0;; ++step) {
+  const auto cluster = input.add_property_map<Mesh::Face_index, std::uint32_t>("f:cluster").first;
+  for (int step = 0; step < 4; ++step) {
+    Mesh coarse;
     clustering.extract_dual_mesh(coarse);
-    const std::vector<double> errors = estimated_errors(coarse, solution_on(coarse, center, size));
+    const Eigen::VectorXd u = solution_on(coarse, center, size);
+    const auto solution = coarse.add_property_map<Mesh::Vertex_index, double>("v:solution").first;
+    for (const auto v : coarse.vertices())
+      solution[v] = u[v];
+    for (const auto f : input.faces())
+      cluster[f] = std::uint32_t(clustering.cluster(f));
+    const std::string ending = "_" + std::to_string(step) + ".ply";
+    if (!write("clusters" + ending, input) || !write("solution" + ending, coarse))
+      return EXIT_FAILURE;
+    const std::vector<double> errors = estimated_errors(coarse, u);
     std::cout << coarse.number_of_vertices() << " vertices: estimated error "
               << std::sqrt(std::accumulate(errors.begin(), errors.end(), 0.)) << std::endl;
-    if (step == 3)
-      break;
-    refine(clustering, errors);
+    if (step < 3)
+      refine(clustering, errors);
   }
-  return CGAL::IO::write_polygon_mesh("coarse.off", coarse) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return EXIT_SUCCESS;
 }

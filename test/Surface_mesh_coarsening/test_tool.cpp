@@ -3,10 +3,10 @@
 // Runs the tool coarsen_mesh as a process. Its path is taken from the environment variable COARSEN_MESH.
 
 #define BOOST_TEST_MODULE tool
+#include "check/soup_fault.h"
+#include "io/read_soup.h"
+#include "io/to_mesh.h"
 #include "support/generate_meshes.h"
-#include "support/read_soup.h"
-#include "support/soup_fault.h"
-#include "support/to_mesh.h"
 
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/Surface_mesh_coarsening/version.h>

@@ -3,10 +3,10 @@
 // What the tool does with files that are damaged, that lie, that cannot be read or written, and when it is told to end.
 
 #define BOOST_TEST_MODULE tool_files
+#include "check/soup_fault.h"
+#include "io/read_soup.h"
 #include "support/Tool_process.h"
 #include "support/mesh_files.h"
-#include "support/read_soup.h"
-#include "support/soup_fault.h"
 
 #include <boost/test/unit_test.hpp>
 

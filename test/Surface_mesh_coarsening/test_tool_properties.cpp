@@ -3,9 +3,9 @@
 // What the tool keeps of a file beside points and polygons, and what it makes of a distance and of levels.
 
 #define BOOST_TEST_MODULE tool_properties
+#include "io/read_soup.h"
 #include "support/Tool_process.h"
 #include "support/mesh_files.h"
-#include "support/read_soup.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -3,14 +3,14 @@
 // Tests what the programs share: the check of a soup, the counts of the certificate, the colors of clusters, the renderer.
 
 #define BOOST_TEST_MODULE tool_support
-#include "support/Camera.h"
-#include "support/Scene.h"
-#include "support/certificate.h"
-#include "support/cluster_colors.h"
+#include "check/certificate.h"
+#include "check/soup_fault.h"
+#include "io/to_mesh.h"
+#include "render/Camera.h"
+#include "render/Scene.h"
+#include "render/cluster_colors.h"
+#include "render/render.h"
 #include "support/generate_meshes.h"
-#include "support/render.h"
-#include "support/soup_fault.h"
-#include "support/to_mesh.h"
 
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

@@ -2,11 +2,11 @@
 
 #include "Paper_model.h"
 
-#include "support/Failure.h"
-#include "support/file_type.h"
-#include "support/read_soup.h"
-#include "support/soup_fault.h"
-#include "support/to_mesh.h"
+#include "check/soup_fault.h"
+#include "io/Failure.h"
+#include "io/file_type.h"
+#include "io/read_soup.h"
+#include "io/to_mesh.h"
 
 #include <algorithm>
 #include <filesystem>

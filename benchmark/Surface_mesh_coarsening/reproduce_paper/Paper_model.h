@@ -3,7 +3,7 @@
 #ifndef REPRODUCE_PAPER_PAPER_MODEL_H
 #define REPRODUCE_PAPER_PAPER_MODEL_H
 
-#include "support/Mesh.h"
+#include "io/Mesh.h"
 
 #include <array>
 #include <cstddef>

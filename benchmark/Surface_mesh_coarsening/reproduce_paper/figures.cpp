@@ -2,9 +2,9 @@
 
 #include "figures.h"
 
-#include "support/Failure.h"
-#include "support/png_bytes.h"
-#include "support/render.h"
+#include "io/Failure.h"
+#include "render/png_bytes.h"
+#include "render/render.h"
 
 #include <filesystem>
 #include <fstream>

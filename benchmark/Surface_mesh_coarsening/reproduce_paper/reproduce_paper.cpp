@@ -2,11 +2,11 @@
 //
 // Runs Table 1 of the paper on the models that are found, and draws its figures 5, 6 and 7.
 
+#include "check/certificate.h"
+#include "io/Failure.h"
 #include "Paper_model.h"
 #include "figures.h"
 #include "run_clustering.h"
-#include "support/Failure.h"
-#include "support/certificate.h"
 
 #include <boost/program_options.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "run_clustering.h"
 
-#include "support/Timing_visitor.h"
+#include "report/Timing_visitor.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>

@@ -3,8 +3,8 @@
 #ifndef REPRODUCE_PAPER_RUN_CLUSTERING_H
 #define REPRODUCE_PAPER_RUN_CLUSTERING_H
 
+#include "report/Stage_times.h"
 #include "Paper_model.h"
-#include "support/Stage_times.h"
 
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 

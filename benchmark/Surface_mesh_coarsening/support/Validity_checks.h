@@ -3,8 +3,8 @@
 #ifndef COARSENING_BENCHMARK_VALIDITY_CHECKS_H
 #define COARSENING_BENCHMARK_VALIDITY_CHECKS_H
 
+#include "io/Mesh.h"
 #include "Surface_certificate.h"
-#include "support/Mesh.h"
 
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/is_valid_clustering.h>

@@ -3,10 +3,10 @@
 #ifndef COARSENING_BENCHMARK_MODELS_H
 #define COARSENING_BENCHMARK_MODELS_H
 
-#include "support/Mesh.h"
+#include "io/Mesh.h"
+#include "io/read_soup.h"
+#include "io/to_mesh.h"
 #include "support/generate_meshes.h"
-#include "support/read_soup.h"
-#include "support/to_mesh.h"
 
 #include <cstddef>
 #include <string>

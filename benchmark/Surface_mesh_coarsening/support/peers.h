@@ -5,7 +5,7 @@
 
 // This package with several settings, and the other coarsening methods that are there when this is compiled.
 
-#include "support/Mesh.h"
+#include "io/Mesh.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>

@@ -5,8 +5,8 @@
 #ifndef COARSENING_PICTURES_COMPOSITION_H
 #define COARSENING_PICTURES_COMPOSITION_H
 
-#include "support/Image.h"
-#include "support/png_bytes.h"
+#include "render/Image.h"
+#include "render/png_bytes.h"
 
 #include <algorithm>
 #include <cstddef>

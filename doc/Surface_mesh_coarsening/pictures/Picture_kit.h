@@ -7,8 +7,8 @@
 
 #include "Composition.h"
 
-#include "support/Scene.h"
-#include "support/render.h"
+#include "render/Scene.h"
+#include "render/render.h"
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>

@@ -4,7 +4,7 @@
 
 #include "Picture_kit.h"
 
-#include "coarsen_mesh/fill_holes.h"
+#include "repair/fill_holes.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>

@@ -1,73 +1,69 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the example refine_where_errors_are does, step by step. Its functions solve and estimate here as there.
+// The clusters and solutions that the example refine_where_errors_are has written.
 
 #include "Picture_kit.h"
 
-#define main main_of_the_example
-#include "refine_where_errors_are.cpp"
-#undef main
+#include "io/soup_properties.h"
+
+#include <CGAL/Surface_mesh/IO/PLY.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace coarsening_pictures {
 namespace {
 
-std::vector<double> areas_of_clusters(const Mesh& mesh, const Labels& labels, std::size_t clusters)
+Mesh read_with_properties(const std::filesystem::path& file)
 {
-  std::vector<double> areas(clusters, 0);
-  for (Face f : mesh.faces())
-    areas[labels[f]] += std::sqrt(face_normal(mesh, f).squared_length()) / 2;
-  return areas;
+  std::ifstream is(file, std::ios::binary);
+  Mesh mesh;
+  if (!CGAL::IO::read_PLY(is, mesh))
+    throw std::runtime_error("cannot read " + file.string());
+  return mesh;
 }
 
 struct Step
 {
+  Mesh mesh, coarse;
   Labels labels;
-  std::vector<double> areas;
-  Mesh coarse;
-  Eigen::VectorXd solution;
+  std::vector<double> areas, solution; // of the clusters, and of the vertices
 };
 
-template <class Clustering>
-Step step_of(const Mesh& mesh, const Clustering& clustering, const Point& center, double size)
+Step step_of(const Setting& setting, int number)
 {
-  Step step;
-  step.labels = labels_of(mesh, clustering);
-  step.areas = areas_of_clusters(mesh, step.labels, clustering.number_of_clusters());
-  clustering.extract_dual_mesh(step.coarse);
-  step.solution = solution_on(step.coarse, center, size);
+  const std::string ending = "_" + std::to_string(number) + ".ply";
+  Step step{read_with_properties(setting.directory / ("clusters" + ending)),
+            read_with_properties(setting.directory / ("solution" + ending)), {}, {}, {}};
+  const Found_property<Face, std::uint32_t> cluster(step.mesh, "f:cluster");
+  const Found_property<Vertex, double> solution(step.coarse, "v:solution");
+  if (!cluster || !solution)
+    throw std::runtime_error("the example has not written clusters and solutions");
+  step.areas.assign(step.coarse.number_of_vertices(), 0);
+  for (Face f : step.mesh.faces()) {
+    step.labels.push_back(cluster.map[f]);
+    step.areas[cluster.map[f]] += std::sqrt(face_normal(step.mesh, f).squared_length()) / 2;
+  }
+  for (Vertex v : step.coarse.vertices())
+    step.solution.push_back(solution.map[v]);
   return step;
 }
 
 void picture_refinement(const Setting& setting)
 {
-  const Mesh mesh = read(setting, "fandisk.off");
-  const Camera camera = camera_for(mesh, Vector(0.7, -0.4, -1), Vector(0, 1, 0));
-  const Point center = mesh.point(*mesh.vertices().begin());
-  double size = 0, total = 0;
-  for (Vertex v : mesh.vertices())
-    size = (std::max)(size, std::sqrt(CGAL::squared_distance(center, mesh.point(v))));
-  for (Face f : mesh.faces())
-    total += std::sqrt(face_normal(mesh, f).squared_length()) / 2;
-
-  SMC::Mwcvd_clustering<Mesh> clustering(mesh, SMC::parameters::maximum_density(1.));
-  clustering.seed(200);
-  clustering.grow();
-  clustering.minimize();
   std::vector<Step> steps;
-  for (;;) {
-    steps.push_back(step_of(mesh, clustering, center, size));
-    if (steps.size() == 4)
-      break;
-    refine(clustering, estimated_errors(steps.back().coarse, steps.back().solution));
-  }
-
-  steps.erase(steps.begin() + 2); // three fit a page
+  for (int number : {0, 1, 3}) // three fit a page
+    steps.push_back(step_of(setting, number));
+  const Camera camera = camera_for(steps[0].mesh, Vector(0.7, -0.4, -1), Vector(0, 1, 0));
+  double total = 0;
+  for (double area : steps[0].areas)
+    total += area;
   const double large = std::log(0.01), small = std::log(0.0003); // parts of the whole area
   std::vector<std::vector<Panel> > rows(2);
   for (const Step& step : steps) {
@@ -75,16 +71,16 @@ void picture_refinement(const Setting& setting)
       return scale_color((std::log(step.areas[step.labels[f]] / total) - large) / (small - large));
     };
     const auto is_drawn = [&](Edge e) {
-      return step.labels[mesh.face(mesh.halfedge(e, 0))] != step.labels[mesh.face(mesh.halfedge(e, 1))];
+      return step.labels[step.mesh.face(step.mesh.halfedge(e, 0))] != step.labels[step.mesh.face(step.mesh.halfedge(e, 1))];
     };
-    const double greatest = step.solution.maxCoeff();
+    const double greatest = *std::max_element(step.solution.begin(), step.solution.end());
     const auto solution = [&](Face f) {
       double mean = 0;
       for (Vertex v : step.coarse.vertices_around_face(step.coarse.halfedge(f)))
         mean += step.solution[v] / 3;
       return scale_color(mean / greatest);
     };
-    rows[0].push_back({render(make_scene(mesh, true, color, is_drawn, 1, 0.7), camera), "", "", ""});
+    rows[0].push_back({render(make_scene(step.mesh, true, color, is_drawn, 1, 0.7), camera), "", "", ""});
     rows[1].push_back({render(make_scene(step.coarse, false, solution, any_edge, 1, 0.7), camera),
                        "solution, " + vertices_of(step.coarse), "", ""});
   }

@@ -2,7 +2,7 @@
 
 #include "Options.h"
 
-#include "support/file_type.h"
+#include "io/file_type.h"
 #include "coarsening.h"
 
 #include <CGAL/Surface_mesh_coarsening/version.h>

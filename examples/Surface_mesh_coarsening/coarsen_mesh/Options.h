@@ -3,7 +3,7 @@
 #ifndef COARSEN_MESH_OPTIONS_H
 #define COARSEN_MESH_OPTIONS_H
 
-#include "support/Mesh.h"
+#include "io/Mesh.h"
 
 #include <cstddef>
 #include <optional>

@@ -3,7 +3,7 @@
 #ifndef COARSEN_MESH_TOOL_VISITOR_H
 #define COARSEN_MESH_TOOL_VISITOR_H
 
-#include "support/Timing_visitor.h"
+#include "report/Timing_visitor.h"
 #include "Interruption.h"
 #include "Progress_line.h"
 

@@ -2,12 +2,12 @@
 
 #include "input.h"
 
-#include "support/Failure.h"
-#include "support/Muted_streams.h"
-#include "support/read_soup.h"
-#include "support/soup_fault.h"
-#include "support/soup_properties.h"
-#include "support/to_mesh.h"
+#include "check/soup_fault.h"
+#include "io/Failure.h"
+#include "io/read_soup.h"
+#include "io/soup_properties.h"
+#include "io/to_mesh.h"
+#include "repair/Muted_streams.h"
 #include "Interruption.h"
 
 #include <exception>

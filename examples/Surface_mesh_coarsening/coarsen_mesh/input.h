@@ -3,11 +3,11 @@
 #ifndef COARSEN_MESH_INPUT_H
 #define COARSEN_MESH_INPUT_H
 
-#include "support/Mesh.h"
-#include "support/Stage_times.h"
+#include "io/Mesh.h"
+#include "repair/repair.h"
+#include "report/Stage_times.h"
 #include "Options.h"
 #include "Progress_line.h"
-#include "repair.h"
 
 #include <cstddef>
 #include <string>

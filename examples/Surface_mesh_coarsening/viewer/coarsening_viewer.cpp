@@ -4,8 +4,8 @@
 //   coarsening_viewer [--try] [FILE]
 // With --try it presses its own keys one after the other, says what it shows, and ends.
 
-#include "support/Mesh.h"
-#include "support/cluster_colors.h"
+#include "io/Mesh.h"
+#include "render/cluster_colors.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>

@@ -7,9 +7,9 @@
 #include "Fuzz_bytes.h"
 #include "build_mesh.h"
 
+#include "check/soup_fault.h"
 #include "support/Reference_mesh.h"
 #include "support/mesh_files.h"
-#include "support/soup_fault.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Exact_maximum_density_weight.h>

@@ -5,11 +5,11 @@
 
 #include "Fuzz_bytes.h"
 
-#include "coarsen_mesh/run_and_report.h"
-#include "support/certificate.h"
-#include "support/read_soup.h"
-#include "support/soup_fault.h"
-#include "support/to_mesh.h"
+#include "check/certificate.h"
+#include "check/soup_fault.h"
+#include "io/read_soup.h"
+#include "io/to_mesh.h"
+#include "run_and_report.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COARSENING_SUPPORT_BYTE_SCANNER_H
+#define COARSENING_SUPPORT_BYTE_SCANNER_H
+
+#include "io/Text_scanner.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+namespace coarsening_support {
+
+// Reads numbers in the binary part of a file, of either order of bytes.
+class Byte_scanner
+{
+  const char* begin;
+  const char* at;
+  const char* end;
+  bool big_endian;
+
+public:
+  Byte_scanner(const char* begin, const char* at, const char* end, bool big_endian)
+    : begin(begin),
+      at(at),
+      end(end),
+      big_endian(big_endian)
+  {}
+
+  std::size_t bytes_left() const { return static_cast<std::size_t>(end - at); }
+
+  [[noreturn]] void fail(const std::string& reason) const
+  {
+    throw Format_fault("byte " + std::to_string(at - begin), reason);
+  }
+
+  void skip(std::uint64_t bytes, const std::string& what)
+  {
+    if (bytes > bytes_left())
+      fail("the file ends within " + what);
+    at += static_cast<std::size_t>(bytes);
+  }
+
+  template <class Number>
+  Number read(const std::string& what)
+  {
+    char bytes[sizeof(Number)] = {};
+    const char* const from = at;
+    skip(sizeof bytes, what);
+    const std::uint16_t one = 1;
+    const bool little_endian_machine = *reinterpret_cast<const unsigned char*>(&one) == 1;
+    if (big_endian == little_endian_machine)
+      std::reverse_copy(from, from + sizeof bytes, bytes);
+    else
+      std::copy(from, from + sizeof bytes, bytes);
+    Number number;
+    std::memcpy(&number, bytes, sizeof bytes);
+    return number;
+  }
+
+  // As Text_scanner::count() checks it.
+  void check_count(long long value, const std::string& what, std::uint64_t bytes_each) const
+  {
+    if (value < 0)
+      fail("the number of " + what + " is " + std::to_string(value));
+    const std::uint64_t room = bytes_each == 0 ? 0 : bytes_left() / bytes_each;
+    if (static_cast<std::uint64_t>(value) > room)
+      fail(std::to_string(value) + " " + what + " are announced, but the rest of the file has room for " +
+           std::to_string(room) + " at the most");
+  }
+
+  void expect_end(const std::string& what) const
+  {
+    if (at != end)
+      fail("the file goes on for " + std::to_string(bytes_left()) + " bytes after " + what);
+  }
+};
+
+} // namespace coarsening_support
+
+#endif // COARSENING_SUPPORT_BYTE_SCANNER_H

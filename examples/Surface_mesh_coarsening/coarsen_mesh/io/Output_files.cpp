@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "io/Output_files.h"
+
+#include "io/Failure.h"
+
+#include <cerrno>
+#include <cstddef>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace coarsen_mesh_tool {
+namespace {
+
+using coarsening_support::Failure;
+namespace fs = std::filesystem;
+
+Failure cannot_write(const std::string& file, const std::error_code& error)
+{
+  return Failure(file, "cannot be written: " + error.message());
+}
+
+std::error_code last_error() { return std::error_code(errno ? errno : EIO, std::generic_category()); }
+
+bool was_interrupted(const std::function<void()>& stop)
+{
+  if (errno != EINTR)
+    return false;
+  if (stop)
+    stop();
+  return true;
+}
+
+// `flags` are those of open(). `stop` as in write_streams().
+std::error_code write_bytes(const fs::path& file, int flags, const std::string& bytes,
+                            const std::function<void()>& stop = nullptr)
+{
+  struct Descriptor
+  {
+    int number = -1;
+    ~Descriptor()
+    {
+      if (number >= 0)
+        ::close(number);
+    }
+  } descriptor;
+  constexpr mode_t for_all = 0666; // less what the user's mask takes away
+  errno = 0;
+  while ((descriptor.number = ::open(file.c_str(), O_WRONLY | O_CLOEXEC | flags, for_all)) < 0)
+    if (!was_interrupted(stop))
+      return last_error();
+  for (std::size_t done = 0; done < bytes.size();) {
+    errno = 0;
+    const ssize_t written = ::write(descriptor.number, bytes.data() + done, bytes.size() - done);
+    if (written > 0)
+      done += static_cast<std::size_t>(written);
+    else if (!was_interrupted(stop))
+      return last_error();
+  }
+  const int number = std::exchange(descriptor.number, -1);
+  return ::close(number) == 0 || errno == EINTR ? std::error_code() : last_error();
+}
+
+// A name in the folder of the target that nobody else uses.
+fs::path hidden_name(const fs::path& target, const char* purpose, std::size_t index)
+{
+  return target.parent_path() /
+         (".coarsen_mesh." + std::to_string(getpid()) + "." + std::to_string(index) + "." + purpose);
+}
+
+// Whether the name stands for something that is open already, which may be a file but must not be replaced.
+bool is_open_file(const std::string& file)
+{
+  return file == "/dev/stdout" || file == "/dev/stderr" || file.compare(0, 8, "/dev/fd/") == 0 ||
+         file.compare(0, 6, "/proc/") == 0;
+}
+
+// The file that a chain of links ends at: it is to be replaced, not the link.
+fs::path end_of_links(const std::string& file)
+{
+  std::error_code error;
+  const fs::path end = fs::is_symlink(file, error) ? fs::canonical(file, error) : fs::path(file);
+  return error || end.empty() ? fs::path(file) : end;
+}
+
+void remove_quietly(const fs::path& file)
+{
+  std::error_code ignored;
+  if (!file.empty())
+    fs::remove(file, ignored);
+}
+
+} // namespace
+
+Output_files::~Output_files()
+{
+  for (const Entry& entry : entries) {
+    if (!entry.placed)
+      remove_quietly(entry.temporary);
+    remove_quietly(entry.former);
+  }
+}
+
+void Output_files::stage(const std::string& file, const std::string& bytes)
+{
+  Entry entry;
+  entry.name = file;
+  entry.target = end_of_links(file);
+  std::error_code error;
+  const fs::file_status status = fs::status(entry.target, error);
+  if (fs::is_directory(status))
+    throw cannot_write(file, std::make_error_code(std::errc::is_a_directory));
+  if (is_open_file(file))
+    entry.target = file;
+  if (is_open_file(file) || (fs::exists(status) && !fs::is_regular_file(status))) {
+    entry.bytes = bytes;
+    entries.push_back(std::move(entry));
+    return;
+  }
+  entry.temporary = hidden_name(entry.target, "part", entries.size());
+  entries.push_back(entry); // from here on the destructor cleans up
+  remove_quietly(entry.temporary);
+  error = write_bytes(entry.temporary, O_CREAT | O_EXCL, bytes);
+  if (error)
+    throw cannot_write(file, error);
+  if (fs::exists(status))
+    fs::permissions(entry.temporary, status.permissions(), error); // as before, where that is allowed
+}
+
+void Output_files::write_streams(const std::function<void()>& stop)
+{
+  for (const Entry& entry : entries)
+    if (entry.temporary.empty()) {
+      const std::error_code error = write_bytes(entry.target, 0, entry.bytes, stop);
+      if (error)
+        throw cannot_write(entry.name, error);
+    }
+}
+
+void Output_files::place(Entry& entry)
+{
+  std::error_code error;
+  if (fs::exists(entry.target, error)) {
+    // A second name for what is replaced, so that it can come back. Some file systems have no second names.
+    fs::path former = entry.temporary;
+    former.replace_extension("former");
+    fs::create_hard_link(entry.target, former, error);
+    if (!error)
+      entry.former = std::move(former);
+  }
+  fs::rename(entry.temporary, entry.target, error);
+  if (error)
+    throw cannot_write(entry.name, error);
+  entry.placed = true;
+}
+
+void Output_files::undo()
+{
+  for (Entry& entry : entries) {
+    if (!entry.placed)
+      continue;
+    std::error_code ignored;
+    if (entry.former.empty())
+      fs::remove(entry.target, ignored);
+    else
+      fs::rename(entry.former, entry.target, ignored);
+    entry.former.clear();
+  }
+}
+
+void Output_files::commit()
+{
+  try {
+    for (Entry& entry : entries)
+      if (!entry.temporary.empty())
+        place(entry);
+  } catch (const Failure&) {
+    undo();
+    throw;
+  }
+}
+
+} // namespace coarsen_mesh_tool

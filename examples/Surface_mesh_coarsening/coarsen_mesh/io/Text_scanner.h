@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COARSENING_SUPPORT_TEXT_SCANNER_H
+#define COARSENING_SUPPORT_TEXT_SCANNER_H
+
+#include "io/Failure.h"
+
+#include <charconv>
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace coarsening_support {
+
+// Says at which place in a mesh file what is wrong.
+class Format_fault : public std::runtime_error
+{
+public:
+  Format_fault(const std::string& place, const std::string& reason) : std::runtime_error(place + ": " + reason) {}
+};
+
+// Stands for the index of a vertex that cannot be there.
+constexpr std::size_t no_vertex = (std::numeric_limits<std::size_t>::max)();
+
+// Reads the words of a text, line by line. The text has to be followed by a zero character, as that of a `std::string` is.
+class Text_scanner
+{
+  const char* at;
+  const char* end;
+  std::size_t line = 1;
+  char comment; // begins one that lasts to the end of the line; 0 if there are none
+  bool continued; // whether a backslash at the end of a line joins the next one
+
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+  static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+  bool is_continuation() const { return continued && *at == '\\' && at + 1 != end && is_line_end(at[1]); }
+
+  void take_line_end()
+  {
+    if (*at == '\r' && at + 1 != end && at[1] == '\n')
+      ++at;
+    ++at;
+    ++line;
+  }
+
+  void skip_blanks()
+  {
+    while (at != end && (is_blank(*at) || is_continuation())) {
+      const bool joins_lines = !is_blank(*at++);
+      if (joins_lines)
+        take_line_end();
+    }
+    if (comment && at != end && *at == comment)
+      while (at != end && !is_line_end(*at))
+        ++at;
+  }
+
+public:
+  Text_scanner(const char* begin, const char* end, char comment = 0, bool continued = false)
+    : at(begin),
+      end(end),
+      comment(comment),
+      continued(continued)
+  {}
+
+  const char* position() const { return at; }
+  std::size_t bytes_left() const { return static_cast<std::size_t>(end - at); }
+
+  [[noreturn]] void fail(const std::string& reason) const
+  {
+    throw Format_fault("line " + std::to_string(line), reason);
+  }
+
+  // Goes on to the next line that has something on it; returns whether there is one.
+  bool find_line()
+  {
+    for (skip_blanks(); at != end && is_line_end(*at); skip_blanks())
+      take_line_end();
+    return at != end;
+  }
+
+  // The same, where the file must not end before `what`.
+  void need_line(const std::string& what)
+  {
+    if (!find_line())
+      fail("the file ends before " + what);
+  }
+
+  // The next word of the line, empty if there is none left.
+  std::string_view word()
+  {
+    skip_blanks();
+    const char* const begin = at;
+    while (at != end && !is_blank(*at) && !is_line_end(*at) && !is_continuation())
+      ++at;
+    return std::string_view(begin, static_cast<std::size_t>(at - begin));
+  }
+
+  // A look at the next word.
+  std::string_view next_word()
+  {
+    const char* const before = at;
+    const std::size_t line_before = line;
+    const std::string_view result = word();
+    at = before;
+    line = line_before;
+    return result;
+  }
+
+  void skip_line()
+  {
+    while (!word().empty())
+      ;
+  }
+
+  void end_line(const std::string& what)
+  {
+    const std::string_view rest = word();
+    if (!rest.empty())
+      fail("there is more on the line than " + what + ": " + shown(rest));
+  }
+
+  // A word as it can stand in a message.
+  static std::string shown(std::string_view text)
+  {
+    constexpr std::size_t most = 30;
+    return "'" + one_line(std::string(text.substr(0, most))) + (text.size() > most ? "...'" : "'");
+  }
+
+  // Numbers too large for a double become infinite, those too small zero.
+  double number(const std::string& what)
+  {
+    const std::string_view text = word();
+    char* stop = nullptr;
+    const double value = text.empty() ? 0 : std::strtod(text.data(), &stop);
+    if (text.empty() || stop != text.data() + text.size())
+      fail(text.empty() ? what + " is missing" : shown(text) + " stands where " + what + " was expected");
+    return value;
+  }
+
+  long long integer(const std::string& what)
+  {
+    const std::string_view text = word();
+    long long value = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (text.empty())
+      fail(what + " is missing");
+    if (read.ec != std::errc() || read.ptr != text.data() + text.size())
+      fail(shown(text) + " stands where " + what + " was expected");
+    return value;
+  }
+
+  // How many of something follow, which takes `bytes_each` at least. The file has to have room for them, so that what a
+  // header says cannot make the caller ask for more memory than a small multiple of the file's size.
+  std::size_t count(const std::string& what, std::size_t bytes_each)
+  {
+    const long long value = integer("the number of " + what);
+    check_count(value, what, bytes_each, bytes_left());
+    return static_cast<std::size_t>(value);
+  }
+
+  void check_count(long long value, const std::string& what, std::size_t bytes_each, std::size_t bytes) const
+  {
+    if (value < 0)
+      fail("the number of " + what + " is " + std::to_string(value));
+    // The line end after the last one may be missing.
+    const std::size_t room = bytes_each == 0 ? 0 : (bytes + 1) / bytes_each;
+    if (static_cast<unsigned long long>(value) > room)
+      fail(std::to_string(value) + " " + what + " are announced, but the rest of the file has room for " +
+           std::to_string(room) + " at the most");
+  }
+
+  // The index of a vertex; one that cannot be there is for the check of the surface to report.
+  std::size_t vertex_index()
+  {
+    const long long value = integer("the number of a vertex");
+    return value < 0 ? no_vertex : static_cast<std::size_t>(value);
+  }
+};
+
+} // namespace coarsening_support
+
+#endif // COARSENING_SUPPORT_TEXT_SCANNER_H

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COARSENING_SUPPORT_SOUP_PROPERTIES_H
+#define COARSENING_SUPPORT_SOUP_PROPERTIES_H
+
+#include "io/Mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace coarsening_support {
+
+typedef std::array<double, 2> Texture_point;
+
+// The names of the properties that a mesh has of a file with textures and materials.
+constexpr const char* texture_property = "h:texture";
+constexpr const char* material_property = "f:material name";
+constexpr const char* group_property = "f:group name";
+
+template <class Element, class Number>
+void add_numbers(const std::string& name, const std::vector<double>& values, Mesh& mesh)
+{
+  const auto map = mesh.add_property_map<Element, Number>(name).first;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if constexpr (std::is_integral<Number>::value)
+      map[Element(Mesh::size_type(i))] =
+        std::abs(values[i]) < 1e18 ? static_cast<Number>(static_cast<std::int64_t>(values[i])) : 0;
+    else
+      map[Element(Mesh::size_type(i))] = static_cast<Number>(values[i]);
+  }
+}
+
+template <class Element>
+void add_property(const std::string& prefix, const Soup_property& p, Mesh& mesh)
+{
+  const std::string name = prefix + p.name;
+  if (p.name == "point" || p.name == "removed" || p.name == "connectivity") // which the mesh has of its own
+    return;
+  switch (p.type) {
+  case Number_type::INT8: return add_numbers<Element, std::int8_t>(name, p.values, mesh);
+  case Number_type::UINT8: return add_numbers<Element, std::uint8_t>(name, p.values, mesh);
+  case Number_type::INT16: return add_numbers<Element, std::int16_t>(name, p.values, mesh);
+  case Number_type::UINT16: return add_numbers<Element, std::uint16_t>(name, p.values, mesh);
+  case Number_type::INT32: return add_numbers<Element, std::int32_t>(name, p.values, mesh);
+  case Number_type::UINT32: return add_numbers<Element, std::uint32_t>(name, p.values, mesh);
+  case Number_type::FLOAT32: return add_numbers<Element, float>(name, p.values, mesh);
+  case Number_type::FLOAT64: return add_numbers<Element, double>(name, p.values, mesh);
+  }
+}
+
+inline void add_names(const char* name, const std::vector<std::string>& names, Mesh& mesh)
+{
+  if (names.empty())
+    return;
+  const auto map = mesh.add_property_map<Face, std::string>(name).first;
+  for (std::size_t f = 0; f < names.size(); ++f)
+    map[Face(Mesh::size_type(f))] = names[f];
+}
+
+inline void add_texture(const Soup& soup, Mesh& mesh)
+{
+  const auto has_texture = [](const std::vector<std::size_t>& corners) { return !corners.empty(); };
+  if (std::none_of(soup.texture_corners.begin(), soup.texture_corners.end(), has_texture))
+    return;
+  const auto texture = mesh.add_property_map<Halfedge, Texture_point>(texture_property, Texture_point{{0, 0}}).first;
+  for (std::size_t f = 0; f < soup.texture_corners.size(); ++f) {
+    if (soup.texture_corners[f].empty())
+      continue;
+    // The first halfedge of the face is the one that leaves its first corner, or the one after some of the others.
+    Halfedge h = mesh.halfedge(Face(Mesh::size_type(f)));
+    while (std::size_t(mesh.target(h)) != soup.polygons[f][0])
+      h = mesh.next(h);
+    for (const std::size_t t : soup.texture_corners[f]) {
+      texture[h] = soup.texture_points[t];
+      h = mesh.next(h);
+    }
+  }
+}
+
+// Gives a mesh the properties of the soup that it was made of by to_mesh().
+inline void add_properties(const Soup& soup, Mesh& mesh)
+{
+  for (const Soup_property& p : soup.of_points)
+    add_property<Vertex>("v:", p, mesh);
+  for (const Soup_property& p : soup.of_polygons)
+    add_property<Face>("f:", p, mesh);
+  add_texture(soup, mesh);
+  add_names(material_property, soup.materials, mesh);
+  add_names(group_property, soup.groups, mesh);
+}
+
+// The property map of this name and type; an object that is false if there is none.
+template <class Element, class Value>
+struct Found_property
+{
+  Mesh::Property_map<Element, Value> map;
+  bool found = false;
+
+  Found_property(const Mesh& mesh, const char* name)
+  {
+    const auto result = mesh.property_map<Element, Value>(name);
+    if constexpr (std::is_same<std::decay_t<decltype(result)>, std::pair<Mesh::Property_map<Element, Value>, bool> >::value) {
+      map = result.first;
+      found = result.second;
+    } else { // from CGAL 6 on
+      found = bool(result);
+      if (found)
+        map = *result;
+    }
+  }
+  explicit operator bool() const { return found; }
+};
+
+} // namespace coarsening_support
+
+#endif // COARSENING_SUPPORT_SOUP_PROPERTIES_H

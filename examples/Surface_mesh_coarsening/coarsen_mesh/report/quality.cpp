@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "report/quality.h"
+
+#include "check/certificate.h"
+#include "io/to_mesh.h"
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace coarsen_mesh_tool {
+namespace {
+
+namespace SMC = CGAL::Surface_mesh_coarsening;
+
+// The faces that have a cluster.
+Mesh without_dropped_faces(const Mesh& input, const Coarsening_result& result)
+{
+  const Soup all = to_soup(input);
+  Soup kept;
+  kept.points = all.points;
+  for (std::size_t f = 0; f < all.polygons.size(); ++f)
+    if (result.labels[f] < result.report.clusters)
+      kept.polygons.push_back(all.polygons[f]);
+  return to_mesh(kept);
+}
+
+std::string line(const char* name, const char* format, double a, double b, double c)
+{
+  char text[160];
+  std::snprintf(text, sizeof text, format, a, b, c);
+  return "  " + std::string(name) + text + "\n";
+}
+
+} // namespace
+
+Coarsening_quality measure(const Mesh& input, const Coarsening_result& result)
+{
+  return result.report.dropped_components == 0
+           ? SMC::measure_coarsening(input, result.mesh)
+           : SMC::measure_coarsening(without_dropped_faces(input, result), result.mesh);
+}
+
+double percent(const Coarsening_quality& quality, double length)
+{
+  return quality.diagonal > 0 ? 100 * (length / quality.diagonal) : 0;
+}
+
+std::string quality_text(const Mesh& result, const Coarsening_quality& q)
+{
+  const auto part = [&q](double length) { return percent(q, length); };
+  const char* distances = "RMS %.4f, mean %.4f, maximum %.4f %% of the diagonal";
+  std::string text =
+    line("distance:         ", distances, part(q.rms_distance), part(q.mean_distance), part(q.maximum_distance));
+  if (std::isinf(q.border_rms_distance))
+    text += "  border:           only one of the meshes has one\n";
+  else if (!CGAL::is_closed(result))
+    text += line("border distance:  ", distances, part(q.border_rms_distance), part(q.border_mean_distance),
+                 part(q.border_maximum_distance));
+  text += line("normal deviation: ", "mean %.2f degrees", q.mean_normal_deviation, 0, 0);
+  text += line("smallest angles:  ", "mean %.1f, least %.1f degrees, %.1f %% of the triangles below 30",
+               q.mean_smallest_angle, q.smallest_angle, 100 * q.part_below_30_degrees);
+  return text + "  self-intersections: " + std::to_string(q.self_intersections);
+}
+
+} // namespace coarsen_mesh_tool
