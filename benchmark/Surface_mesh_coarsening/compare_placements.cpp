@@ -48,7 +48,7 @@ double part_of_slivers(const Mesh& mesh)
 }
 
 template <class Clustering, class Placement>
-void place(const Row& row, const Mesh& mesh, const Clustering& clustering, double seconds_before,
+void place(const Row& row, const Mesh& mesh, Clustering& clustering, double seconds_before,
            const std::string& name, const Placement& placement)
 {
   Mesh output;

@@ -9,10 +9,10 @@ set(rooms base mesh clusters features seeding minimization refinement geometry p
   entry)
 
 # The rooms of the public headers. Headers that are not listed are entry points, which may include everything.
-set(base internal/parameters_interface.h exceptions.h version.h parameters.h Coarsening_report.h Coarsening_visitor_base.h Cluster_weight/.*)
+set(base internal/parameters_interface.h exceptions.h Distance_report.h version.h parameters.h Coarsening_report.h Coarsening_visitor_base.h Cluster_weight/.*)
 set(geometry Clustered_surface.h Surface_location.h)
 set(placement Border_arcs.h Vertex_placement/.*)
-set(pipeline Mwcvd_clustering.h)
+
 
 function(room_of header result)
   if(header MATCHES "^internal/([^/]+)/")
@@ -43,6 +43,10 @@ foreach(header IN LISTS headers)
   set(includes_${header} "")
   foreach(line IN LISTS lines)
     string(REGEX REPLACE "^#include <CGAL/Surface_mesh_coarsening/([^>]*)>.*" "\\1" included "${line}")
+    string(REGEX REPLACE "\\.h$" "_impl.h" own_implementation ${header})
+    if(included STREQUAL own_implementation)
+      continue()
+    endif()
     list(APPEND includes_${header} ${included})
     room_of(${included} other)
     list(FIND rooms ${other} other_level)

@@ -88,7 +88,7 @@ double fraction_of_upright_triangles(const Reference_mesh& m, const Labels& labe
 }
 
 template <class Clustering>
-void check_dual(const Clustering& clustering, const Reference_mesh& m, const Labels& labels, double min_upright)
+void check_dual(Clustering& clustering, const Reference_mesh& m, const Labels& labels, double min_upright)
 {
   Mesh output;
   clustering.extract_dual_mesh(output);

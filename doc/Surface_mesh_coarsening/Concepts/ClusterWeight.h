@@ -37,6 +37,10 @@
 class ClusterWeight
 {
 public:
+  /// Optional: whether clusters become smaller where densities are raised; `true` if it is missing. With `false` no clustering is
+  /// repeated with other densities where triangles of the output intersect.
+  static constexpr bool depends_on_densities = unspecified_value;
+
   /// What is kept of each face. It has to be a model of `CopyConstructible`.
   typedef unspecified_type Face_data;
 

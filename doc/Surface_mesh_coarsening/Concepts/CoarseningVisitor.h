@@ -8,7 +8,7 @@
 /// A visitor is passed with named parameter `visitor`, as a copy or, in `std::ref()`, itself. All calls come from the thread
 /// that called the library. The library reads no clock: a visitor that wants to know how long a stage takes reads one when
 /// the stage begins and when it ends. Seeds, growth, minimization and triangulation come again where clusters are made anew because
-/// triangles intersect (`Dual_extraction::extract_embedded_dual_mesh()`).
+/// triangles intersect (`Mwcvd_clustering::extract_embedded_dual_mesh()`).
 ///
 /// \cgalRefines{`CopyConstructible`, unless it is passed in `std::ref()`}
 ///

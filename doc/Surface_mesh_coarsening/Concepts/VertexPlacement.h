@@ -21,6 +21,13 @@
 class VertexPlacement
 {
 public:
+  /// Optional: whether several threads may call the placement at a time, with `CGAL::Parallel_tag`; `false` if it is missing.
+  static constexpr bool may_run_in_parallel = unspecified_value;
+
+  /// Optional: whether all positions are points of vertices of the input, to which the repair of the output has to keep then;
+  /// `false` if it is missing.
+  static constexpr bool is_at_input_vertices = unspecified_value;
+
   /// returns the position of the vertex of cluster `cluster`, in the coordinates of `surface`: those of its faces and
   /// vertices, which are relative to a local origin.
   ///

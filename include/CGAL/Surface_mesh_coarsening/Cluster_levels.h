@@ -4,9 +4,8 @@
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTER_LEVELS_H
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
-#include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_access.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_estimate.h>
-#include <CGAL/Surface_mesh_coarsening/internal/refinement/Merge_history.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -35,7 +34,6 @@ template <class Clustering>
 class Cluster_levels
 {
   typedef internal::Index Index;
-  typedef internal::Clustering_access Access;
 
 public:
   /// merges the clusters until the topology does not allow it any more.
@@ -45,15 +43,13 @@ public:
   /// \throws Invalid_input if it keeps features.
   /// \throws Coarsening_cancelled if its visitor said so.
   explicit Cluster_levels(const Clustering& clustering)
-    : clustering_(clustering),
-      history_(Access::input_without_features(clustering), Access::labels(clustering), Index(clustering.number_of_clusters()),
-               internal::Cancellation_point(Access::visitor(clustering)))
+    : clustering_(clustering), levels_(clustering.state())
   {}
 
   /// returns the number of clusters of the finest level.
-  std::size_t finest() const { return history_.finest(); }
+  std::size_t finest() const { return levels_.finest(); }
   /// returns the number of clusters of the coarsest level.
-  std::size_t coarsest() const { return history_.coarsest(); }
+  std::size_t coarsest() const { return levels_.coarsest(); }
 
   /// returns the cluster that `cluster` is merged into from level `cluster + 1` to level `cluster`. It has a smaller number.
   /// \pre `coarsest() <= cluster < finest()`; `Invalid_input` is thrown otherwise.
@@ -61,7 +57,7 @@ public:
   {
     if (cluster < coarsest() || cluster >= finest())
       throw Invalid_input("cluster " + std::to_string(cluster) + " has no parent");
-    return history_.parent(Index(cluster));
+    return levels_.history().parent(Index(cluster));
   }
 
   /// writes, for each cluster of level `fine`, the cluster of level `coarse` that it is part of, in time linear in `fine`.
@@ -73,7 +69,7 @@ public:
     check(coarse);
     if (coarse > fine)
       throw Invalid_input("level " + std::to_string(coarse) + " is not coarser than level " + std::to_string(fine));
-    for (const Index x : history_.ancestors(fine, coarse))
+    for (const Index x : levels_.history().ancestors(fine, coarse))
       *out++ = std::size_t(x);
     return out;
   }
@@ -85,7 +81,7 @@ public:
   OutputIterator triangles(std::size_t level, OutputIterator out) const
   {
     check(level);
-    for (const internal::Triangle& t : history_.triangles(level))
+    for (const internal::Triangle& t : levels_.history().triangles(level))
       *out++ = std::array<std::size_t, 3>{{t[0], t[1], t[2]}};
     return out;
   }
@@ -98,11 +94,10 @@ public:
   {
     typedef typename boost::property_traits<FaceClusterMap>::value_type Value;
     check(level);
-    const std::vector<Index> ancestors = history_.ancestors(finest(), level);
-    for (const auto f : Access::numbering(clustering_).faces) {
-      const std::size_t x = clustering_.cluster(f);
-      put(clusters, f, Value(x == finest() ? level : ancestors[history_.number(Index(x))]));
-    }
+    const auto& faces = clustering_.numbering().faces;
+    const std::vector<Index> of_face = levels_.clusters_of_faces(level, faces.size());
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      put(clusters, faces[f], Value(of_face[f]));
   }
 
   /// replaces `output` by the dual triangulation of a level, with `level` vertices.
@@ -127,14 +122,12 @@ public:
     using namespace internal;
     typedef typename GetGeomTraits<Output, NamedParameters>::type Traits;
     check(level);
-    const Cancellation_point cancellation(Access::visitor(clustering_));
-    const Local_frame& frame = Access::frame(clustering_);
-    const Cluster_labels level_labels = labels(level);
-    std::vector<Triangle> triangles;
-    const std::vector<Vector> positions =
-      place(level_labels, level, placement, Access::repairs(clustering_), output_coordinates<Traits>(frame), triangles);
-    Face_graph_filler<Output, NamedParameters> filler(positions, frame, triangles, output, np, cancellation);
-    Access::visitor(clustering_).throw_if_cancelled();
+    const Clustering_state& state = clustering_.state();
+    const Placed_level placed = levels_.place(level, placement_model(placement), state.repairs_output,
+                                              output_coordinates<Traits>(state.frame));
+    Face_graph_filler<Output, NamedParameters> filler(placed.positions, state.frame, placed.triangles, output, np,
+                                                      state.cancellation());
+    state.visitor.throw_if_cancelled();
     filler.commit();
   }
 
@@ -153,42 +146,13 @@ public:
   {
     using namespace internal;
     check(level);
-    const Local_frame& frame = Access::frame(clustering_);
-    const Cluster_labels level_labels = labels(level);
-    std::vector<Triangle> triangles;
-    const std::vector<Vector> positions =
-      place(level_labels, level, placement, Access::repairs(clustering_),
-            output_coordinates<Simple_cartesian<double> >(frame), triangles);
-    const Distance_estimate estimate(level_labels, positions, triangles, Cancellation_point(Access::visitor(clustering_)));
-    Access::visitor(clustering_).throw_if_cancelled();
-    return std::ldexp(estimate.distance(), frame.exponent);
+    const Clustering_state& state = clustering_.state();
+    const Placed_level placed = levels_.place(level, placement_model(placement), state.repairs_output,
+                                              output_coordinates<Simple_cartesian<double> >(state.frame));
+    const double distance = levels_.estimate(placed);
+    state.visitor.throw_if_cancelled();
+    return std::ldexp(distance, state.frame.exponent);
   }
-
-  /// \cond SKIP_IN_MANUAL
-  // The clusters of a level, and its dual in place.
-  internal::Cluster_labels labels(std::size_t level) const
-  {
-    const internal::Clustering_input& input = Access::working_input(clustering_);
-    const std::vector<Index> ancestors = history_.ancestors(finest(), level);
-    internal::Cluster_labels result(input.mesh);
-    for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
-      result.set(Index(f), ancestors[history_.number(Access::labels(clustering_)[Index(f)])]);
-    result.recount();
-    return result;
-  }
-  template <class VertexPlacement, class OutputCoordinates>
-  std::vector<internal::Vector> place(const internal::Cluster_labels& level_labels, std::size_t level,
-                                      const VertexPlacement& placement, bool with_repair,
-                                      const OutputCoordinates& output_coordinates,
-                                      std::vector<internal::Triangle>& triangles) const
-  {
-    internal::Repair_counts counts;
-    triangles = history_.triangles(level);
-    return internal::place_vertices(Clustered_surface(Access::working_input(clustering_), level_labels, level), placement,
-                                    with_repair, output_coordinates, triangles, counts,
-                                    internal::Cancellation_point(Access::visitor(clustering_)));
-  }
-  /// \endcond
 
 private:
   void check(std::size_t level) const
@@ -200,7 +164,7 @@ private:
   }
 
   const Clustering& clustering_;
-  internal::Merge_history history_;
+  internal::Level_hierarchy levels_;
 };
 
 } // namespace Surface_mesh_coarsening

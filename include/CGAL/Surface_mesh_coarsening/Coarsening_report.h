@@ -50,7 +50,7 @@ struct Coarsening_report
   /// the number of such triangles that the repair left.
   std::size_t reversals_left = 0;
   /// the number of clusterings that were made: one, and more where triangles were left intersecting
-  /// (`Dual_extraction::extract_embedded_dual_mesh()`). The other numbers are those of the one that was taken.
+  /// (`Mwcvd_clustering::extract_embedded_dual_mesh()`). The other numbers are those of the one that was taken.
   std::size_t clusterings = 1;
   /// the number of feature lines that are kept, each from corner to corner, or closed.
   std::size_t feature_lines = 0;

@@ -4,28 +4,17 @@
 #define CGAL_SURFACE_MESH_COARSENING_MWCVD_CLUSTERING_H
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Clustering_steering.h>
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
-#include <CGAL/Surface_mesh_coarsening/Dual_extraction.h>
-#include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_access.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_minimization.h>
-#include <CGAL/Surface_mesh_coarsening/internal/seeding/Initial_clustering.h>
-#include <CGAL/Surface_mesh_coarsening/internal/features/Labelled_pieces.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
-#include <CGAL/Surface_mesh_coarsening/internal/features/read_features.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/emit.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/prepare.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
-#include <algorithm>
-#include <functional>
+#include <cstddef>
 #include <memory>
-#include <stdexcept>
+#include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -46,12 +35,9 @@ namespace Surface_mesh_coarsening {
 /// same, whichever it is
 template <class FaceGraph, class ClusterWeight = Maximum_density_weight, class ConcurrencyTag = Sequential_tag>
 class Mwcvd_clustering
-  : public Clustering_steering<Mwcvd_clustering<FaceGraph, ClusterWeight, ConcurrencyTag> >,
-    public Dual_extraction<Mwcvd_clustering<FaceGraph, ClusterWeight, ConcurrencyTag> >
 {
   typedef boost::graph_traits<FaceGraph> Graph_traits;
   typedef internal::Index Index;
-  static constexpr internal::Execution execution_ = internal::execution<ConcurrencyTag>();
 
 public:
   /// The face descriptor of the mesh.
@@ -71,19 +57,10 @@ public:
   /// parameter is out of range.
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Mwcvd_clustering(const FaceGraph& mesh, const NamedParameters& np = parameters::default_values())
-    : weight_(internal::choose_parameter<ClusterWeight>(
-        internal::get_parameter(np, internal_np::cluster_weight_p))),
-      visitor_(internal::get_parameter(np, CGAL::internal_np::visitor))
   {
-    visitor_.stage_begins(Coarsening_stage::PREPARATION);
-    const internal::Cancellation_point cancellation(visitor_);
-    numbering_ = internal::numbering(mesh, np, cancellation);
-    input_ = internal::clustering_input(mesh, np, numbering_, frame_, cancellation, execution_);
-    subdivide_ = internal::choose_parameter(internal::get_parameter(np, internal_np::subdivide_input_p), false);
-    repair_ = internal::choose_parameter(internal::get_parameter(np, internal_np::repair_output_p), true);
-    dropped_components_ = internal::drop_small_components(np, frame_, input_, cancellation);
-    internal::read_features(mesh, np, numbering_, input_, frame_, patches_, cancellation);
-    visitor_.stage_ends(Coarsening_stage::PREPARATION);
+    internal::prepare(mesh, np, internal::execution<ConcurrencyTag>(), numbering_, state_);
+    state_.energy = std::make_shared<internal::Weighted_energy_model<ClusterWeight> >(
+      internal::choose_parameter<ClusterWeight>(internal::get_parameter(np, internal_np::cluster_weight_p)));
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -101,42 +78,27 @@ public:
   /// \throws Unreachable_number_of_vertices if the mesh has fewer vertices, or if its topology does not allow so few.
   std::size_t seed(std::size_t number_of_clusters)
   {
-    return seed_as([this, number_of_clusters](internal::Initial_clustering& initial) {
-      if (subdivide_)
-        initial.subdivide(faces_per_cluster * number_of_clusters);
-      initial.seed(number_of_clusters);
-    });
+    internal::seed(state_, {internal::Seeding::FOR_NUMBER, number_of_clusters});
+    return state_.report.seeds;
   }
 
   /// The number of faces for each cluster that subdivision provides, if parameter `subdivide_input` asks for it. Clusters of
   /// so many faces can be round.
-  static constexpr std::size_t faces_per_cluster = 20;
+  static constexpr std::size_t faces_per_cluster = internal::faces_per_cluster;
 
   /// takes all seeds whose neighborhoods of `level` steps are disjoint.
   /// \return the number of seeds, which is the number of clusters that `grow()` makes, unless the topology of the mesh
   /// needs more
   std::size_t seed_from_level(std::size_t level)
   {
-    return seed_as([level](internal::Initial_clustering& initial) {
-      initial.seed_from_level(Index((std::min)(level, std::size_t(internal::NONE / 4))));
-    });
+    internal::seed(state_, {internal::Seeding::AT_LEVEL, level});
+    return state_.report.seeds;
   }
 
   /// grows the clusters from the seeds, a layer a round, until they cover the mesh.
   /// \pre `seed()` or `seed_from_level()` was called.
   /// \throws std::logic_error if it was not.
-  void grow()
-  {
-    if (!initial_)
-      throw std::logic_error("grow() was called before seed()");
-    visitor_.stage_begins(Coarsening_stage::GROWTH);
-    this->forget_editing();
-    minimization_.reset();
-    labels_.reset();
-    all_or_nothing([&] { labels_ = std::make_unique<internal::Cluster_labels>(initial_->grow()); });
-    begin_minimization(report_.clusters);
-    visitor_.stage_ends(Coarsening_stage::GROWTH);
-  }
+  void grow() { internal::grow(state_); }
 
   /// takes the clusters from a property map instead of growing them.
   ///
@@ -147,28 +109,20 @@ public:
   template <class FaceClusterMap>
   void set_clusters(const FaceClusterMap& clusters)
   {
-    if (input_.cells)
+    const internal::Clustering_input& input = state_.input;
+    if (input.cells)
       throw Invalid_input("clusters cannot be taken over where features are kept");
-    forget();
     std::size_t number = 0;
-    auto labels = std::make_unique<internal::Cluster_labels>(input_.mesh);
-    for (std::size_t i = 0; i < input_.mesh.number_of_faces(); ++i) {
-      const std::size_t label = std::size_t(get(clusters, numbering_.faces[input_.parent_of(Index(i))]));
+    auto labels = std::make_unique<internal::Cluster_labels>(input.mesh);
+    for (std::size_t i = 0; i < input.mesh.number_of_faces(); ++i) {
+      const std::size_t label = std::size_t(get(clusters, numbering_.faces[input.parent_of(Index(i))]));
       if (label >= numbering_.faces.size())
         throw Invalid_input("the cluster of face " + std::to_string(i) + " is " + std::to_string(label) +
                             " in a mesh of " + std::to_string(numbering_.faces.size()) + " faces");
       number = (std::max)(number, label + 1);
       labels->set(Index(i), Index(label));
     }
-    const std::string fault = internal::Clustering_check(*labels, number).fault(
-      [](std::size_t x) { return "cluster " + std::to_string(x); });
-    if (!fault.empty())
-      throw Invalid_input(fault);
-    labels->recount();
-    reset_report();
-    report_.clusters = number;
-    labels_ = std::move(labels);
-    begin_minimization(number);
+    internal::set_clusters(state_, std::move(labels), number);
   }
   /// @}
 
@@ -179,29 +133,12 @@ public:
   /// runs one round: compares, for each edge between two clusters, the energy as it is with that after the face on one
   /// side has joined the cluster across, and with that after the other has.
   /// \return whether anything changed
-  bool minimize_round()
-  {
-    this->forget_editing();
-    const std::size_t tests_before = minimization().tests();
-    const std::size_t moves = minimization_->round();
-    iterations_ = (std::max)(iterations_, ++report_.rounds);
-    report_.moves += moves;
-    report_.tests += minimization_->tests() - tests_before;
-    report_.final_energy = minimization_->energy();
-    report_.converged = moves == 0;
-    visitor_.round_done(report_.rounds, moves, report_.final_energy);
-    return moves != 0;
-  }
+  bool minimize_round() { return internal::minimize_round(state_); }
 
   /// runs rounds until one changes nothing, or until `number_of_iterations` have been run.
   void minimize(std::size_t number_of_iterations = default_number_of_iterations)
   {
-    minimization();
-    iterations_ = number_of_iterations;
-    visitor_.stage_begins(Coarsening_stage::MINIMIZATION);
-    for (std::size_t i = 0; i < number_of_iterations && minimize_round(); ++i)
-      ;
-    visitor_.stage_ends(Coarsening_stage::MINIMIZATION);
+    internal::minimize(state_, number_of_iterations);
   }
 
   /// The number of rounds after which `minimize()` ends if it is not told otherwise. Energy falls with each move, so
@@ -209,31 +146,31 @@ public:
   static constexpr std::size_t default_number_of_iterations = 1000;
 
   /// returns the energy (8) of the clustering, in the sixth (weighted area) or fourth power of the unit of length.
-  double energy() const { return minimization().energy(); }
+  double energy() const { return internal::energy(state_); }
   /// @}
 
   /// \name Results
   /// @{
 
   /// returns the number of clusters.
-  std::size_t number_of_clusters() const { return report_.clusters; }
+  std::size_t number_of_clusters() const { return state_.number_of_clusters(); }
 
   /// returns what has been done so far, in numbers.
-  const Coarsening_report& report() const { return report_; }
+  const Coarsening_report& report() const { return state_.report; }
 
   /// writes the seeds: before `grow()` those found, after it one face for each cluster.
   template <class OutputIterator>
   OutputIterator seeds(OutputIterator out) const
   {
-    if (initial_)
-      for (const Index f : initial_->seeds())
-        *out++ = numbering_.faces[working_input().parent_of(f)];
+    if (state_.initial)
+      for (const Index f : state_.initial->seeds())
+        *out++ = numbering_.faces[state_.working_input().parent_of(f)];
     return out;
   }
 
   /// returns the cluster of a face. Where the faces of a component had to be subdivided internally, it is the cluster of the
   /// largest part of the face. Faces of components that were dropped get `number_of_clusters()`.
-  std::size_t cluster(face_descriptor f) const { return cluster_of_face(numbering_.number_of(f)); }
+  std::size_t cluster(face_descriptor f) const { return internal::cluster_of_face(state_, numbering_.number_of(f)); }
 
   /// writes the cluster of each face, see `cluster()`.
   /// \tparam FaceClusterMap a model of `WritablePropertyMap` with the faces as keys and an integral value type
@@ -242,7 +179,7 @@ public:
   {
     typedef typename boost::property_traits<FaceClusterMap>::value_type Value;
     for (std::size_t i = 0; i < numbering_.faces.size(); ++i)
-      put(clusters, numbering_.faces[i], Value(cluster_of_face(Index(i))));
+      put(clusters, numbering_.faces[i], Value(internal::cluster_of_face(state_, Index(i))));
   }
 
   /// writes the boundary-edge count (section 7) of each vertex: the number of edges at it between two clusters or on the
@@ -253,127 +190,114 @@ public:
   {
     typedef typename boost::property_traits<VertexBoundaryCountMap>::value_type Value;
     for (std::size_t i = 0; i < numbering_.vertices.size(); ++i)
-      put(counts, numbering_.vertices[i], Value(labels().boundary_count(Index(i))));
+      put(counts, numbering_.vertices[i], Value(internal::labels(state_).boundary_count(Index(i))));
   }
 
-  /// \cond SKIP_IN_MANUAL
-  // Gives back what only the minimization needs.
-  void end_minimization() { minimization_.reset(); }
-  /// \endcond
   /// @}
 
+  /// \name Output (section 8.3)
+  /// @{
+
+  /// replaces `output` by the dual triangulation. Its `i`-th vertex is that of cluster `i`.
+  ///
+  /// \tparam Output a model of `MutableFaceGraph`
+  /// \tparam VertexPlacement a model of `VertexPlacement` or `GlobalVertexPlacement`
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  /// \param output is cleared and filled
+  /// \param placement gives each cluster in the interior its position; those on the border, or on features, get theirs there
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `geom_traits`,
+  /// `edge_is_constrained_map`, `vertex_is_constrained_map` and `face_patch_map` of `output`
+  /// \pre `grow()` or `set_clusters()` was called; `std::logic_error` is thrown otherwise.
+  template <class Output, class VertexPlacement = Centroid_placement,
+            class NamedParameters = parameters::Default_named_parameters>
+  void extract_dual_mesh(Output& output, const VertexPlacement& placement = VertexPlacement(),
+                         const NamedParameters& np = parameters::default_values())
+  {
+    internal::emit(state_, internal::place(state_, internal::placement_model(placement), coordinates<Output, NamedParameters>()),
+                   output, np, [](const auto&) {});
+  }
+
+  /// does the same, and where triangles are left intersecting makes the clusters anew, with four times the densities in those
+  /// that the triangles belong to: with more clusters there, and fewer elsewhere. What has the fewest intersections is taken.
+  ///
+  /// Seeds, growth and minimization are run as they were before, 4 times at the most, and once more to come back to what is
+  /// taken. They are not where the weight is `Uniform_weight`, which does not look at densities, where parameter `repair_output`
+  /// is `false`, where clusters were given, or edited or frozen by hand, or where more than half as many pairs of triangles
+  /// intersect as there are clusters.
+  /// The parameters are those of `extract_dual_mesh()`. `Coarsening_report::clusterings` tells how many clusterings were made.
+  /// Densities stay raised afterwards.
+  template <class Output, class VertexPlacement = Centroid_placement,
+            class NamedParameters = parameters::Default_named_parameters>
+  void extract_embedded_dual_mesh(Output& output, const VertexPlacement& placement = VertexPlacement(),
+                                  const NamedParameters& np = parameters::default_values())
+  {
+    extract_embedded_dual_mesh(output, placement, np, [](const auto&) {});
+  }
+  /// @}
+
+  /// \name Steering
+  /// An application steers the clusters by hand, between rounds of the minimization. After each of these functions the
+  /// clustering is as valid as before. All throw `std::logic_error` if there are no clusters yet, and `Invalid_input` if there
+  /// is no cluster of the number given.
+  /// @{
+
+  /// freezes a cluster: no face joins or leaves it, until it is thawed or all clusters are made anew.
+  void freeze_cluster(std::size_t cluster, bool is_frozen = true) { internal::freeze_cluster(state_, cluster, is_frozen); }
+
+  /// thaws a cluster.
+  void thaw_cluster(std::size_t cluster) { freeze_cluster(cluster, false); }
+
+  /// returns whether a cluster is frozen.
+  bool is_frozen(std::size_t cluster) const { return internal::is_frozen(state_, cluster); }
+
+  /// splits a cluster in two of about the same extent. The new one gets the next number.
+  /// \throws Invalid_input if features are kept.
+  /// \return the number of the new cluster; nothing if the cluster is frozen, or if no way was found to make two of it, as
+  /// where it has only one face
+  std::optional<std::size_t> split_cluster(std::size_t cluster)
+  {
+    if (!internal::split_cluster(state_, cluster))
+      return std::nullopt;
+    return number_of_clusters() - 1;
+  }
+
+  /// removes a cluster: its faces join a neighbor, the one for which the sum of the moments about the centers grows least of
+  /// those that are not frozen and allow it. The last cluster gets the number of the one that is gone.
+  /// \throws Invalid_input if features are kept.
+  /// \return whether it was possible. It is not if the cluster is frozen, or if the topology of the mesh needs it.
+  bool remove_cluster(std::size_t cluster) { return internal::remove_cluster(state_, cluster); }
+  /// @}
+
+  /// \cond SKIP_IN_MANUAL
+  // `before` is called with the positions of the vertices when everything is done that can fail, and `output` has not changed
+  // yet.
+  template <class Output, class VertexPlacement, class NamedParameters, class Before>
+  void extract_embedded_dual_mesh(Output& output, const VertexPlacement& placement, const NamedParameters& np,
+                                  const Before& before)
+  {
+    internal::emit(state_,
+                   internal::place_embedded(state_, internal::placement_model(placement),
+                                            coordinates<Output, NamedParameters>()),
+                   output, np, before);
+  }
+
+  // Gives memory back that only the minimization needs.
+  void end_minimization() { state_.minimization.reset(); }
+
+  const internal::Clustering_state& state() const { return state_; }
+  internal::Clustering_state& state() { return state_; }
+  const internal::Numbering<FaceGraph>& numbering() const { return numbering_; }
+  /// \endcond
+
 private:
-  friend struct internal::Clustering_access;
-
-  typedef std::function<void(internal::Initial_clustering&)> Seeding;
-  static constexpr bool depends_on_densities = !std::is_same<ClusterWeight, Uniform_weight>::value;
-
-  std::size_t seed_as(const Seeding& seed)
+  template <class Output, class NamedParameters>
+  internal::Output_coordinates coordinates() const
   {
-    visitor_.stage_begins(Coarsening_stage::SEEDING);
-    forget();
-    reset_report();
-    seeding_ = seed;
-    iterations_ = 0;
-    initial_ =
-      std::make_unique<internal::Initial_clustering>(input_, report_, internal::Cancellation_point(visitor_), execution_);
-    all_or_nothing([&] { seed(*initial_); });
-    visitor_.stage_ends(Coarsening_stage::SEEDING);
-    return report_.seeds;
+    return internal::output_coordinates<typename GetGeomTraits<Output, NamedParameters>::type>(state_.frame);
   }
 
-  void reset_report()
-  {
-    report_ = Coarsening_report();
-    report_.dropped_components = dropped_components_;
-    internal::count_features(input_, report_);
-  }
-
-  // A step that fails, or is cancelled, leaves nothing to go on from: that begins with seeds or labels again.
-  template <class Step>
-  void all_or_nothing(const Step& step)
-  {
-    try {
-      step();
-    } catch (...) {
-      forget();
-      throw;
-    }
-  }
-
-  // What was seeded, grown and minimized is so again, with other densities.
-  void recluster(const std::vector<double>& densities)
-  {
-    const Seeding seeding = seeding_;
-    const std::size_t iterations = iterations_;
-    forget();
-    if (input_.cells) {
-      internal::Clustering_input base = input_.cells->base();
-      base.density = densities;
-      input_ = internal::Feature_cells::run(base, input_.cells->edges(), internal::Cancellation_point(visitor_));
-    } else {
-      input_.density = densities;
-    }
-    seed_as(seeding);
-    grow();
-    minimize(iterations);
-  }
-
-  void forget()
-  {
-    seeding_ = nullptr;
-    this->forget_editing();
-    minimization_.reset();
-    labels_.reset();
-    initial_.reset();
-  }
-
-  const internal::Clustering_input& working_input() const { return initial_ ? initial_->input() : input_; }
-
-  void begin_minimization(std::size_t clusters)
-  {
-    report_.clusters = clusters;
-    all_or_nothing([&] { minimization(); });
-  }
-
-  std::size_t cluster_of_face(Index f) const
-  {
-    return internal::cluster_of_face(working_input(), labels(), report_.clusters, f);
-  }
-
-  const internal::Cluster_labels& labels() const
-  {
-    if (!labels_)
-      throw std::logic_error("there are no clusters before grow() or set_clusters()");
-    return *labels_;
-  }
-
-  // It is there but after clusters were added or removed.
-  internal::Energy_minimization<ClusterWeight>& minimization() const
-  {
-    labels();
-    if (!minimization_) {
-      minimization_ = std::make_unique<internal::Energy_minimization<ClusterWeight> >(
-        working_input(), *labels_, report_.clusters, weight_, internal::Cancellation_point(visitor_), execution_);
-      report_.initial_energy = report_.final_energy = minimization_->energy();
-    }
-    return *minimization_;
-  }
-
-  ClusterWeight weight_;
-  internal::Visitor_handle visitor_;
   internal::Numbering<FaceGraph> numbering_;
-  internal::Local_frame frame_;
-  internal::Clustering_input input_;
-  bool subdivide_ = false, repair_ = true;
-  std::vector<long long> patches_; // of the faces of the mesh, where they are given
-  std::size_t dropped_components_ = 0;
-  mutable Coarsening_report report_; // making the output adds to it, and so do energies that are asked for
-  Seeding seeding_;            // none if clusters were given, or edited or frozen by hand
-  std::size_t iterations_ = 0; // of the minimization, at the most
-  std::unique_ptr<internal::Initial_clustering> initial_;
-  std::unique_ptr<internal::Cluster_labels> labels_;
-  mutable std::unique_ptr<internal::Energy_minimization<ClusterWeight> > minimization_;
+  internal::Clustering_state state_;
 };
 
 } // namespace Surface_mesh_coarsening

@@ -59,11 +59,12 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
     [&](const std::vector<Vector>& positions) {
       const bool are_wanted = has_parameter<internal_np::vertex_source_t, NPOut> ||
                               has_parameter<internal_np::vertex_to_cluster_t, NPIn>;
-      const std::vector<Index> clusters = are_wanted ? clusters_of_faces(clustering) : std::vector<Index>();
-      sources.find(input, clustering, clusters, positions);
+      const Clustering_state& state = clustering.state();
+      const std::vector<Index> clusters = are_wanted ? clusters_of_base_faces(state) : std::vector<Index>();
+      sources.find(input, clustering.numbering(), state.base_input(), clusters, positions, state.cancellation());
       write_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
       write_boundary_counts(clustering, get_parameter(np_in, internal_np::vertex_boundary_count));
-      write_vertex_clusters(clustering, clusters, clustering.number_of_clusters(),
+      write_vertex_clusters(clustering.numbering(), state.base_input(), clusters, state.number_of_clusters(),
                             get_parameter(np_in, internal_np::vertex_to_cluster));
     });
   sources.write(output);
@@ -140,7 +141,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNBegin{repair_output}
 ///     \cgalParamDescription{whether vertices are moved and edges flipped where triangles of the output intersect that do not in
 ///                           the input, and where they look away from it, and clusters made anew where that is not enough (see
-///                           `Dual_extraction::extract_embedded_dual_mesh()`); the report tells what was found and left}
+///                           `Mwcvd_clustering::extract_embedded_dual_mesh()`); the report tells what was found and left}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd

@@ -3,7 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_TO_DISTANCE_H
 #define CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_TO_DISTANCE_H
 
-#include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
+#include <CGAL/Surface_mesh_coarsening/Distance_report.h>
+#include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_search.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Vertex_sources.h>
 
@@ -15,24 +16,6 @@
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
-
-/// \ingroup PkgSurfaceMeshCoarseningRef
-/// What `coarsen_mesh_to_distance()` found.
-struct Distance_report
-{
-  /// the number of vertices of the output.
-  std::size_t vertices = 0;
-  /// an upper bound of the two-sided Hausdorff distance between the input and the output, at most the distance asked for.
-  double distance_bound = 0;
-  /// the report of the clustering that the output is a level of. Its number of clusters is that of the output.
-  Coarsening_report clustering;
-  /// the number of clusterings that were minimized.
-  std::size_t clusterings = 0;
-  /// the number of results whose distance was estimated.
-  std::size_t estimates = 0;
-  /// the number of results whose distance was bounded.
-  std::size_t bounds = 0;
-};
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// coarsens a polygon mesh as far as a bound of the distance allows.
@@ -85,22 +68,28 @@ Distance_report coarsen_mesh_to_distance(const FaceGraph& input, double maximum_
   Clustering clustering(input, np_in);
   const std::size_t iterations = choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
                                                   Clustering::default_number_of_iterations);
-  Distance_search<Clustering, Placement, Traits> search(
-    clustering, choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p)), maximum_distance,
-    iterations, num_vertices(input), report);
+  const Placement placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
+  const typename Quick_placement<Placement>::type quick_placement{};
+  constexpr bool has_quick_placement = !std::is_same<std::decay_t<decltype(quick_placement)>, Placement>::value;
+  Clustering_state& state = clustering.state();
+  Distance_search search(state, placement_model(placement),
+                         has_quick_placement ? std::make_optional(placement_model(quick_placement)) : std::nullopt,
+                         output_coordinates<Traits>(state.frame), maximum_distance, iterations, num_vertices(input), report);
   search.run();
 
   report.clustering = clustering.report();
   report.clustering.clusters = report.vertices;
   const auto source_map = get_parameter(np_out, internal_np::vertex_source);
   Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
-  Face_graph_filler<OutputFaceGraph, NamedParametersOut> filler(search.positions(), Clustering_access::frame(clustering),
-                                                                search.triangles(), output, np_out);
-  Clustering_access::visitor(clustering).throw_if_cancelled();
-  const std::vector<Index> clusters = search.clusters_of_faces();
-  sources.find(input, clustering, clusters, search.positions());
-  write_face_clusters(clustering, clusters, report.vertices, get_parameter(np_in, internal_np::face_cluster));
-  write_vertex_clusters(clustering, clusters, report.vertices, get_parameter(np_in, internal_np::vertex_to_cluster));
+  Face_graph_filler<OutputFaceGraph, NamedParametersOut> filler(search.positions(), state.frame, search.triangles(), output,
+                                                                np_out);
+  state.visitor.throw_if_cancelled();
+  const std::vector<Index> clusters = search.clusters_of_base_faces();
+  sources.find(input, clustering.numbering(), state.base_input(), clusters, search.positions(), state.cancellation());
+  write_face_clusters(clustering.numbering(), state.base_input(), clusters, report.vertices,
+                      get_parameter(np_in, internal_np::face_cluster));
+  write_vertex_clusters(clustering.numbering(), state.base_input(), clusters, report.vertices,
+                        get_parameter(np_in, internal_np::vertex_to_cluster));
   filler.commit();
   sources.write(output);
   return report;

@@ -58,8 +58,8 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
   labels.recount();
   dual.triangles = Simplicial_dual<decltype(name)>(labels, name).triangles();
   Repair_counts counts;
-  dual.positions = place_vertices(Clustered_surface(input, labels, names.size()),
-                                  choose_parameter<Placement>(get_parameter(np, internal_np::vertex_placement_p)),
+  const Placement placement = choose_parameter<Placement>(get_parameter(np, internal_np::vertex_placement_p));
+  dual.positions = place_vertices(Clustered_surface(input, labels, names.size()), placement_model(placement),
                                   choose_parameter(get_parameter(np, internal_np::repair_output_p), true),
                                   output_coordinates<typename GetGeomTraits<FaceGraph, NamedParameters>::type>(dual.frame),
                                   dual.triangles, counts);

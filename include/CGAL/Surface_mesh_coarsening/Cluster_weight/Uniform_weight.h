@@ -17,6 +17,9 @@ class Uniform_weight
   : public Additive_cluster_weight<Uniform_weight>
 {
 public:
+  /// Reclustering with other densities is not expected to help: clusters are of about the same size whatever they are.
+  static constexpr bool depends_on_densities = false;
+
   /// Nothing is kept of a face.
   struct Face_data {};
   /// Nothing is kept of a cluster.

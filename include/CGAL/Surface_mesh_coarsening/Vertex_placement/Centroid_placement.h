@@ -15,6 +15,9 @@ namespace Surface_mesh_coarsening {
 class Centroid_placement
 {
 public:
+  /// may be called by several threads at a time.
+  static constexpr bool may_run_in_parallel = true;
+
   /// returns the position of the vertex of cluster `cluster`.
   Clustered_surface::Point operator()(const Clustered_surface& surface, std::size_t cluster) const
   {

@@ -19,6 +19,11 @@ namespace Surface_mesh_coarsening {
 class Closest_vertex_placement
 {
 public:
+  /// may be called by several threads at a time.
+  static constexpr bool may_run_in_parallel = true;
+  /// puts vertices at vertices of the input, and the repair keeps them there.
+  static constexpr bool is_at_input_vertices = true;
+
   /// returns the position of the vertex of cluster `cluster`.
   Clustered_surface::Point operator()(const Clustered_surface& surface, std::size_t cluster) const
   {

@@ -31,6 +31,9 @@ namespace Surface_mesh_coarsening {
 class Quadric_placement
 {
 public:
+  /// may be called by several threads at a time.
+  static constexpr bool may_run_in_parallel = true;
+
   /// \param pull the weight of the squared distance from the centroid, relative to that from the planes; positive and at
   /// most 1.
   /// \throws Invalid_input if it is not.

@@ -3,12 +3,10 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_DISTANCE_SEARCH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_DISTANCE_SEARCH_H
 
-#include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_estimate.h>
+#include <CGAL/Surface_mesh_coarsening/Distance_report.h>
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/hausdorff_bound.h>
-#include <CGAL/Surface_mesh_coarsening/internal/output/Vertex_sources.h>
-
-#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -37,17 +35,17 @@ struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
 };
 
 // Looks for the coarsest result within a distance among the levels of a fine clustering.
-template <class Clustering, class Placement, class OutputTraits>
 class Distance_search
 {
 public:
-  template <class Report>
-  Distance_search(Clustering& clustering, const Placement& placement, double distance, std::size_t iterations,
-                  std::size_t vertices, Report& report)
-    : clustering_(clustering), placement_(placement), iterations_(iterations), vertices_(vertices),
-      number_((std::max)(vertices / 16, std::size_t(4))), clusterings_(report.clusterings), estimates_(report.estimates),
-      bounds_(report.bounds), final_vertices_(report.vertices), final_bound_(report.distance_bound), distance_(distance),
-      local_distance_(std::ldexp(distance, -Access::frame(clustering).exponent))
+  // `quick` is the placement that `placement` starts from, if it has one: see `Quick_placement`. `vertices` is the largest number
+  // of clusters that is tried.
+  Distance_search(Clustering_state& state, const Placement_model& placement, const std::optional<Placement_model>& quick,
+                  const Output_coordinates& output_coordinates, double distance, std::size_t iterations, std::size_t vertices,
+                  Distance_report& report)
+    : state_(state), placement_(placement), quick_(quick), output_coordinates_(output_coordinates), iterations_(iterations),
+      vertices_(vertices), number_((std::max)(vertices / 16, std::size_t(4))), report_(report), distance_(distance),
+      local_distance_(std::ldexp(distance, -state.frame.exponent))
   {}
 
   void run()
@@ -59,40 +57,37 @@ public:
   }
 
   // Of the result:
-  const std::vector<Vector>& positions() const { return result_.positions; }
-  const std::vector<Triangle>& triangles() const { return result_.triangles; }
-  std::vector<Index> clusters_of_faces() const
+  const std::vector<Vector>& positions() const { return result_->positions; }
+  const std::vector<Triangle>& triangles() const { return result_->triangles; }
+  std::vector<Index> clusters_of_base_faces() const
   {
+    const Clustering_input& base = state_.base_input();
+    const std::size_t faces = base.mesh.number_of_faces();
+    std::size_t number = 0; // of faces of the caller's mesh
+    for (std::size_t f = 0; f < faces; ++f)
+      number = (std::max)(number, std::size_t(base.parent_of(Index(f))) + 1);
+    const std::vector<Index> all = levels_->clusters_of_faces(result_->level, number);
     std::vector<Index> clusters;
-    const auto& numbering = Access::numbering(clustering_);
-    std::vector<Index> all(numbering.faces.size());
-    levels_->write_clusters(result_.level, boost::make_function_property_map<typename Clustering::face_descriptor>(
-      [&](typename Clustering::face_descriptor f) -> Index& { return all[numbering.number_of(f)]; }));
-    const Clustering_input& input = Access::input(clustering_);
-    for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
-      clusters.push_back(all[input.parent_of(Index(f))]);
+    clusters.reserve(faces);
+    for (std::size_t f = 0; f < faces; ++f)
+      clusters.push_back(all[base.parent_of(Index(f))]);
     return clusters;
   }
 
 private:
-  typedef Clustering_access Access;
-  typedef Cluster_levels<Clustering> Levels;
-  typedef typename Quick_placement<Placement>::type Quick;
-  static constexpr bool has_quick_placement = !std::is_same<Quick, Placement>::value;
-
   struct Result
   {
-    std::size_t level = 0;
-    std::vector<Vector> positions;
+    std::size_t level;
     std::vector<Triangle> triangles;
-    double estimate = 0;
+    std::vector<Vector> positions;
+    double estimate;
   };
 
   // Estimates come out a little below bounds.
   double wanted() const { return 0.97 * local_distance_; }
 
   // By a quick placement, distances are larger than by one that starts from it.
-  double quickly_wanted() const { return has_quick_placement ? wanted() / usual_gain : wanted(); }
+  double quickly_wanted() const { return quick_ ? wanted() / usual_gain : wanted(); }
   static constexpr double usual_gain = 0.6;
 
   // With the first of some numbers of vertices that comes near enough.
@@ -101,23 +96,23 @@ private:
     for (;;) {
       number_ = (std::min)(number_, vertices_);
       levels_.reset();
-      result_ = Result();
+      result_.reset();
       try {
-        clustering_.seed(number_);
-        clustering_.grow();
+        seed(state_, {Seeding::FOR_NUMBER, number_});
+        grow(state_);
       } catch (const Unreachable_number_of_vertices& e) {
         if (e.nearest() > number_)
           number_ = vertices_ = e.nearest();
-        clustering_.seed(e.nearest());
-        clustering_.grow();
+        seed(state_, {Seeding::FOR_NUMBER, e.nearest()});
+        grow(state_);
       }
-      clustering_.minimize(iterations_);
-      ++clusterings_;
-      levels_.emplace(clustering_);
+      minimize(state_, iterations_);
+      ++report_.clusterings;
+      levels_.emplace(state_);
       estimates_by_level_.clear();
       quick_estimates_.clear();
       if (number_ >= vertices_ || quick_estimate(levels_->finest()) <= quickly_wanted() ||
-          (has_quick_placement && try_level(levels_->finest()) <= wanted()))
+          (quick_ && try_level(levels_->finest()) <= wanted()))
         return;
       number_ *= 2;
     }
@@ -125,12 +120,10 @@ private:
 
   double quick_estimate(std::size_t n)
   {
-    if constexpr (has_quick_placement) {
-      const auto known = quick_estimates_.find(n);
-      return known != quick_estimates_.end() ? known->second : quick_estimates_[n] = place(n, Quick(), false).estimate;
-    } else {
+    if (!quick_)
       return try_level(n);
-    }
+    const auto known = quick_estimates_.find(n);
+    return known != quick_estimates_.end() ? known->second : quick_estimates_[n] = place(n, *quick_, false).estimate;
   }
 
   // Of the placement asked for. Keeps what is near enough, if it is coarser than what was kept before.
@@ -139,9 +132,9 @@ private:
     const auto known = estimates_by_level_.find(n);
     if (known != estimates_by_level_.end())
       return known->second;
-    Result x = place(n, placement_, Access::repairs(clustering_));
+    Result x = place(n, placement_, state_.repairs_output);
     const double e = estimates_by_level_[n] = x.estimate;
-    if (e <= wanted() && (result_.level == 0 || n < result_.level))
+    if (e <= wanted() && (!result_ || n < result_->level))
       result_ = std::move(x);
     return e;
   }
@@ -151,17 +144,17 @@ private:
     const std::size_t finest = levels_->finest();
     const auto estimate = [this](std::size_t i) { return try_level(i); };
     std::size_t n = finest;
-    if (has_quick_placement) {
+    if (quick_) {
       n = bracket(n, wanted() / expected_gain(), 1.2, 5, quick_estimates_, [this](std::size_t i) { return quick_estimate(i); });
       estimate(n);
       n = bracket(n, wanted(), 1.25, 2, estimates_by_level_, estimate);
     } else {
       n = bracket(n, wanted(), 1.06, 5, estimates_by_level_, estimate);
     }
-    for (; result_.level == 0 && n < finest; n = (std::min)(finest, n + n / 4 + 1))
+    for (; !result_ && n < finest; n = (std::min)(finest, n + n / 4 + 1))
       try_level(n);
     // Where vertices have few faces each, a coarser level may be nearer.
-    for (n = finest; result_.level == 0 && n >= levels_->coarsest() && n > finest / 16; n /= 2)
+    for (n = finest; !result_ && n >= levels_->coarsest() && n > finest / 16; n /= 2)
       try_level(n);
   }
 
@@ -207,52 +200,45 @@ private:
   bool bound_result()
   {
     const double error = local_distance_ / 32;
-    const Distance_mesh surface = triangles_of(Access::input(clustering_).mesh);
+    const Distance_mesh surface = triangles_of(state_.base_input().mesh);
     const std::size_t finest = levels_->finest();
-    if (result_.level == 0)
-      result_ = place(finest, placement_, Access::repairs(clustering_));
+    if (!result_)
+      result_ = place(finest, placement_, state_.repairs_output);
     for (;;) {
-      const double bound = hausdorff_bound(surface, output_positions(), result_.triangles, error);
-      ++bounds_;
-      const double external = std::ldexp(bound, Access::frame(clustering_).exponent);
+      const double bound = hausdorff_bound(surface, output_positions(), triangles(), error);
+      ++report_.bounds;
+      const double external = std::ldexp(bound, state_.frame.exponent);
       if (bound <= local_distance_) {
-        final_vertices_ = result_.level;
-        final_bound_ = external;
+        report_.vertices = result_->level;
+        report_.distance_bound = external;
         return true;
       }
-      if (result_.level == finest) {
+      if (result_->level == finest) {
         if (number_ >= vertices_)
           throw Unreachable_distance("no result within a distance of " + std::to_string(distance_) + " was found", external);
         number_ *= 2;
         return false;
       }
-      const double finer = double(result_.level) * (std::min)(2., (std::max)(1.05, std::pow(bound / local_distance_, 1.2)));
-      result_ = place((std::min)(finest, std::size_t(finer) + 1), placement_, Access::repairs(clustering_));
+      const double finer = double(result_->level) * (std::min)(2., (std::max)(1.05, std::pow(bound / local_distance_, 1.2)));
+      result_ = place((std::min)(finest, std::size_t(finer) + 1), placement_, state_.repairs_output);
     }
   }
 
-  template <class AnyPlacement>
-  Result place(std::size_t n, const AnyPlacement& placement, bool with_repair)
+  Result place(std::size_t n, const Placement_model& placement, bool with_repair)
   {
-    Result x;
-    x.level = n;
-    const Cluster_labels labels = levels_->labels(n);
-    x.positions = levels_->place(labels, n, placement, with_repair,
-                                 output_coordinates<OutputTraits>(Access::frame(clustering_)), x.triangles);
-    ++estimates_;
-    x.estimate = Distance_estimate(labels, x.positions, x.triangles, Cancellation_point(Access::visitor(clustering_)))
-                   .distance(0.5 * local_distance_);
-    return x;
+    Placed_level placed = levels_->place(n, placement, with_repair, output_coordinates_);
+    ++report_.estimates;
+    const double estimate = levels_->estimate(placed, 0.5 * local_distance_);
+    return {n, std::move(placed.triangles), std::move(placed.positions), estimate};
   }
 
   // The positions that the output has after rounding, in the coordinates of the arrays.
   std::vector<Vector> output_positions() const
   {
-    const Local_frame& frame = Access::frame(clustering_);
-    const auto to_output = output_coordinates<OutputTraits>(frame);
+    const Local_frame& frame = state_.frame;
     std::vector<Vector> result;
-    for (const Vector& p : result_.positions) {
-      Vector q = to_output(p);
+    for (const Vector& p : positions()) {
+      Vector q = output_coordinates_(p);
       for (int i = 0; i < 3; ++i)
         q[i] = std::ldexp(q[i] - frame.origin[i], -frame.exponent);
       result.push_back(q);
@@ -260,17 +246,18 @@ private:
     return result;
   }
 
-  Clustering& clustering_;
-  std::optional<Levels> levels_;
-  Placement placement_;
+  Clustering_state& state_;
+  std::optional<Level_hierarchy> levels_;
+  Placement_model placement_;
+  std::optional<Placement_model> quick_;
+  Output_coordinates output_coordinates_;
   std::size_t iterations_;
   std::size_t vertices_; // the largest number of clusters that is tried
   std::size_t number_;   // of clusters that the clustering shall have
-  std::size_t &clusterings_, &estimates_, &bounds_, &final_vertices_;
-  double& final_bound_;
+  Distance_report& report_;
   double distance_, local_distance_;
   std::map<std::size_t, double> estimates_by_level_, quick_estimates_; // of the clustering
-  Result result_;                                                      // no level if there is none
+  std::optional<Result> result_;
 };
 
 } // namespace internal

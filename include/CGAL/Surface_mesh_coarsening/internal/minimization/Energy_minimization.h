@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Cluster_energy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Valid_moves.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
@@ -30,7 +31,7 @@ namespace internal {
 // Batch by batch of edges, a round first looks for such moves, at the sums as they are, which can be done for many edges at
 // a time, and then makes those in the order of the edges that still lower the energy.
 template <class Weight>
-class Energy_minimization
+class Energy_minimization : public Minimization
 {
   typedef Face_terms<Weight> Face;
   typedef Cluster_sums<Weight> Sums;
@@ -51,7 +52,7 @@ public:
   }
 
   // One round. Returns the number of moves.
-  std::size_t round()
+  std::size_t round() override
   {
     ++round_;
     // Sums that are updated again and again drift by roundings.
@@ -83,7 +84,7 @@ public:
     return true;
   }
 
-  double energy() const
+  double energy() const override
   {
     double sum = 0;
     for (const Sums& x : clusters_)
@@ -91,7 +92,7 @@ public:
     return sum;
   }
 
-  std::size_t tests() const { return tests_; }
+  std::size_t tests() const override { return tests_; }
 
 private:
   static constexpr double no_gain = -std::numeric_limits<double>::infinity();

@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_VERTEX_SOURCES_H
 
 #include <CGAL/Surface_mesh_coarsening/Surface_location.h>
-#include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_access.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/build_flat_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
@@ -43,49 +43,36 @@ inline std::vector<Index> clusters_of_vertices(const Flat_mesh& m, const std::ve
   return result;
 }
 
-// The clusters of the whole faces of the input.
-template <class Clustering>
-std::vector<Index> clusters_of_faces(const Clustering& clustering)
-{
-  const Clustering_input& input = Clustering_access::input(clustering);
-  const auto& faces = Clustering_access::numbering(clustering).faces;
-  std::vector<Index> clusters;
-  clusters.reserve(input.mesh.number_of_faces());
-  for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
-    clusters.push_back(Index(clustering.cluster(faces[input.parent_of(Index(f))])));
-  return clusters;
-}
-
 // Writes clusters of the faces of the input that were not left out; the others get `number`.
-template <class Clustering, class Map>
-void write_face_clusters(const Clustering& clustering, const std::vector<Index>& clusters, std::size_t number, const Map& map)
+template <class FaceGraph, class Map>
+void write_face_clusters(const Numbering<FaceGraph>& numbering, const Clustering_input& input,
+                         const std::vector<Index>& clusters, std::size_t number, const Map& map)
 {
   typedef typename boost::property_traits<Map>::value_type Value;
-  const auto& faces = Clustering_access::numbering(clustering).faces;
-  const Clustering_input& input = Clustering_access::input(clustering);
+  const auto& faces = numbering.faces;
   std::vector<Index> of_face(faces.size(), Index(number));
   for (std::size_t i = 0; i < clusters.size(); ++i)
     of_face[input.parent_of(Index(i))] = clusters[i];
   for (std::size_t f = 0; f < faces.size(); ++f)
     put(map, faces[f], Value(of_face[f]));
 }
-template <class Clustering>
-void write_face_clusters(const Clustering&, const std::vector<Index>&, std::size_t, const CGAL::internal_np::Param_not_found&)
+template <class FaceGraph>
+void write_face_clusters(const Numbering<FaceGraph>&, const Clustering_input&, const std::vector<Index>&, std::size_t,
+                         const CGAL::internal_np::Param_not_found&)
 {}
 
-template <class Clustering, class Map>
-void write_vertex_clusters(const Clustering& clustering, const std::vector<Index>& clusters, std::size_t number,
-                           const Map& map)
+template <class FaceGraph, class Map>
+void write_vertex_clusters(const Numbering<FaceGraph>& numbering, const Clustering_input& input,
+                           const std::vector<Index>& clusters, std::size_t number, const Map& map)
 {
   typedef typename boost::property_traits<Map>::value_type Value;
-  const Clustering_input& input = Clustering_access::input(clustering);
   const std::vector<Index> of_vertex = clusters_of_vertices(input.mesh, input.area, clusters, Index(number));
-  const auto& vertices = Clustering_access::numbering(clustering).vertices;
+  const auto& vertices = numbering.vertices;
   for (std::size_t v = 0; v < vertices.size(); ++v)
     put(map, vertices[v], Value(of_vertex[v]));
 }
-template <class Clustering>
-void write_vertex_clusters(const Clustering&, const std::vector<Index>&, std::size_t,
+template <class FaceGraph>
+void write_vertex_clusters(const Numbering<FaceGraph>&, const Clustering_input&, const std::vector<Index>&, std::size_t,
                            const CGAL::internal_np::Param_not_found&)
 {}
 
@@ -96,14 +83,10 @@ class Vertex_sources
 public:
   explicit Vertex_sources(const Map& map) : map_(map) {}
 
-  template <class Clustering>
-  void find(const FaceGraph& mesh, const Clustering& clustering, const std::vector<Index>& clusters,
-            const std::vector<Vector>& positions)
+  void find(const FaceGraph& mesh, const Numbering<FaceGraph>& numbering, const Clustering_input& input,
+            const std::vector<Index>& clusters, const std::vector<Vector>& positions, const Cancellation_point& cancellation)
   {
-    const Clustering_input& input = Clustering_access::input(clustering);
-    locations_ = surface_locations(mesh, Clustering_access::numbering(clustering), input,
-                                   clusters, positions,
-                                   Cancellation_point(Clustering_access::visitor(clustering)));
+    locations_ = surface_locations(mesh, numbering, input, clusters, positions, cancellation);
   }
 
   template <class Output>
@@ -124,8 +107,9 @@ class Vertex_sources<FaceGraph, CGAL::internal_np::Param_not_found>
 {
 public:
   explicit Vertex_sources(const CGAL::internal_np::Param_not_found&) {}
-  template <class Clustering>
-  void find(const FaceGraph&, const Clustering&, const std::vector<Index>&, const std::vector<Vector>&) {}
+  void find(const FaceGraph&, const Numbering<FaceGraph>&, const Clustering_input&, const std::vector<Index>&,
+            const std::vector<Vector>&, const Cancellation_point&)
+  {}
   template <class Output>
   void write(const Output&) {}
 };

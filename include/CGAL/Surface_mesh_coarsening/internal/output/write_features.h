@@ -3,7 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_WRITE_FEATURES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_WRITE_FEATURES_H
 
-#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
@@ -127,14 +126,6 @@ void write_features(const Output& output, const NamedParameters& np, const std::
   write_patches(output, get_parameter(np, CGAL::internal_np::face_patch), triangles, input, labels, patches);
   write_lines(output, get_parameter(np, CGAL::internal_np::edge_is_constrained), features);
   write_corners(output, get_parameter(np, CGAL::internal_np::vertex_is_constrained), features);
-}
-
-inline void count_features(const Clustering_input& input, Coarsening_report& report)
-{
-  if (!input.cells)
-    return;
-  report.feature_lines = input.cells->graph().lines().size();
-  report.feature_corners = input.cells->graph().number_of_corners();
 }
 
 } // namespace internal

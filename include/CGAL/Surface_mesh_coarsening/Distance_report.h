@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_DISTANCE_REPORT_H
+#define CGAL_SURFACE_MESH_COARSENING_DISTANCE_REPORT_H
+
+#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// What `coarsen_mesh_to_distance()` found.
+struct Distance_report
+{
+  /// the number of vertices of the output.
+  std::size_t vertices = 0;
+  /// an upper bound of the two-sided Hausdorff distance between the input and the output, at most the distance asked for.
+  double distance_bound = 0;
+  /// the report of the clustering that the output is a level of. Its number of clusters is that of the output.
+  Coarsening_report clustering;
+  /// the number of clusterings that were minimized.
+  std::size_t clusterings = 0;
+  /// the number of results whose distance was estimated.
+  std::size_t estimates = 0;
+  /// the number of results whose distance was bounded.
+  std::size_t bounds = 0;
+};
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_DISTANCE_REPORT_H

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_INLINE_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_INLINE_H
+
+// Functions of the headers NAME_impl.h are inline where the package is used as headers alone. Where its core is compiled once
+// into a library, CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE is defined and they are not.
+#ifdef CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE
+#define CGAL_SURFACE_MESH_COARSENING_INLINE
+#else
+#define CGAL_SURFACE_MESH_COARSENING_INLINE inline
+#endif
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_INLINE_H

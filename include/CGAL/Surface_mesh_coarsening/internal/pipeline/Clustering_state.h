@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_CLUSTERING_STATE_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_CLUSTERING_STATE_H
+
+#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Initial_clustering.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The number of faces for each cluster that subdivision provides: clusters of so many faces can be round.
+constexpr std::size_t faces_per_cluster = 20;
+
+// How the clusters came about.
+struct Seeding
+{
+  enum Kind { NONE, FOR_NUMBER, AT_LEVEL };
+  Kind kind = NONE; // none if the clusters were given, edited or frozen
+  std::size_t value = 0;
+};
+
+// What the stages of the pipeline pass on, in arrays and without the types of mesh, weight and placement.
+struct Clustering_state
+{
+  // From the preparation:
+  Visitor_handle visitor;
+  Execution execution = Execution::SEQUENTIAL;
+  bool subdivides_input = false, repairs_output = true;
+  Local_frame frame;
+  Clustering_input input; // the faces, or cells of them where features are kept
+  std::vector<long long> patches; // of the faces of the caller's mesh, where they are given
+  std::size_t dropped_components = 0;
+  std::shared_ptr<const Energy_model> energy;
+
+  // From seeding and growth:
+  Seeding seeding;
+  std::unique_ptr<Initial_clustering> initial;
+  std::unique_ptr<Cluster_labels> labels; // none before growth
+
+  // From minimization and editing; each begins afresh where the other has changed the clusters:
+  std::unique_ptr<Minimization> minimization;
+  std::unique_ptr<Cluster_editing> editing;
+  std::size_t iterations = 0; // rounds that were allowed
+
+  Coarsening_report report;
+
+  Cancellation_point cancellation() const { return Cancellation_point(visitor); }
+  // The faces of the mesh, without the components that were left out.
+  const Clustering_input& base_input() const { return input.cells ? input.cells->base() : input; }
+  // What the labels are of: the input, or pieces of its faces.
+  const Clustering_input& working_input() const { return initial ? initial->input() : input; }
+  std::size_t number_of_clusters() const { return report.clusters; }
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_CLUSTERING_STATE_H

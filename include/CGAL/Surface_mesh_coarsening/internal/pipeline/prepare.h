@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_PREPARE_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_PREPARE_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/features/read_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_state.h>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The first stage: checks the mesh, copies it to arrays, and computes or reads densities and features (section 5.2).
+template <class FaceGraph, class NamedParameters>
+void prepare(const FaceGraph& mesh, const NamedParameters& np, Execution execution, Numbering<FaceGraph>& elements,
+             Clustering_state& state)
+{
+  state.visitor = Visitor_handle(get_parameter(np, CGAL::internal_np::visitor));
+  state.execution = execution;
+  state.visitor.stage_begins(Coarsening_stage::PREPARATION);
+  const Cancellation_point cancellation = state.cancellation();
+  elements = numbering(mesh, np, cancellation);
+  state.input = clustering_input(mesh, np, elements, state.frame, cancellation, execution);
+  state.subdivides_input = choose_parameter(get_parameter(np, internal_np::subdivide_input_p), false);
+  state.repairs_output = choose_parameter(get_parameter(np, internal_np::repair_output_p), true);
+  state.dropped_components = drop_small_components(np, state.frame, state.input, cancellation);
+  read_features(mesh, np, elements, state.input, state.frame, state.patches, cancellation);
+  state.visitor.stage_ends(Coarsening_stage::PREPARATION);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_PREPARE_H

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_STAGES_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_STAGES_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/features/Labelled_pieces.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_state.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+// The pipeline: prepare -> seed -> grow -> minimize -> place (with repair) -> emit, one function a stage over one state. The
+// first and the last stage know the types of the meshes: `prepare()` and `Face_graph_filler`. All entry points call these.
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Finds seeds (section 6). Earlier clusters are gone.
+void seed(Clustering_state& state, const Seeding& seeding);
+
+// Grows the clusters from the seeds to the number wanted (section 8.1) and starts the minimization.
+void grow(Clustering_state& state);
+
+// Takes clusters from elsewhere; throws if they are not valid.
+void set_clusters(Clustering_state& state, std::unique_ptr<Cluster_labels> labels, std::size_t number);
+
+// One round of the minimization (sections 5.1 and 8.2). Returns whether anything changed.
+bool minimize_round(Clustering_state& state);
+
+// Rounds until one changes nothing, `iterations` at the most.
+void minimize(Clustering_state& state, std::size_t iterations);
+
+// The energy (8).
+double energy(const Clustering_state& state);
+
+// The labels; throws if there are none.
+const Cluster_labels& labels(const Clustering_state& state);
+
+// The cluster of a face of the caller's mesh.
+std::size_t cluster_of_face(const Clustering_state& state, Index face);
+
+// The clusters of the faces of `state.base_input()`.
+std::vector<Index> clusters_of_base_faces(const Clustering_state& state);
+
+// Steering: the changes of one cluster between rounds. The functions throw if there is no such cluster.
+void freeze_cluster(Clustering_state& state, std::size_t cluster, bool is_frozen);
+bool is_frozen(const Clustering_state& state, std::size_t cluster);
+bool split_cluster(Clustering_state& state, std::size_t cluster);
+bool remove_cluster(Clustering_state& state, std::size_t cluster);
+
+// The dual of the clusters in place (section 8.3).
+struct Placed_dual
+{
+  std::unique_ptr<const Labelled_pieces> pieces;
+  std::vector<Triangle> triangles;
+  std::vector<Vector> positions;
+  Repair_counts counts;
+  std::size_t clusterings = 1;
+
+  std::size_t number_left() const { return counts.intersections_left.size(); }
+};
+
+// Places the vertices and repairs the placement.
+Placed_dual place(const Clustering_state& state, const Placement_model& placement, const Output_coordinates& output_coordinates);
+
+// The same, and reclusters where triangles are left intersecting.
+Placed_dual place_embedded(Clustering_state& state, const Placement_model& placement,
+                           const Output_coordinates& output_coordinates);
+
+// Notes the outcome in the report.
+void report_placement(Clustering_state& state, const Placed_dual& dual);
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages_impl.h>
+#endif
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_STAGES_H

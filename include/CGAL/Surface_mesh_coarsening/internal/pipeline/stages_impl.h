@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_STAGES_IMPL_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_STAGES_IMPL_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+inline void forget_clusters(Clustering_state& state)
+{
+  state.seeding = Seeding();
+  state.editing.reset();
+  state.minimization.reset();
+  state.labels.reset();
+  state.initial.reset();
+}
+
+// A step that fails, or is cancelled, leaves no clusters: the next step has to seed or to take labels.
+template <class Step>
+void all_or_nothing(Clustering_state& state, const Step& step)
+{
+  try {
+    step();
+  } catch (...) {
+    forget_clusters(state);
+    throw;
+  }
+}
+
+inline void reset_report(Clustering_state& state)
+{
+  state.report = Coarsening_report();
+  state.report.dropped_components = state.dropped_components;
+  if (state.input.cells) {
+    state.report.feature_lines = state.input.cells->graph().lines().size();
+    state.report.feature_corners = state.input.cells->graph().number_of_corners();
+  }
+}
+
+inline void begin_minimization(Clustering_state& state)
+{
+  labels(state);
+  if (state.minimization)
+    return;
+  state.minimization = state.energy->minimization(state.working_input(), *state.labels, state.number_of_clusters(),
+                                                  state.cancellation(), state.execution);
+  state.report.initial_energy = state.report.final_energy = state.minimization->energy();
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE void seed(Clustering_state& state, const Seeding& seeding)
+{
+  state.visitor.stage_begins(Coarsening_stage::SEEDING);
+  forget_clusters(state);
+  reset_report(state);
+  state.seeding = seeding;
+  state.iterations = 0;
+  state.initial = std::make_unique<Initial_clustering>(state.input, state.report, state.cancellation(), state.execution);
+  all_or_nothing(state, [&] {
+    if (seeding.kind == Seeding::AT_LEVEL) {
+      state.initial->seed_from_level(Index((std::min)(seeding.value, std::size_t(NONE / 4))));
+      return;
+    }
+    if (state.subdivides_input)
+      state.initial->subdivide(faces_per_cluster * seeding.value);
+    state.initial->seed(seeding.value);
+  });
+  state.visitor.stage_ends(Coarsening_stage::SEEDING);
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE void grow(Clustering_state& state)
+{
+  if (!state.initial)
+    throw std::logic_error("grow() was called before seed()");
+  state.visitor.stage_begins(Coarsening_stage::GROWTH);
+  state.editing.reset();
+  state.minimization.reset();
+  state.labels.reset();
+  all_or_nothing(state, [&] {
+    state.labels = std::make_unique<Cluster_labels>(state.initial->grow());
+    begin_minimization(state);
+  });
+  state.visitor.stage_ends(Coarsening_stage::GROWTH);
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE void set_clusters(Clustering_state& state, std::unique_ptr<Cluster_labels> labels,
+                                                      std::size_t number)
+{
+  forget_clusters(state);
+  const std::string fault =
+    Clustering_check(*labels, number).fault([](std::size_t x) { return "cluster " + std::to_string(x); });
+  if (!fault.empty())
+    throw Invalid_input(fault);
+  labels->recount();
+  reset_report(state);
+  state.report.clusters = number;
+  state.labels = std::move(labels);
+  all_or_nothing(state, [&] { begin_minimization(state); });
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE bool minimize_round(Clustering_state& state)
+{
+  state.editing.reset();
+  begin_minimization(state);
+  Coarsening_report& report = state.report;
+  const std::size_t tests_before = state.minimization->tests();
+  const std::size_t moves = state.minimization->round();
+  state.iterations = (std::max)(state.iterations, ++report.rounds);
+  report.moves += moves;
+  report.tests += state.minimization->tests() - tests_before;
+  report.final_energy = state.minimization->energy();
+  report.converged = moves == 0;
+  state.visitor.round_done(report.rounds, moves, report.final_energy);
+  return moves != 0;
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE void minimize(Clustering_state& state, std::size_t iterations)
+{
+  begin_minimization(state);
+  state.iterations = iterations;
+  state.visitor.stage_begins(Coarsening_stage::MINIMIZATION);
+  for (std::size_t i = 0; i < iterations && minimize_round(state); ++i)
+    ;
+  state.visitor.stage_ends(Coarsening_stage::MINIMIZATION);
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE double energy(const Clustering_state& state)
+{
+  const Cluster_labels& current = labels(state);
+  return state.minimization ? state.minimization->energy()
+                            : state.energy->energy(state.working_input(), current, state.number_of_clusters());
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE const Cluster_labels& labels(const Clustering_state& state)
+{
+  if (!state.labels)
+    throw std::logic_error("there are no clusters before grow() or set_clusters()");
+  return *state.labels;
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE std::size_t cluster_of_face(const Clustering_state& state, Index face)
+{
+  return cluster_of_face(state.working_input(), labels(state), state.number_of_clusters(), face);
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> clusters_of_base_faces(const Clustering_state& state)
+{
+  const Clustering_input& base = state.base_input();
+  std::vector<Index> clusters;
+  clusters.reserve(base.mesh.number_of_faces());
+  for (std::size_t f = 0; f < base.mesh.number_of_faces(); ++f)
+    clusters.push_back(Index(cluster_of_face(state, base.parent_of(Index(f)))));
+  return clusters;
+}
+
+inline void check_cluster(const Clustering_state& state, std::size_t cluster)
+{
+  labels(state);
+  if (cluster >= state.number_of_clusters())
+    throw Invalid_input("there is no cluster " + std::to_string(cluster) + " of " +
+                        std::to_string(state.number_of_clusters()));
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE void freeze_cluster(Clustering_state& state, std::size_t cluster, bool is_frozen)
+{
+  check_cluster(state, cluster);
+  state.seeding = Seeding(); // to recluster would not keep it
+  state.labels->freeze(Index(cluster), is_frozen);
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE bool is_frozen(const Clustering_state& state, std::size_t cluster)
+{
+  check_cluster(state, cluster);
+  return state.labels->is_frozen(Index(cluster));
+}
+
+inline bool edit_cluster(Clustering_state& state, std::size_t cluster, bool (Cluster_editing::*change)(Index))
+{
+  if (is_frozen(state, cluster))
+    return false;
+  if (state.working_input().cells)
+    throw Invalid_input("clusters cannot be edited, nor merged to levels, where features are kept");
+  state.seeding = Seeding(); // to recluster would not repeat the change
+  if (!state.editing)
+    state.editing = std::make_unique<Cluster_editing>(state.working_input(), *state.labels, Index(state.number_of_clusters()));
+  bool is_possible = false;
+  all_or_nothing(state, [&] { is_possible = ((*state.editing).*change)(Index(cluster)); });
+  if (is_possible) {
+    state.minimization.reset();
+    state.report.clusters = state.editing->number_of_clusters();
+    state.report.converged = false;
+  }
+  return is_possible;
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE bool split_cluster(Clustering_state& state, std::size_t cluster)
+{
+  return edit_cluster(state, cluster, &Cluster_editing::split);
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE bool remove_cluster(Clustering_state& state, std::size_t cluster)
+{
+  return edit_cluster(state, cluster, &Cluster_editing::remove);
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place(const Clustering_state& state, const Placement_model& placement,
+                                                      const Output_coordinates& output_coordinates)
+{
+  const Cluster_labels& current = labels(state);
+  state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
+  const Cancellation_point cancellation = state.cancellation();
+  Placed_dual dual;
+  dual.pieces = std::make_unique<Labelled_pieces>(state.working_input(), current, state.number_of_clusters());
+  const Clustered_surface surface(dual.pieces->input(), dual.pieces->labels(), state.number_of_clusters(), state.execution,
+                                  dual.pieces->features(), cancellation);
+  dual.triangles = dual_triangles(current, cancellation, state.execution);
+  dual.positions = place_vertices(surface, placement, state.repairs_output, output_coordinates, dual.triangles, dual.counts,
+                                  cancellation);
+  state.visitor.throw_if_cancelled();
+  state.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
+  return dual;
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE void report_placement(Clustering_state& state, const Placed_dual& dual)
+{
+  state.report.intersections_found = dual.counts.intersections_found;
+  state.report.intersections_left = dual.number_left();
+  state.report.reversals_found = dual.counts.reversals_found;
+  state.report.reversals_left = dual.counts.reversals_left;
+  state.report.clusterings = dual.clusterings;
+}
+
+// Seeds, grows and minimizes as before, with other densities.
+inline void recluster(Clustering_state& state, const std::vector<double>& densities)
+{
+  const Seeding seeding = state.seeding;
+  const std::size_t iterations = state.iterations;
+  forget_clusters(state);
+  if (state.input.cells) {
+    Clustering_input base = state.input.cells->base();
+    base.density = densities;
+    state.input = Feature_cells::run(base, state.input.cells->edges(), state.cancellation());
+  } else {
+    state.input.density = densities;
+  }
+  seed(state, seeding);
+  grow(state);
+  minimize(state, iterations);
+}
+
+// Whether other densities can be expected to help.
+inline bool is_worth_reclustering(const Clustering_state& state, const Placed_dual& dual)
+{
+  return dual.number_left() > 0 && 2 * dual.number_left() <= state.number_of_clusters() &&
+         state.seeding.kind != Seeding::NONE && state.energy->depends_on_densities();
+}
+
+// Raises the densities of the faces whose clusters have vertices of intersecting triangles.
+inline void raise_at_intersections(std::vector<double>& densities, const Clustering_state& state, const Placed_dual& dual)
+{
+  std::vector<char> is_at_fault(state.number_of_clusters(), false);
+  for (const Triangle_pair& pair : dual.counts.intersections_left)
+    for (const Index t : {pair.first, pair.second})
+      for (const Index x : dual.triangles[t])
+        is_at_fault[x] = true;
+  const Clustering_input &pieces = dual.pieces->input(), &base = state.base_input();
+  std::vector<char> is_raised;
+  const auto raise = [&](Index parent) {
+    is_raised.resize((std::max)(is_raised.size(), std::size_t(parent) + 1), false);
+    is_raised[parent] = true;
+  };
+  for (std::size_t p = 0; p < pieces.mesh.number_of_faces(); ++p)
+    if (is_at_fault[dual.pieces->labels()[Index(p)]])
+      raise(pieces.parent_of(Index(p)));
+  for (std::size_t f = 0; f < densities.size(); ++f)
+    if (base.parent_of(Index(f)) < is_raised.size() && is_raised[base.parent_of(Index(f))])
+      densities[f] = (std::min)(4 * densities[f], largest_density);
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state& state, const Placement_model& placement,
+                                                               const Output_coordinates& output_coordinates)
+{
+  constexpr std::size_t max_repetitions = 4;
+  Placed_dual dual = place(state, placement, output_coordinates);
+  if (!is_worth_reclustering(state, dual))
+    return dual;
+  std::size_t clusterings = 1, fewest = dual.number_left();
+  std::vector<double> densities = state.base_input().density, best_densities = densities;
+  const auto repeat = [&](const std::vector<double>& with) {
+    recluster(state, with);
+    dual = place(state, placement, output_coordinates);
+    ++clusterings;
+  };
+  while (clusterings <= max_repetitions && is_worth_reclustering(state, dual)) {
+    raise_at_intersections(densities, state, dual);
+    repeat(densities);
+    if (dual.number_left() <= fewest) {
+      fewest = dual.number_left();
+      best_densities = densities;
+    }
+  }
+  if (dual.number_left() > fewest)
+    repeat(best_densities);
+  dual.clusterings = clusterings;
+  return dual;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_STAGES_IMPL_H

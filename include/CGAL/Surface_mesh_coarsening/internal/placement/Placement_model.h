@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLACEMENT_MODEL_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLACEMENT_MODEL_H
+
+#include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
+#include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// A placement without its type: the stages of the pipeline are compiled once for all placements. It refers to the placement
+// that it was made of.
+struct Placement_model
+{
+  // One of the two: a position for each cluster, or all positions together, which may flip edges of the triangles.
+  std::function<Vector(const Clustered_surface&, std::size_t)> local;
+  std::function<void(const Clustered_surface&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&)> global;
+  bool may_run_in_parallel = false;
+  bool is_at_input_vertices = false;
+};
+
+template <class Placement>
+constexpr bool is_local_placement =
+  std::is_invocable_r<Vector, const Placement&, const Clustered_surface&, std::size_t>::value;
+
+// The optional members of the concept `VertexPlacement`.
+template <class Placement, class = void>
+constexpr bool may_run_in_parallel = false;
+template <class Placement>
+constexpr bool may_run_in_parallel<Placement, std::void_t<decltype(Placement::may_run_in_parallel)> > =
+  Placement::may_run_in_parallel;
+template <class Placement, class = void>
+constexpr bool is_at_input_vertices = false;
+template <class Placement>
+constexpr bool is_at_input_vertices<Placement, std::void_t<decltype(Placement::is_at_input_vertices)> > =
+  Placement::is_at_input_vertices;
+
+template <class Placement>
+Placement_model placement_model(const Placement& placement)
+{
+  Placement_model model;
+  if constexpr (is_local_placement<Placement>)
+    model.local = [&placement](const Clustered_surface& surface, std::size_t cluster) -> Vector {
+      return placement(surface, cluster);
+    };
+  else
+    model.global = [&placement](const Clustered_surface& surface, const Border_arcs& border, std::vector<Triangle>& triangles,
+                                std::vector<Vector>& positions) { placement(surface, border, triangles, positions); };
+  model.may_run_in_parallel = may_run_in_parallel<Placement>;
+  model.is_at_input_vertices = is_at_input_vertices<Placement>;
+  return model;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLACEMENT_MODEL_H
