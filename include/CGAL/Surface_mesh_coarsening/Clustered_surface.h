@@ -43,7 +43,7 @@ public:
                     internal::Execution execution = internal::Execution::SEQUENTIAL,
                     const internal::Coarse_features* features = nullptr,
                     const internal::Cancellation_point& cancellation = internal::Cancellation_point())
-    : input_(input), labels_(labels), execution_(execution), features_(features),
+    : input_(input), labels_(labels), execution_(execution), features_(features), cancellation_(cancellation),
       faces_(internal::numbers_below(std::uint32_t(input.mesh.number_of_faces())), clusters,
              [&](std::uint32_t f) { return labels[f]; }, cancellation),
       bounds_(clusters)
@@ -57,6 +57,7 @@ public:
   const internal::Cluster_labels& labels() const { return labels_; }
   internal::Execution execution() const { return execution_; }
   const internal::Coarse_features* features() const { return features_; }
+  const internal::Cancellation_point& cancellation() const { return cancellation_; }
   /// \endcond
 
   /// returns the number of clusters.
@@ -129,6 +130,7 @@ private:
   const internal::Cluster_labels& labels_;
   const internal::Execution execution_;
   const internal::Coarse_features* features_; // null without features
+  const internal::Cancellation_point cancellation_;
   internal::Bucketed_items<std::uint32_t> faces_; // of each cluster
   std::vector<Bbox_3> bounds_;                     // of the vertex of each cluster
 };

@@ -56,12 +56,14 @@ public:
   {
     using namespace internal;
     const Start start;
-    for (std::size_t x = 0; x < positions.size(); ++x)
+    for (std::size_t x = 0; x < positions.size(); ++x) {
+      surface.cancellation().poll(surface.faces(x).size());
       if (!border.is_on_border(x))
         positions[x] = start(surface, x);
+    }
     Flippable_triangulation coarse(triangles, positions.size(), surface.features());
     Surface_fit fit(surface, border, coarse, positions);
-    Edge_flips flips(coarse, positions, fit);
+    Edge_flips flips(coarse, positions, fit.samples(), surface.cancellation());
     for (std::size_t i = 0; i < rounds_; ++i) {
       fit.find_feet();
       flips.run((mean_angle_ + reserve) / degrees_per_radian, min_angle / degrees_per_radian);

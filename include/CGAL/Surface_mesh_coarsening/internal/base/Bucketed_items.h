@@ -57,6 +57,9 @@ public:
     return {items_.data() + first_[group], items_.data() + first_[group + 1]};
   }
 
+  // The items of all groups, group after group.
+  const std::vector<Item>& items() const { return items_; }
+
   // Brings each group into an order of its own.
   template <class Less>
   void sort_groups(const Less& less)

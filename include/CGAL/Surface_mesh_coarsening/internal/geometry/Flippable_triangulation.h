@@ -4,10 +4,13 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_FLIPPABLE_TRIANGULATION_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -62,6 +65,11 @@ inline Vector normal_of(const std::vector<Vector>& positions, const Triangle& t)
   return cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
 }
 
+inline Vector point_in(const std::vector<Vector>& positions, const Triangle& t, const Vector& barycentric)
+{
+  return barycentric[0] * positions[t[0]] + barycentric[1] * positions[t[1]] + barycentric[2] * positions[t[2]];
+}
+
 // The cosine of the smallest angle of a triangle; 1 where two corners coincide.
 inline double sharpest_of(const std::vector<Vector>& positions, const Triangle& t)
 {
@@ -81,27 +89,24 @@ class Flippable_triangulation
 {
 public:
   Flippable_triangulation(const std::vector<Triangle>& triangles, std::size_t vertices, const Coarse_features* features = nullptr)
-    : triangles_(triangles), around_(vertices), features_(features)
+    : triangles_(triangles), neighbors_(triangles.size(), {NONE, NONE, NONE}), around_(vertices), features_(features)
   {
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       for (const Index v : triangles_[t])
         around_[v].push_back(Index(t));
+    pair_sides();
   }
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<Index>& around(Index vertex) const { return around_[vertex]; }
 
-  // The triangle on the other side of the edge from corner `i` to the next of triangle `t`; NONE on the border and on
-  // features.
+  // The triangle on the other side of the edge from corner `i` to the next of triangle `t`; NONE on the border.
+  Index neighbor(Index t, int i) const { return neighbors_[t][i]; }
+
+  // The same; NONE on features, too.
   Index across(Index t, int i) const
   {
-    const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3];
-    if (features_ && features_->is_edge(a, b))
-      return NONE;
-    for (const Index u : around_[a])
-      if (u != t && corner(u, b) >= 0)
-        return u;
-    return NONE;
+    return features_ && features_->is_edge(triangles_[t][i], triangles_[t][(i + 1) % 3]) ? NONE : neighbors_[t][i];
   }
 
   int corner(Index t, Index vertex) const
@@ -114,6 +119,8 @@ public:
 
   bool is_edge(Index a, Index b) const
   {
+    if (around_[a].size() > around_[b].size())
+      std::swap(a, b);
     for (const Index t : around_[a])
       if (corner(t, b) >= 0)
         return true;
@@ -137,10 +144,9 @@ public:
     const Index d = opposite(u, corner(u, b));
     take_away(a, u);
     take_away(b, t);
-    triangles_[t] = {c, a, d};
-    triangles_[u] = {c, d, b};
     around_[c].push_back(u);
     around_[d].push_back(t);
+    replace(t, {c, a, d}, u, {c, d, b});
   }
 
   // Gives two triangles the corners back that they had before they were flipped.
@@ -149,8 +155,7 @@ public:
     for (const Index x : {t, u})
       for (const Index v : triangles_[x])
         take_away(v, x);
-    triangles_[t] = old_t;
-    triangles_[u] = old_u;
+    replace(t, old_t, u, old_u);
     for (const Index x : {t, u})
       for (const Index v : triangles_[x])
         around_[v].push_back(x);
@@ -166,6 +171,71 @@ public:
   }
 
 private:
+  struct Side
+  {
+    Index low, high; // the vertices at its ends
+    Index triangle;
+    int corner;
+  };
+
+  Side side(Index t, int i) const
+  {
+    const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3];
+    return {(std::min)(a, b), (std::max)(a, b), t, i};
+  }
+
+  void pair_sides()
+  {
+    std::vector<Side> sides;
+    sides.reserve(3 * triangles_.size());
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      for (int i = 0; i < 3; ++i)
+        sides.push_back(side(Index(t), i));
+    const Bucketed_items<Side> from(sides, around_.size(), [](const Side& s) { return s.low; });
+    sides = std::vector<Side>();
+    const Bucketed_items<Side> paired(from.items(), around_.size(), [](const Side& s) { return s.high; });
+    for (std::size_t k = 1; k < paired.items().size(); ++k) {
+      const Side &s = paired.items()[k - 1], &r = paired.items()[k];
+      if (s.low != r.low || s.high != r.high)
+        continue;
+      neighbors_[s.triangle][s.corner] = r.triangle;
+      neighbors_[r.triangle][r.corner] = s.triangle;
+    }
+  }
+
+  // Replaces two neighbors by two others that have the same four sides outwards.
+  void replace(Index t, const Triangle& new_t, Index u, const Triangle& new_u)
+  {
+    struct Outward
+    {
+      Side side;
+      Index neighbor;
+    };
+    std::array<Outward, 6> outward;
+    for (int i = 0; i < 3; ++i) {
+      outward[i] = {side(t, i), neighbors_[t][i]};
+      outward[3 + i] = {side(u, i), neighbors_[u][i]};
+    }
+    triangles_[t] = new_t;
+    triangles_[u] = new_u;
+    for (const Index x : {t, u})
+      for (int i = 0; i < 3; ++i) {
+        const Side s = side(x, i);
+        neighbors_[x][i] = x == t ? u : t;
+        for (const Outward& o : outward) {
+          if (o.side.low != s.low || o.side.high != s.high || o.neighbor == t || o.neighbor == u)
+            continue;
+          neighbors_[x][i] = o.neighbor;
+          if (o.neighbor != NONE)
+            for (int j = 0; j < 3; ++j) {
+              const Side r = side(o.neighbor, j);
+              if (r.low == s.low && r.high == s.high)
+                neighbors_[o.neighbor][j] = x;
+            }
+        }
+      }
+  }
+
   void take_away(Index vertex, Index gone)
   {
     std::vector<Index>& list = around_[vertex];
@@ -173,6 +243,7 @@ private:
   }
 
   std::vector<Triangle> triangles_;
+  std::vector<std::array<Index, 3> > neighbors_; // across the edge that begins at each corner
   std::vector<std::vector<Index> > around_;
   const Coarse_features* features_;
 };

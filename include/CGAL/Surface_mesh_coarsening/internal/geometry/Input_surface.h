@@ -7,7 +7,9 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -34,73 +36,125 @@ public:
 
   explicit Input_surface(const Flat_mesh& mesh) : mesh_(mesh) {}
 
-  // Points spread evenly, whatever the sizes of the faces: at equal steps of the cumulated area, in the triangles at the
-  // points of the additive recurrence of the plastic number. Each stands for an equal part of `area`, which is that of all
-  // the fans.
-  std::vector<Input_point> samples(std::size_t number, double& area) const
+  // The area of all the fans.
+  double area(const Cancellation_point& cancellation) const
   {
-    std::vector<Input_point> points;
-    area = 0;
-    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f)
-      for_each_triangle(Index(f), [&](const Vector& a, const Vector& b, const Vector& c) { area += size(a, b, c); });
+    double sum = 0;
+    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
+      cancellation.poll(mesh_.degree(Index(f)));
+      for_each_triangle(Index(f), [&](const Vector& a, const Vector& b, const Vector& c) { sum += size(a, b, c); });
+    }
+    return sum;
+  }
+
+  // Calls `visit(point)` for points spread evenly, whatever the sizes of the faces: at equal steps of the cumulated area, in the
+  // triangles at the points of the additive recurrence of the plastic number. Each stands for an equal part of `area`, which
+  // is that of all the fans.
+  template <class Visit>
+  void for_each_sample(std::size_t number, double area, const Cancellation_point& cancellation, const Visit& visit) const
+  {
     if (!(area > 0))
-      return points;
-    points.reserve(number);
+      return;
     const double plastic = 1.32471795724474602596;
     double cumulated = 0;
-    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f)
+    std::size_t visited = 0;
+    for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
+      cancellation.poll(mesh_.degree(Index(f)));
       for_each_triangle(Index(f), [&](const Vector& a, const Vector& b, const Vector& c) {
         cumulated += size(a, b, c);
-        while (points.size() < number && (double(points.size()) + 0.5) * area < cumulated * double(number)) {
-          double u = double(points.size() + 1) / plastic, v = double(points.size() + 1) / (plastic * plastic);
+        for (; visited < number && (double(visited) + 0.5) * area < cumulated * double(number); ++visited) {
+          double u = double(visited + 1) / plastic, v = double(visited + 1) / (plastic * plastic);
           u -= std::floor(u);
           v -= std::floor(v);
           if (u + v > 1) {
             u = 1 - u;
             v = 1 - v;
           }
-          points.push_back({a + u * (b - a) + v * (c - a), Index(f)});
+          visit(Input_point{a + u * (b - a) + v * (c - a), Index(f)});
         }
       });
-    return points;
+    }
   }
 
   // The closest point of one face to `p`.
   Closest closest_on_face(const Vector& p, Index f) const
   {
-    Closest closest{{p, f}, -1};
-    improve(p, f, closest);
-    return closest;
+    Candidate candidate;
+    improve(p, f, candidate);
+    return closest(candidate);
   }
 
-  // The closest point to `p` that is found from a face of the surface by going to the closest of the faces around, time
-  // and again, but for so many steps at most.
+  // The closest point to `p` that is found from a face of the surface by going downhill for so many steps at most: to the faces
+  // that share an edge or a vertex with the closest one so far, as far as these are not farther away from its closest point
+  // than twice the distance.
   Closest closest_from(const Vector& p, Index f, int steps) const
   {
-    Closest closest = closest_on_face(p, f);
+    Candidate candidate;
+    improve(p, f, candidate);
     for (int i = 0; i < steps; ++i) {
-      const Index from = closest.point.face;
-      for (Index c = mesh_.first_corner[from]; c != mesh_.first_corner[from + 1]; ++c) {
-        const Index v = mesh_.corner_vertex[c];
-        for (Index k = mesh_.first_in_star[v]; k != mesh_.first_in_star[v + 1]; ++k)
-          if (mesh_.star[k] != from)
-            improve(p, mesh_.star[k], closest);
-      }
-      if (closest.point.face == from)
+      const Candidate before = candidate;
+      for_each_near(before, [&](Index g) { improve(p, g, candidate); });
+      if (candidate.face == before.face)
         break;
     }
-    return closest;
+    return closest(candidate);
   }
 
 private:
+  // Around a vertex, so many faces each way from one are visited at most.
+  static constexpr int max_each_way = 12;
+  // Fans of more triangles are not looked through one by one.
+  static constexpr Index max_in_fan = 16;
+
+  // A closest point in a triangle of a fan: that which ends at corner `last`, counted from the apex.
+  struct Candidate
+  {
+    Index face = NONE, last = 0;
+    Foot_point foot{{{1, 0, 0}}, (std::numeric_limits<double>::infinity)()};
+  };
+
+  // The corners of a face from that of the smallest vertex.
+  struct Fan
+  {
+    const Flat_mesh& mesh;
+    Index begin, degree, first;
+
+    Index corner(Index i) const { return begin + (first + i < degree ? first + i : first + i - degree); }
+    const Vector& point(Index i) const { return mesh.points[mesh.corner_vertex[corner(i)]]; }
+  };
+
+  Fan fan(Index f) const
+  {
+    const Index begin = mesh_.first_corner[f], degree = mesh_.degree(f);
+    const auto corners = mesh_.corner_vertex.begin() + begin;
+    return {mesh_, begin, degree, Index(std::min_element(corners, corners + degree) - corners)};
+  }
+
+  // Calls `visit(g)` for the faces around the vertex at corner `c` of face `f`, from this one both ways.
+  template <class Visit>
+  void for_each_around(Index f, Index c, const Visit& visit) const
+  {
+    const Index v = mesh_.corner_vertex[c];
+    Index g = mesh_.face_across[mesh_.previous_corner(f, c)];
+    for (int i = 0; i < max_each_way && g != NONE && g != f; ++i) {
+      visit(g);
+      g = mesh_.face_across[mesh_.previous_corner(g, mesh_.corner_of(g, v))];
+    }
+    if (g == f)
+      return;
+    g = mesh_.face_across[c];
+    for (int i = 0; i < max_each_way && g != NONE; ++i) {
+      visit(g);
+      g = mesh_.face_across[mesh_.corner_of(g, v)];
+    }
+  }
+
   template <class Visit>
   void for_each_triangle(Index f, const Visit& visit) const
   {
-    const auto begin = mesh_.corner_vertex.begin() + mesh_.first_corner[f];
-    const Index degree = mesh_.degree(f), first = Index(std::min_element(begin, begin + degree) - begin);
-    const auto corner = [&](Index i) -> const Vector& { return mesh_.points[begin[(first + i) % degree]]; };
-    for (Index i = 2; i < degree; ++i)
-      visit(corner(0), corner(i - 1), corner(i));
+    const Fan corners = fan(f);
+    for (Index i = 2; i < corners.degree; ++i)
+      visit(corners.point(0), corners.point(i - 1), corners.point(i));
   }
 
   static double size(const Vector& a, const Vector& b, const Vector& c)
@@ -109,15 +163,79 @@ private:
     return 0.5 * std::sqrt(dot(n, n));
   }
 
-  void improve(const Vector& p, Index f, Closest& closest) const
+  Closest closest(const Candidate& c) const
   {
-    for_each_triangle(f, [&](const Vector& a, const Vector& b, const Vector& c) {
-      const Foot_point foot = closest_on_triangle(p, a, b, c);
-      if (closest.squared_distance < 0 || foot.squared_distance < closest.squared_distance) {
-        const Vector& x = foot.barycentric;
-        closest = {{x[0] * a + x[1] * b + x[2] * c, f}, foot.squared_distance};
+    const Fan corners = fan(c.face);
+    const Vector& x = c.foot.barycentric;
+    return {{x[0] * corners.point(0) + x[1] * corners.point(c.last - 1) + x[2] * corners.point(c.last), c.face},
+            c.foot.squared_distance};
+  }
+
+  void improve(const Vector& p, Index f, Candidate& candidate) const
+  {
+    const Fan corners = fan(f);
+    const auto visit = [&](Index i) {
+      const Foot_point foot = closest_on_triangle(p, corners.point(0), corners.point(i - 1), corners.point(i));
+      if (!(foot.squared_distance < candidate.foot.squared_distance))
+        return false;
+      candidate = {f, i, foot};
+      return true;
+    };
+    if (corners.degree <= max_in_fan) {
+      for (Index i = 2; i < corners.degree; ++i)
+        visit(i);
+    } else {
+      visit_downhill(corners.degree, visit);
+    }
+  }
+
+  // Calls `visit(g)` for the faces beyond the side of a triangle that a closest point is near, or around the corner if it is
+  // near two sides.
+  template <class Visit>
+  void for_each_near(const Candidate& c, const Visit& visit) const
+  {
+    const Fan corners = fan(c.face);
+    const Index at[3] = {0, c.last - 1, c.last};
+    std::array<bool, 3> is_near; // the side opposite to a corner
+    const Vector n = cross(corners.point(at[1]) - corners.point(0), corners.point(at[2]) - corners.point(0));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector side = corners.point(at[(k + 1) % 3]) - corners.point(at[(k + 2) % 3]);
+      const double b = c.foot.barycentric[k];
+      is_near[k] = b * b * dot(n, n) <= 4 * c.foot.squared_distance * dot(side, side);
+    }
+    bool at_corner = false;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (is_near[(k + 1) % 3] && is_near[(k + 2) % 3]) {
+        at_corner = true;
+        for_each_around(c.face, corners.corner(at[k]), visit);
       }
-    });
+    if (at_corner)
+      return;
+    const bool is_edge[3] = {true, c.last + 1 == corners.degree, c.last == 2};
+    for (std::size_t k = 0; k < 3; ++k)
+      if (is_near[k] && is_edge[k]) {
+        const Index g = mesh_.face_across[corners.corner(at[(k + 1) % 3])];
+        if (g != NONE)
+          visit(g);
+      }
+  }
+
+  // Visits some triangles of a large fan, and from the best of them those beside it as long as they are better.
+  template <class Visit>
+  static void visit_downhill(Index degree, const Visit& visit)
+  {
+    const Index step = Index(std::sqrt(double(degree)));
+    Index best = NONE;
+    for (Index i = 2; i < degree; i += step)
+      if (visit(i))
+        best = i;
+    if (best == NONE)
+      return;
+    Index up = best, down = best;
+    while (up + 1 < degree && visit(up + 1))
+      ++up;
+    while (down > 2 && visit(down - 1))
+      --down;
   }
 
   const Flat_mesh& mesh_;

@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EDGE_FLIPS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EDGE_FLIPS_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Surface_fit.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,9 @@ namespace internal {
 class Edge_flips
 {
 public:
-  Edge_flips(Flippable_triangulation& coarse, const std::vector<Vector>& positions, Surface_fit& fit)
-    : coarse_(coarse), positions_(positions), fit_(fit) {}
+  Edge_flips(Flippable_triangulation& coarse, const std::vector<Vector>& positions, Fit_samples& samples,
+             const Cancellation_point& cancellation)
+    : coarse_(coarse), positions_(positions), samples_(samples), cancellation_(cancellation) {}
 
   // Angles are in radians. No flip makes an angle smaller than `min_angle` if there is none yet among the two triangles.
   void run(double mean_angle, double min_angle)
@@ -32,8 +33,9 @@ public:
     std::vector<Flip> flips;
     double budget = 0, total = 0;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
+      cancellation_.poll(steps_of_flip);
       budget += angle(triangles[t]) - mean_angle;
-      total += fit_.cost(Index(t));
+      total += samples_.cost(Index(t));
       for (int i = 0; i < 3; ++i) {
         const Flip flip = flip_at(Index(t), i);
         if (flip.is_possible)
@@ -79,8 +81,8 @@ private:
       return flip;
     flip.is_possible = true;
     flip.loss = angle(old_t) + angle(old_u) - angle(new_t) - angle(new_u);
-    const double now = fit_.cost(t) + fit_.cost(u);
-    flip.gain = now - fit_.cost_instead(t, u, new_t, new_u, max_growth * now);
+    const double now = samples_.cost(t) + samples_.cost(u);
+    flip.gain = now - samples_.cost_instead(t, u, new_t, new_u, max_growth * now);
     return flip;
   }
 
@@ -118,6 +120,7 @@ private:
     });
     std::vector<bool> is_done(coarse_.triangles().size(), false);
     for (const Flip& old : flips) {
+      cancellation_.poll(steps_of_flip);
       const Index t = old.triangle, u = coarse_.across(t, old.corner);
       if (is_done[t] || u == NONE || is_done[u])
         continue;
@@ -125,17 +128,19 @@ private:
       if (!flip.is_possible || !flip.pays(rate))
         continue;
       coarse_.flip(t, old.corner, u);
-      fit_.redistribute(t, u);
+      samples_.redistribute(t, u);
       is_done[t] = is_done[u] = true;
     }
   }
 
+  static constexpr std::size_t steps_of_flip = 64;
   // Flips that raise the distance by a larger factor are not looked at closely.
   static constexpr double max_growth = 1.2;
 
   Flippable_triangulation& coarse_;
   const std::vector<Vector>& positions_;
-  Surface_fit& fit_;
+  Fit_samples& samples_;
+  const Cancellation_point cancellation_;
   double sharpest_allowed_ = 1;
 };
 

@@ -56,7 +56,7 @@ public:
   void fix(Index v) { is_fixed_[v] = true; }
 
   // The movements; none if numbers get out of hand.
-  std::vector<Vector> solve(std::size_t max_steps, double tolerance) const
+  std::vector<Vector> solve(std::size_t max_steps, double tolerance, const Cancellation_point& cancellation) const
   {
     const std::size_t n = right_.size();
     const std::vector<Block> inverse = inverse_blocks();
@@ -65,6 +65,7 @@ public:
     const double goal = product(r, r) * tolerance * tolerance;
     double rz = 0;
     for (std::size_t step = 0; step < max_steps && product(r, r) > goal; ++step) {
+      cancellation.poll(n);
       for (std::size_t v = 0; v < n; ++v)
         z[v] = inverse[v] * r[v];
       const double now = product(r, z), beta = step == 0 ? 0 : now / rz;

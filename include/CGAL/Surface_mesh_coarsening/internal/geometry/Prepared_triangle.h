@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_PREPARED_TRIANGLE_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_PREPARED_TRIANGLE_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// A triangle prepared for the search of closest points to many points: with the gradients of the barycentric coordinates.
+class Prepared_triangle
+{
+public:
+  Prepared_triangle() {}
+  Prepared_triangle(const Vector& a, const Vector& b, const Vector& c) : corners_{{a, b, c}}
+  {
+    const Vector ab = b - a, ac = c - a, n = cross(ab, ac);
+    const double square = dot(n, n), longest = (std::max)(dot(ab, ab), dot(ac, ac));
+    if (!(square > flat * longest * longest))
+      return;
+    normal_ = (1 / std::sqrt(square)) * n;
+    gradients_[0] = (1 / square) * cross(ac, n);
+    gradients_[1] = (1 / square) * cross(n, ab);
+    const Vector first = gradients_[0] + gradients_[1];
+    heights_ = {{1 / std::sqrt(dot(first, first)), 1 / std::sqrt(dot(gradients_[0], gradients_[0])),
+                 1 / std::sqrt(dot(gradients_[1], gradients_[1]))}};
+    is_flat_ = false;
+  }
+  Prepared_triangle(const std::vector<Vector>& positions, const Triangle& t)
+    : Prepared_triangle(positions[t[0]], positions[t[1]], positions[t[2]]) {}
+
+  // Whether the closest point may be nearer than the square root of `limit`: the triangle is on one side of its plane, and of
+  // the planes through its sides that are orthogonal to it.
+  bool may_be_nearer(const Vector& p, double limit) const
+  {
+    if (is_flat_)
+      return true;
+    const Vector d = p - corners_[0];
+    const double across = dot(normal_, d), v = dot(gradients_[0], d), w = dot(gradients_[1], d);
+    const double beside = (std::max)((std::max)(-v * heights_[1], -w * heights_[2]), (std::max)((v + w - 1) * heights_[0], 0.));
+    return across * across + beside * beside < limit;
+  }
+
+  Foot_point closest(const Vector& p) const
+  {
+    if (is_flat_)
+      return closest_on_triangle(p, corners_[0], corners_[1], corners_[2]);
+    const Vector d = p - corners_[0];
+    const double v = dot(gradients_[0], d), w = dot(gradients_[1], d), u = 1 - v - w;
+    if (u >= 0 && v >= 0 && w >= 0) {
+      const double across = dot(normal_, d);
+      return {{{u, v, w}}, across * across};
+    }
+    // On one of the sides beyond which the point is.
+    Foot_point best{{{1, 0, 0}}, -1};
+    if (u < 0)
+      improve_on_side(p, 1, 2, best);
+    if (v < 0)
+      improve_on_side(p, 2, 0, best);
+    if (w < 0)
+      improve_on_side(p, 0, 1, best);
+    return best;
+  }
+
+private:
+  // The square of the smallest height of a triangle whose longest side has length 1, below which rounding is too large.
+  static constexpr double flat = 1e-20;
+
+  void improve_on_side(const Vector& p, int i, int j, Foot_point& best) const
+  {
+    const double x = closest_on_segment(p, corners_[i], corners_[j]);
+    const Vector d = p - ((1 - x) * corners_[i] + x * corners_[j]);
+    const double square = dot(d, d);
+    if (best.squared_distance >= 0 && !(square < best.squared_distance))
+      return;
+    best.squared_distance = square;
+    best.barycentric = {{0, 0, 0}};
+    best.barycentric[i] = 1 - x;
+    best.barycentric[j] = x;
+  }
+
+  std::array<Vector, 3> corners_;
+  std::array<Vector, 2> gradients_; // of the last two barycentric coordinates
+  Vector normal_;
+  std::array<double, 3> heights_;
+  bool is_flat_ = true;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_PREPARED_TRIANGLE_H

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_SAMPLES_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_SAMPLES_H
+
+#include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Input_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Prepared_triangle.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Samples of the input and of a coarse mesh, each with its closest point, its foot, on the other surface. Feet are searched for
+// downhill from where they were, so they stay on the same side of thin parts, and a search takes no longer at vertices of high
+// valence.
+class Fit_samples
+{
+public:
+  // A point of the input. As large as a line of a cache.
+  struct Sample
+  {
+    Vector position;
+    Index face;
+    Index triangle; // where its foot is; NONE before the first search
+    Foot_point foot;
+  };
+
+  // A point of a coarse triangle.
+  struct Back_sample
+  {
+    Vector barycentric;
+    Input_point foot{{{0, 0, 0}}, NONE};
+    double weight = 0;
+    double squared_distance = 0;
+  };
+  typedef std::array<Back_sample, 6> Back_samples;
+
+  Fit_samples(const Clustered_surface& surface, const Flippable_triangulation& coarse, const std::vector<Vector>& positions)
+    : surface_(surface), input_(surface.input().mesh), coarse_(coarse), positions_(positions),
+      area_(input_.area(surface.cancellation())), prepared_(coarse.triangles().size()), back_(coarse.triangles().size())
+  {
+    const std::size_t number = samples_per_triangle * coarse.triangles().size();
+    samples_.reserve(number);
+    input_.for_each_sample(number, area_, surface.cancellation(), [this](const Input_point& p) {
+      samples_.push_back({p.position, p.face, NONE, {}});
+    });
+    next_on_.assign(samples_.size(), NONE);
+  }
+
+  // The area of the input.
+  double area() const { return area_; }
+  // The part of the area that a sample of the input stands for.
+  double weight() const { return samples_.empty() ? 0 : area_ / double(samples_.size()); }
+
+  void find_feet()
+  {
+    const std::vector<Triangle>& triangles = coarse_.triangles();
+    const Cancellation_point& cancellation = surface_.cancellation();
+    for_each_number(surface_.execution(), triangles.size(), cancellation,
+                    [&](Index t) { prepared_[t] = Prepared_triangle(positions_, triangles[t]); });
+    for_each_chunk(surface_.execution(), samples_.size(), 64, cancellation,
+                   [this](std::size_t, std::size_t begin, std::size_t end) {
+                     for (std::size_t i = begin; i < end; ++i)
+                       find_foot(samples_[i]);
+                   });
+    first_on_.assign(triangles.size(), NONE);
+    for (std::size_t i = samples_.size(); i-- > 0;)
+      link(Index(i));
+    constexpr std::size_t at_a_time = 1024, steps_of_triangle = 16;
+    for (std::size_t first = 0; first < back_.size(); first += at_a_time) {
+      cancellation.poll(steps_of_triangle * at_a_time);
+      for_each_chunk(surface_.execution(), (std::min)(at_a_time, back_.size() - first), 16,
+                     [&](std::size_t, std::size_t begin, std::size_t end) {
+                       for (std::size_t t = first + begin; t < first + end; ++t)
+                         back_[t] = feet_of(triangles[t], starts_around(Index(t)));
+                     });
+    }
+  }
+
+  // Calls `visit(sample)` for the samples of the input whose feet lie on a triangle.
+  template <class Visit>
+  void for_each_on(Index t, const Visit& visit) const
+  {
+    for (Index i = first_on_[t]; i != NONE; i = next_on_[i])
+      visit(samples_[i]);
+  }
+
+  const Back_samples& of_triangle(Index t) const { return back_[t]; }
+
+  // The sum over the samples of the input of their part of the area times the squared distance.
+  double sum_of_squared_distances() const
+  {
+    double sum = 0;
+    for (const Sample& s : samples_)
+      sum += s.foot.squared_distance;
+    return weight() * sum;
+  }
+
+  // What a triangle adds to the sums of both directions.
+  double cost(Index t) const
+  {
+    double sum = 0;
+    for_each_on(t, [&](const Sample& s) { sum += s.foot.squared_distance; });
+    return weight() * sum + cost_of(back_[t]);
+  }
+
+  // What two other triangles in the place of `t` and `u` would add; or more than `limit`, if that can be told early.
+  double cost_instead(Index t, Index u, const Triangle& first, const Triangle& second, double limit) const
+  {
+    const Prepared_triangle to_first(positions_, first), to_second(positions_, second);
+    double sum = 0;
+    for (const Index old : {t, u})
+      for_each_on(old, [&](const Sample& s) {
+        const double one = to_first.closest(s.position).squared_distance;
+        const bool may_be_second = to_second.may_be_nearer(s.position, one);
+        sum += may_be_second ? (std::min)(one, to_second.closest(s.position).squared_distance) : one;
+      });
+    sum *= weight();
+    if (sum > limit)
+      return sum;
+    const Starts starts = starts_between(t, u);
+    sum += cost_of(feet_of(first, starts));
+    return sum > limit ? sum : sum + cost_of(feet_of(second, starts));
+  }
+
+  // Finds the feet on two triangles, and theirs, after these two have changed.
+  void redistribute(Index t, Index u)
+  {
+    const Starts starts = starts_between(t, u);
+    std::vector<Index> samples;
+    for (const Index old : {t, u}) {
+      for (Index i = first_on_[old]; i != NONE; i = next_on_[i])
+        samples.push_back(i);
+      first_on_[old] = NONE;
+      prepared_[old] = Prepared_triangle(positions_, coarse_.triangles()[old]);
+    }
+    for (std::size_t k = samples.size(); k-- > 0;) {
+      Sample& s = samples_[samples[k]];
+      const Foot_point on_t = prepared_[t].closest(s.position), on_u = prepared_[u].closest(s.position);
+      const bool nearer = on_u.squared_distance < on_t.squared_distance;
+      s.foot = nearer ? on_u : on_t;
+      s.triangle = nearer ? u : t;
+      link(samples[k]);
+    }
+    back_[t] = feet_of(coarse_.triangles()[t], starts);
+    back_[u] = feet_of(coarse_.triangles()[u], starts);
+  }
+
+private:
+  static constexpr std::size_t samples_per_triangle = 16;
+  static constexpr int max_steps = 20;              // of a search on the input
+  static constexpr int max_steps_on_triangles = 64; // of a search on the coarse mesh
+  // Of more triangles around a vertex, not all are looked at.
+  static constexpr std::size_t max_around = 16;
+
+  // Points of the input where searches may begin.
+  class Starts
+  {
+  public:
+    void add(const Vector& p, Index face) { points_[number_++] = {&p, face}; }
+
+    Index face_of_nearest(const Vector& p) const
+    {
+      Index face = NONE;
+      double nearest = 0;
+      for (std::size_t i = 0; i < number_; ++i) {
+        const Vector d = *points_[i].position - p;
+        if (face == NONE || dot(d, d) < nearest) {
+          nearest = dot(d, d);
+          face = points_[i].face;
+        }
+      }
+      return face;
+    }
+
+  private:
+    struct Start
+    {
+      const Vector* position;
+      Index face;
+    };
+
+    std::array<Start, 32> points_;
+    std::size_t number_ = 0;
+  };
+
+  void link(Index i)
+  {
+    next_on_[i] = first_on_[samples_[i].triangle];
+    first_on_[samples_[i].triangle] = i;
+  }
+
+  // Begins around the vertex of the cluster, later where the foot was before, and goes on to triangles around the corner
+  // nearest to the foot, and across the side opposite to it.
+  void find_foot(Sample& s) const
+  {
+    if (s.triangle == NONE)
+      s.triangle = triangle_near(s.position, surface_.labels()[s.face]);
+    s.foot = prepared_[s.triangle].closest(s.position);
+    for (int step = 0; step < max_steps_on_triangles; ++step) {
+      const Index from = s.triangle;
+      const Vector& b = s.foot.barycentric;
+      const int nearest = int(std::max_element(b.begin(), b.end()) - b.begin());
+      improve_around(s, from, nearest);
+      improve_foot(s, coarse_.neighbor(from, (nearest + 1) % 3));
+      if (s.triangle == from)
+        break;
+    }
+  }
+
+  // The nearest of the triangles around a vertex, or of some of them, in their order, if there are many.
+  Index triangle_near(const Vector& p, Index vertex) const
+  {
+    const std::vector<Index>& around = coarse_.around(vertex);
+    const std::size_t step = around.size() > max_around ? std::size_t(std::sqrt(double(around.size()))) : 1;
+    Index triangle = NONE;
+    double nearest = 0;
+    for (std::size_t i = 0; i < around.size(); i += step) {
+      const double square = prepared_[around[i]].closest(p).squared_distance;
+      if (triangle == NONE || square < nearest) {
+        nearest = square;
+        triangle = around[i];
+      }
+    }
+    return triangle;
+  }
+
+  void improve_around(Sample& s, Index t, int corner) const
+  {
+    const std::vector<Index>& around = coarse_.around(coarse_.triangles()[t][std::size_t(corner)]);
+    if (around.size() <= max_around) {
+      for (const Index u : around)
+        if (u != t)
+          improve_foot(s, u);
+    } else {
+      improve_foot(s, coarse_.neighbor(t, corner));
+      improve_foot(s, coarse_.neighbor(t, (corner + 2) % 3));
+    }
+  }
+
+  void improve_foot(Sample& s, Index t) const
+  {
+    if (t == NONE || !prepared_[t].may_be_nearer(s.position, s.foot.squared_distance))
+      return;
+    const Foot_point foot = prepared_[t].closest(s.position);
+    if (foot.squared_distance < s.foot.squared_distance) {
+      s.foot = foot;
+      s.triangle = t;
+    }
+  }
+
+  // The last feet of the triangle, and some of the samples on it and on its neighbors.
+  Starts starts_around(Index t) const
+  {
+    Starts starts;
+    add_feet(t, starts);
+    add_samples(t, 8, starts);
+    for (int i = 0; i < 3; ++i)
+      if (coarse_.across(t, i) != NONE)
+        add_samples(coarse_.across(t, i), 4, starts);
+    return starts;
+  }
+
+  Starts starts_between(Index t, Index u) const
+  {
+    Starts starts;
+    for (const Index old : {t, u}) {
+      add_feet(old, starts);
+      add_samples(old, 8, starts);
+    }
+    return starts;
+  }
+
+  void add_feet(Index t, Starts& starts) const
+  {
+    for (const Back_sample& s : back_[t])
+      if (s.foot.face != NONE)
+        starts.add(s.foot.position, s.foot.face);
+  }
+
+  void add_samples(Index t, std::size_t max_samples, Starts& starts) const
+  {
+    for (Index i = first_on_[t]; i != NONE && max_samples > 0; i = next_on_[i], --max_samples)
+      starts.add(samples_[i].position, samples_[i].face);
+  }
+
+  // The points of the quadrature of degree 4 on a triangle.
+  Back_samples feet_of(const Triangle& t, const Starts& starts) const
+  {
+    constexpr double near[2] = {0.445948490915965, 0.091576213509771}, part[2] = {0.223381589678011, 0.109951743655322};
+    const Vector n = normal_of(positions_, t);
+    const double area = 0.5 * std::sqrt(dot(n, n));
+    Back_samples back;
+    for (std::size_t i = 0; i < 6; ++i) {
+      Back_sample& s = back[i];
+      s.barycentric = {{near[i / 3], near[i / 3], near[i / 3]}};
+      s.barycentric[i % 3] = 1 - 2 * near[i / 3];
+      const Vector p = point_in(positions_, t, s.barycentric);
+      const Index start = starts.face_of_nearest(p);
+      if (start == NONE)
+        continue;
+      const Input_surface::Closest closest = input_.closest_from(p, start, max_steps);
+      s.foot = closest.point;
+      s.squared_distance = closest.squared_distance;
+      s.weight = area * part[i / 3];
+    }
+    return back;
+  }
+
+  static double cost_of(const Back_samples& back)
+  {
+    double sum = 0;
+    for (const Back_sample& s : back)
+      sum += s.weight * s.squared_distance;
+    return sum;
+  }
+
+  const Clustered_surface& surface_;
+  const Input_surface input_;
+  const Flippable_triangulation& coarse_;
+  const std::vector<Vector>& positions_;
+  const double area_;
+  std::vector<Sample> samples_;
+  std::vector<Prepared_triangle> prepared_;
+  std::vector<Index> first_on_, next_on_; // the samples whose foot lies on each triangle, as linked lists
+  std::vector<Back_samples> back_;        // of each triangle
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_SAMPLES_H
