@@ -29,6 +29,8 @@ write_basic_package_version_file(
 install(FILES
   ${PROJECT_BINARY_DIR}/cmake/Surface_mesh_coarseningConfig.cmake
   ${PROJECT_BINARY_DIR}/cmake/Surface_mesh_coarseningConfigVersion.cmake
+  ${PROJECT_SOURCE_DIR}/cmake/Surface_mesh_coarseningCore.cmake
+  ${PROJECT_SOURCE_DIR}/cmake/compiled_core.cpp
   DESTINATION ${config_dir}
   COMPONENT Development)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/surface_mesh_coarsening

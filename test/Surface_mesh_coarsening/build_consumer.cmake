@@ -32,8 +32,8 @@ elseif(WAY STREQUAL "debian_package")
     endforeach()
   endif()
 elseif(WAY STREQUAL "FetchContent")
-  # As an application without a network does it; the repository named in consumer/ is not asked.
-  set(way_option -D FETCH=ON -D FETCHCONTENT_SOURCE_DIR_SURFACE_MESH_COARSENING=${PROJECT_SOURCE_DIR})
+  # As an application without a network does it; the repository named in consumer/ is not asked. With the headers alone.
+  set(way_option -D FETCH=ON -D SURFACE_MESH_COARSENING_HEADER_ONLY=ON -D FETCHCONTENT_SOURCE_DIR_SURFACE_MESH_COARSENING=${PROJECT_SOURCE_DIR})
 else()
   set(way_option -D SURFACE_MESH_COARSENING_SOURCE_DIR=${PROJECT_SOURCE_DIR})
 endif()

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Weighted_energy_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/emit.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/prepare.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
@@ -162,9 +163,8 @@ public:
   template <class OutputIterator>
   OutputIterator seeds(OutputIterator out) const
   {
-    if (state_.initial)
-      for (const Index f : state_.initial->seeds())
-        *out++ = numbering_.faces[state_.working_input().parent_of(f)];
+    for (const Index f : internal::seeds(state_))
+      *out++ = numbering_.faces[f];
     return out;
   }
 

@@ -6,8 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Edge_flips.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Surface_fit.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
 
 #include <array>
 #include <cstddef>
@@ -54,31 +53,10 @@ public:
                   std::vector<std::array<std::uint32_t, 3> >& triangles,
                   std::vector<Clustered_surface::Point>& positions) const
   {
-    using namespace internal;
-    const Start start;
-    for (std::size_t x = 0; x < positions.size(); ++x) {
-      surface.cancellation().poll(surface.faces(x).size());
-      if (!border.is_on_border(x))
-        positions[x] = start(surface, x);
-    }
-    Flippable_triangulation coarse(triangles, positions.size(), surface.features());
-    Surface_fit fit(surface, border, coarse, positions);
-    Edge_flips flips(coarse, positions, fit.samples(), surface.cancellation());
-    for (std::size_t i = 0; i < rounds_; ++i) {
-      fit.find_feet();
-      flips.run((mean_angle_ + reserve) / degrees_per_radian, min_angle / degrees_per_radian);
-      fit.move_vertices();
-      for (std::size_t x = 0; x < positions.size(); ++x)
-        positions[x] = surface.within_bounds(x, positions[x]);
-    }
-    triangles = coarse.triangles();
+    internal::fit_vertices(surface, border, rounds_, mean_angle_, triangles, positions);
   }
 
 private:
-  static constexpr double degrees_per_radian = 180 / 3.14159265358979323846;
-  // The movements after the last flips take a little from the angles.
-  static constexpr double reserve = 0.4;
-  static constexpr double min_angle = 7;
   std::size_t rounds_;
   double mean_angle_;
 };

@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_READ_FEATURES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_READ_FEATURES_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/find_features.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 #include <algorithm>
@@ -32,41 +32,50 @@ std::vector<long long> read_patches(const Numbering<FaceGraph>&, const CGAL::int
   return {};
 }
 
+// The marked edges, each as the corner of a face where it begins.
 template <class FaceGraph, class EdgeMap>
-void read_edges(const FaceGraph& mesh, const Numbering<FaceGraph>& n, const Clustering_input& input, const EdgeMap& map,
-                Feature_detection& detection)
+std::vector<Feature_request::Edge> read_edges(const FaceGraph& mesh, const Numbering<FaceGraph>& n,
+                                              const Clustering_input& input, const EdgeMap& map)
 {
+  std::vector<Feature_request::Edge> edges;
   for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
     for (const auto h : halfedges_around_face(halfedge(n.faces[input.parent_of(Index(f))], mesh), mesh))
       if (get(map, edge(h, mesh)))
-        detection.add_edge(Index(f), input.mesh.corner_of(Index(f), n.number_of(source(h, mesh))));
+        edges.push_back({Index(f), input.mesh.corner_of(Index(f), n.number_of(source(h, mesh)))});
+  return edges;
 }
 template <class FaceGraph>
-void read_edges(const FaceGraph&, const Numbering<FaceGraph>&, const Clustering_input&,
-                const CGAL::internal_np::Param_not_found&, Feature_detection&)
-{}
-
-template <class FaceGraph, class VertexMap>
-void read_corners(const Numbering<FaceGraph>& n, const VertexMap& map, Feature_detection& detection)
+std::vector<Feature_request::Edge> read_edges(const FaceGraph&, const Numbering<FaceGraph>&, const Clustering_input&,
+                                              const CGAL::internal_np::Param_not_found&)
 {
+  return {};
+}
+
+// The marked vertices.
+template <class FaceGraph, class VertexMap>
+std::vector<Index> read_corners(const Numbering<FaceGraph>& n, const VertexMap& map)
+{
+  std::vector<Index> corners;
   for (std::size_t v = 0; v < n.vertices.size(); ++v)
     if (get(map, n.vertices[v]))
-      detection.add_corner(Index(v));
+      corners.push_back(Index(v));
+  return corners;
 }
 template <class FaceGraph>
-void read_corners(const Numbering<FaceGraph>&, const CGAL::internal_np::Param_not_found&, Feature_detection&)
-{}
+std::vector<Index> read_corners(const Numbering<FaceGraph>&, const CGAL::internal_np::Param_not_found&)
+{
+  return {};
+}
 
 // Makes the frame give back the coordinates of the corners as they are, which differences and sums would round.
 template <class FaceGraph, class NamedParameters>
 void keep_exact_corners(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
-                        const Feature_edges& edges, const Flat_mesh& m, Local_frame& frame)
+                        const std::vector<Index>& corners, const Flat_mesh& m, Local_frame& frame)
 {
   const Vertex_coordinates<FaceGraph, NamedParameters> coordinates(mesh, np);
   auto exact = std::make_shared<Exact_points>();
-  for (std::size_t v = 0; v < n.vertices.size(); ++v)
-    if (edges.is_corner[v])
-      exact->emplace_back(m.points[v], coordinates(n.vertices[v]));
+  for (const Index v : corners)
+    exact->emplace_back(m.points[v], coordinates(n.vertices[v]));
   std::sort(exact->begin(), exact->end());
   frame.exact = exact;
 }
@@ -76,25 +85,21 @@ template <class FaceGraph, class NamedParameters>
 void read_features(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n, Clustering_input& input,
                    Local_frame& frame, std::vector<long long>& patches, const Cancellation_point& cancellation)
 {
-  const double angle = choose_parameter(get_parameter(np, internal_np::feature_angle_p), 180.);
-  if (!(angle >= 0 && angle <= 180))
-    throw Invalid_input("the feature angle is " + std::to_string(angle) + " degrees, not in [0, 180]");
+  Feature_request request;
+  request.angle = choose_parameter(get_parameter(np, internal_np::feature_angle_p), 180.);
+  if (!(request.angle >= 0 && request.angle <= 180))
+    throw Invalid_input("the feature angle is " + std::to_string(request.angle) + " degrees, not in [0, 180]");
   patches = read_patches(n, get_parameter(np, CGAL::internal_np::face_patch));
-  if (angle == 180 && patches.empty() && !has_parameter<CGAL::internal_np::edge_is_constrained_t, NamedParameters> &&
+  if (request.angle == 180 && patches.empty() && !has_parameter<CGAL::internal_np::edge_is_constrained_t, NamedParameters> &&
       !has_parameter<CGAL::internal_np::vertex_is_constrained_t, NamedParameters>)
     return;
-  Feature_detection detection(input.mesh);
-  if (angle < 180)
-    detection.add_sharp_edges(angle);
-  if (!patches.empty())
-    detection.add_patch_borders([&](Index f) { return patches[input.parent_of(f)]; });
-  read_edges(mesh, n, input, get_parameter(np, CGAL::internal_np::edge_is_constrained), detection);
-  read_corners(n, get_parameter(np, CGAL::internal_np::vertex_is_constrained), detection);
-  const Feature_edges edges = detection.result();
-  if (edges.empty())
+  request.edges = read_edges(mesh, n, input, get_parameter(np, CGAL::internal_np::edge_is_constrained));
+  request.corners = read_corners(n, get_parameter(np, CGAL::internal_np::vertex_is_constrained));
+  const std::shared_ptr<const Feature_edges> edges = find_features(input, request, patches);
+  if (!edges)
     return;
-  keep_exact_corners(mesh, np, n, edges, input.mesh, frame);
-  input = Feature_cells::run(Clustering_input(std::move(input)), edges, cancellation);
+  keep_exact_corners(mesh, np, n, corners_of(*edges), input.mesh, frame);
+  make_cells(input, *edges, cancellation);
 }
 
 } // namespace internal

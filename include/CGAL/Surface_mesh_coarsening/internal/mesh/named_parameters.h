@@ -5,8 +5,8 @@
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Border_deviations.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/build_flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -48,7 +48,7 @@ Flat_mesh flat_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n
 {
   Flat_mesh m;
   copy_connectivity(mesh, n, m, cancellation, execution);
-  Flat_mesh_topology::complete(m, n.vertices.size(), cancellation, execution);
+  complete_topology(m, n.vertices.size(), cancellation, execution);
   return m;
 }
 
@@ -137,12 +137,7 @@ std::vector<double> densities_of(const Numbering<FaceGraph>&, const Flat_mesh& m
                                  const Cancellation_point& cancellation = Cancellation_point(),
                                  Execution execution = Execution::SEQUENTIAL)
 {
-  std::vector<double> densities = mean_normal_deviations(m, cancellation, execution);
-  const double largest = largest_of(densities);
-  if (choice.at_borders)
-    Border_deviations(m, cancellation).raise(densities);
-  map_to_densities(densities, largest, choice.maximum);
-  return densities;
+  return compute_densities(m, choice.maximum, choice.at_borders, cancellation, execution);
 }
 
 template <class FaceGraph, class NamedParameters>

@@ -5,20 +5,17 @@
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Output_coordinates.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Placement_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Placement_repair.h>
 
 #include <cmath>
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
-
-// The coordinates that a position in the arrays has in the output, after rounding to its number type.
-typedef std::function<Vector(const Vector&)> Output_coordinates;
 
 // Where a placement finds nothing, as among coordinates of very different sizes, the centroid stands in.
 inline Vector checked_position(const Clustered_surface& surface, std::size_t cluster, const Vector& p)

@@ -4,10 +4,10 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_CLUSTERING_STATE_H
 
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
-#include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/build_flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
-#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
-#include <CGAL/Surface_mesh_coarsening/internal/seeding/Initial_clustering.h>
 
 #include <cstddef>
 #include <memory>
@@ -16,6 +16,9 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+class Cluster_editing;
+class Initial_clustering;
 
 // The number of faces for each cluster that subdivision provides: clusters of so many faces can be round.
 constexpr std::size_t faces_per_cluster = 20;
@@ -31,6 +34,9 @@ struct Seeding
 // What the stages of the pipeline pass on, in arrays and without the types of mesh, weight and placement.
 struct Clustering_state
 {
+  Clustering_state();
+  ~Clustering_state();
+
   // From the preparation:
   Visitor_handle visitor;
   Execution execution = Execution::SEQUENTIAL;
@@ -55,9 +61,9 @@ struct Clustering_state
 
   Cancellation_point cancellation() const { return Cancellation_point(visitor); }
   // The faces of the mesh, without the components that were left out.
-  const Clustering_input& base_input() const { return input.cells ? input.cells->base() : input; }
-  // What the labels are of: the input, or pieces of its faces.
-  const Clustering_input& working_input() const { return initial ? initial->input() : input; }
+  const Clustering_input& base_input() const;
+  // The faces that the labels belong to: the input, or pieces of its faces.
+  const Clustering_input& working_input() const;
   std::size_t number_of_clusters() const { return report.clusters; }
 };
 

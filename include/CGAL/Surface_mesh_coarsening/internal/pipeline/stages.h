@@ -4,8 +4,10 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_STAGES_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Labelled_pieces.h>
-#include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Output_coordinates.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_state.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Placement_model.h>
+#include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_counts.h>
 
 #include <cstddef>
 #include <memory>
@@ -38,6 +40,9 @@ double energy(const Clustering_state& state);
 
 // The labels; throws if there are none.
 const Cluster_labels& labels(const Clustering_state& state);
+
+// The faces of the caller's mesh at the seeds: before growth those found, after it one face for each cluster.
+std::vector<Index> seeds(const Clustering_state& state);
 
 // The cluster of a face of the caller's mesh.
 std::size_t cluster_of_face(const Clustering_state& state, Index face);

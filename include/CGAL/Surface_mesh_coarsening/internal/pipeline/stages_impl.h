@@ -5,7 +5,11 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Initial_clustering.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -15,6 +19,19 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+CGAL_SURFACE_MESH_COARSENING_INLINE Clustering_state::Clustering_state() = default;
+CGAL_SURFACE_MESH_COARSENING_INLINE Clustering_state::~Clustering_state() = default;
+
+CGAL_SURFACE_MESH_COARSENING_INLINE const Clustering_input& Clustering_state::base_input() const
+{
+  return input.cells ? input.cells->base() : input;
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE const Clustering_input& Clustering_state::working_input() const
+{
+  return initial ? initial->input() : input;
+}
 
 inline void forget_clusters(Clustering_state& state)
 {
@@ -147,6 +164,15 @@ CGAL_SURFACE_MESH_COARSENING_INLINE const Cluster_labels& labels(const Clusterin
   return *state.labels;
 }
 
+CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> seeds(const Clustering_state& state)
+{
+  std::vector<Index> faces;
+  if (state.initial)
+    for (const Index f : state.initial->seeds())
+      faces.push_back(state.working_input().parent_of(f));
+  return faces;
+}
+
 CGAL_SURFACE_MESH_COARSENING_INLINE std::size_t cluster_of_face(const Clustering_state& state, Index face)
 {
   return cluster_of_face(state.working_input(), labels(state), state.number_of_clusters(), face);
@@ -268,7 +294,7 @@ inline bool is_worth_reclustering(const Clustering_state& state, const Placed_du
 inline void raise_at_intersections(std::vector<double>& densities, const Clustering_state& state, const Placed_dual& dual)
 {
   std::vector<char> is_at_fault(state.number_of_clusters(), false);
-  for (const Triangle_pair& pair : dual.counts.intersections_left)
+  for (const auto& pair : dual.counts.intersections_left)
     for (const Index t : {pair.first, pair.second})
       for (const Index x : dual.triangles[t])
         is_at_fault[x] = true;

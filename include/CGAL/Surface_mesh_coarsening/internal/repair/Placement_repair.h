@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Input_oracle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_counts.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_proposals.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Triangle_conflicts.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
@@ -23,13 +24,6 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
-
-// What a repair found and left.
-struct Repair_counts
-{
-  std::size_t intersections_found = 0, reversals_found = 0, reversals_left = 0;
-  std::vector<Triangle_pair> intersections_left;
-};
 
 // Moves vertices of a coarse mesh, and flips edges, where triangles intersect that do not in the input, and where they look
 // away from the surface that they stand for. Fault by fault, many small changes are tried: vertices pulled back towards the

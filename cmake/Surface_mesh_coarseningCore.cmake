@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# The library as applications use it: the headers, and what depends on no type of mesh compiled once. It is compiled in the
+# application's build, with its compiler and options, and on many threads where oneTBB is found.
+
+# surface_mesh_coarsening_add_core(NAME SOURCE): a static library of the core, to be linked instead of the headers alone.
+function(surface_mesh_coarsening_add_core name source)
+  add_library(${name} STATIC EXCLUDE_FROM_ALL ${source})
+  target_link_libraries(${name} PUBLIC Surface_mesh_coarsening::headers)
+  target_compile_definitions(${name} PUBLIC CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE)
+  find_package(TBB QUIET)
+  if(TBB_FOUND)
+    include(CGAL_TBB_support)
+  endif()
+  if(TARGET CGAL::TBB_support)
+    target_link_libraries(${name} PUBLIC CGAL::TBB_support)
+  endif()
+endfunction()
+
+option(SURFACE_MESH_COARSENING_HEADER_ONLY "Use the headers of Surface_mesh_coarsening alone, without a compiled core" OFF)
+if(NOT TARGET Surface_mesh_coarsening::Surface_mesh_coarsening)
+  if(SURFACE_MESH_COARSENING_HEADER_ONLY)
+    add_library(Surface_mesh_coarsening_library INTERFACE)
+    target_link_libraries(Surface_mesh_coarsening_library INTERFACE Surface_mesh_coarsening::headers)
+  else()
+    surface_mesh_coarsening_add_core(Surface_mesh_coarsening_library ${CMAKE_CURRENT_LIST_DIR}/compiled_core.cpp)
+  endif()
+  add_library(Surface_mesh_coarsening::Surface_mesh_coarsening ALIAS Surface_mesh_coarsening_library)
+endif()

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_COMPLETE_MESH_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_COMPLETE_MESH_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Fills the stars, components and loops of a mesh that has its faces; throws where they do not form a 2-manifold.
+void complete_topology(Flat_mesh& mesh, std::size_t number_of_vertices, const Cancellation_point& cancellation,
+                       Execution execution);
+
+// The densities of section 5.2, raised near borders on request.
+std::vector<double> compute_densities(const Flat_mesh& mesh, double maximum, bool at_borders,
+                                      const Cancellation_point& cancellation, Execution execution);
+
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh_impl.h>
+#endif
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_COMPLETE_MESH_H
