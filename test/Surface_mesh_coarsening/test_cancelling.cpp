@@ -165,14 +165,15 @@ BOOST_AUTO_TEST_CASE(steps_restart)
   expected.seed(200);
   expected.grow();
   const std::size_t grown = all.total;
-  expected.minimize();
+  const std::size_t most = expected.default_number_of_iterations;
+  expected.minimize(most, 0);
   for (std::size_t k = prepared; k < all.total; k += 1 + (all.total - prepared) / 15) {
     Asked_visitor visitor(k);
     Clustering clustering(mesh, SMC::parameters::visitor(std::ref(visitor)));
     const auto run = [&] {
       clustering.seed(200);
       clustering.grow();
-      clustering.minimize();
+      clustering.minimize(most, 0);
     };
     BOOST_CHECK_THROW(run(), SMC::Coarsening_cancelled);
     visitor.refused = never;
@@ -180,7 +181,7 @@ BOOST_AUTO_TEST_CASE(steps_restart)
       BOOST_CHECK_THROW(clustering.minimize(), std::logic_error);
       run();
     } else
-      clustering.minimize(); // from where it was
+      clustering.minimize(most, 0); // from where it was
     BOOST_CHECK_EQUAL(clustering.number_of_clusters(), 200u);
     if (k < grown)
       BOOST_CHECK_EQUAL(clustering.energy(), expected.energy());

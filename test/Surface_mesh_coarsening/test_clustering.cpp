@@ -221,7 +221,8 @@ void check_clustering(const Soup& input, std::size_t n, const How how = How())
         .cluster_weight(weight)
         .maximum_density(r_new<Weight>())
         .border_densities(false)
-        .repair_output(false));
+        .repair_output(false)
+        .convergence_tolerance(0));
     BOOST_CHECK(test::labels_of(mesh, clusters) == labels);
     BOOST_CHECK_EQUAL(report.moves, moves);
     check_close(report.final_energy, c.energy(), 1e-12, "energies of two ways"); // one has summed up in between
@@ -319,6 +320,54 @@ BOOST_AUTO_TEST_CASE(no_iterations_are_seeds_and_growth)
   BOOST_CHECK_LT(limited.final_energy, limited.initial_energy);
 }
 
+// The minimization ends with the first round that lowers the energy by no more than the tolerance says.
+BOOST_AUTO_TEST_CASE(convergence_tolerance)
+{
+  typedef SMC::Mwcvd_clustering<Mesh> Clustering;
+  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(4), 0.02));
+  const auto begin = [](Clustering& c) {
+    c.seed(70);
+    c.grow();
+  };
+  for (const double tolerance : {1., 0.1, 0.01, 1e-3, 1e-4, 0.}) {
+    Clustering by_hand(mesh), c(mesh);
+    begin(by_hand);
+    double before;
+    do {
+      before = by_hand.energy();
+      by_hand.minimize_round();
+    } while (before - by_hand.energy() > tolerance * before);
+    begin(c);
+    c.minimize(1000, tolerance);
+    BOOST_CHECK(c.report().converged);
+    BOOST_CHECK_EQUAL(c.report().rounds, by_hand.report().rounds);
+    BOOST_CHECK_EQUAL(c.energy(), by_hand.energy());
+    BOOST_CHECK_EQUAL(c.report().rounds == 1, tolerance == 1);
+    const Labels labels = test::labels_in(c, mesh);
+    BOOST_CHECK(labels == test::labels_in(by_hand, mesh));
+
+    const auto clusters = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+    Mesh output;
+    const auto report =
+      SMC::coarsen_mesh(mesh, 70, output, SMC::parameters::convergence_tolerance(tolerance).face_cluster_map(clusters));
+    BOOST_CHECK_EQUAL(report.rounds, c.report().rounds);
+    BOOST_CHECK(test::labels_of(mesh, clusters) == labels);
+    if (tolerance == Clustering::default_convergence_tolerance) {
+      SMC::coarsen_mesh(mesh, 70, output, SMC::parameters::face_cluster_map(clusters));
+      BOOST_CHECK(test::labels_of(mesh, clusters) == labels);
+    }
+    // Without more rounds than were made, there is no last round that gained little.
+    begin(c);
+    c.minimize(by_hand.report().rounds - 1, tolerance);
+    BOOST_CHECK(!c.report().converged);
+  }
+  Clustering c(mesh);
+  begin(c);
+  for (const double tolerance : {-1e-3, std::numeric_limits<double>::quiet_NaN()})
+    BOOST_CHECK_THROW(c.minimize(10, tolerance), SMC::Invalid_input);
+  BOOST_CHECK_EQUAL(c.report().rounds, 0u);
+}
+
 BOOST_AUTO_TEST_CASE(levels)
 {
   const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangulated(generated::cube_grid(20)), 0.005));
@@ -354,9 +403,10 @@ BOOST_AUTO_TEST_CASE(start_from_clusters)
   Mesh output, again;
   SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::number_of_iterations(0).face_cluster_map(grown));
   const Labels before = test::labels_of(mesh, grown);
-  const auto first = SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::face_cluster_map(direct));
-  const auto second =
-    SMC::coarsen_mesh(mesh, 50, again, SMC::parameters::start_from_face_clusters(true).face_cluster_map(grown));
+  const auto first =
+    SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::face_cluster_map(direct).convergence_tolerance(0));
+  const auto second = SMC::coarsen_mesh(
+    mesh, 50, again, SMC::parameters::start_from_face_clusters(true).face_cluster_map(grown).convergence_tolerance(0));
   BOOST_CHECK(test::labels_of(mesh, grown) == test::labels_of(mesh, direct));
   BOOST_CHECK(test::labels_of(mesh, grown) != before);
   BOOST_CHECK_EQUAL(first.final_energy, second.final_energy);

@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(questions)
   const Outcome help = shop.run("--help");
   BOOST_TEST(help.status == 0);
   for (const char* option :
-       {"--vertices", "--neighborhood-level", "--rounds", "--weight", "--maximum-density", "--placement", "--features",
+       {"--vertices", "--neighborhood-level", "--rounds", "--convergence-tolerance", "--weight", "--maximum-density", "--placement", "--features",
         "--clusters", "--picture", "--view", "--report", "--repair", "--fill-holes", "--minimum-component-area",
         "--subdivide", "--measure", "--threads", "--quiet", "--version", "--help"})
     BOOST_TEST(help.out.find(option) != std::string::npos, option);
@@ -186,6 +186,8 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
                                 "in.off out.off -n 6 -k 1",
                                 "in.off out.off -k -1",
                                 "in.off out.off --rounds x",
+                                "in.off out.off --convergence-tolerance x",
+                                "in.off out.off --convergence-tolerance -1",
                                 "in.off out.off -w heavy",
                                 "in.off out.off -w ''",
                                 "in.off out.off --maximum-density 0.5",
@@ -291,6 +293,16 @@ BOOST_AUTO_TEST_CASE(choices)
   BOOST_TEST(rough["clustering"]["clusters"] == rough["output"]["vertices"]);
   shop.run_well("in.off out.off -k 3 --rounds 2 --report r.json");
   BOOST_TEST(shop.report("r.json")["clustering"]["rounds"] == 2);
+  BOOST_TEST(shop.report("r.json")["clustering"]["converged"] == false);
+  shop.run_well("in.off out.off -n 50 --report r.json");
+  const Json standard = shop.report("r.json");
+  BOOST_TEST(standard["parameters"]["convergence_tolerance"] == 0.001);
+  shop.run_well("in.off out.off -n 50 --convergence-tolerance 0 --report r.json");
+  const Json exact = shop.report("r.json");
+  BOOST_TEST(exact["parameters"]["convergence_tolerance"] == 0.);
+  BOOST_TEST(exact["clustering"]["rounds"] > standard["clustering"]["rounds"]);
+  BOOST_TEST(exact["clustering"]["final_energy"] < standard["clustering"]["final_energy"]);
+  BOOST_TEST(exact["clustering"]["converged"] == true);
 }
 
 BOOST_AUTO_TEST_CASE(report_and_certificate)

@@ -104,7 +104,9 @@ po::options_description described_options()
      "beside OUTPUT, write L coarser levels of it, each with half the vertices of the one before: OUTPUT with .1, .2 and so on "
      "before its ending")
     ("rounds", text()->value_name("R"),
-     "stop after R rounds of minimization; 0 shows seeds and growth alone (default: until a round changes nothing, at most 1000)")
+     "stop after R rounds of minimization; 0 shows seeds and growth alone (default: as many as --convergence-tolerance asks for, at most 1000)")
+    ("convergence-tolerance", text()->value_name("T")->default_value("0.001"),
+     "stop after the round of minimization that lowers the energy by no more than this part of it; 0: when a round changes nothing")
     ("weight,w", text()->value_name("W")->default_value(default_weight()), joined(weight_names()).c_str())
     ("maximum-density", text()->value_name("R")->default_value("10"),
      "densities run from 1 on flat parts to R on the sharpest ones, and to 4 R on borders; the weight variance does well with 3")
@@ -211,6 +213,7 @@ Options checked_options(const po::variables_map& values)
     throw Wrong_usage("--levels needs a number of vertices, and no maximum distance");
   if (const auto text = given(values, "rounds"))
     options.rounds = to_count("rounds", *text, 0, any);
+  options.convergence_tolerance = to_size("convergence-tolerance", *given(values, "convergence-tolerance"));
   options.weight = *given(values, "weight");
   check_choice("weight", options.weight, weight_names());
   options.placement = *given(values, "placement");

@@ -30,6 +30,7 @@ struct Options
   bool distance_is_relative = true;       // to the diagonal of the bounding box
   std::size_t levels = 0;                 // coarser ones to be written beside the result
   std::optional<std::size_t> rounds; // as many as it takes when not given
+  double convergence_tolerance = 1e-3; // the relative gain of the last round
   std::string weight, placement;     // names out of the lists in Choices.h
   double maximum_density = 10;
   std::optional<double> features; // the angle in degrees from which edges are kept

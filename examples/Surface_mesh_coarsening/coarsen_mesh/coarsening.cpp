@@ -128,6 +128,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
   const auto np = SMC::parameters::maximum_density(options.maximum_density)
                     .cluster_weight(Weight())
                     .number_of_iterations(options.rounds.value_or(default_rounds))
+                    .convergence_tolerance(options.convergence_tolerance)
                     .minimum_component_area(options.minimum_component_area)
                     .subdivide_input(options.subdivide)
                     .feature_angle(options.features.value_or(180))
@@ -144,7 +145,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
   else
     clustering.seed_from_level(options.neighborhood_level.value_or(default_level));
   clustering.grow();
-  clustering.minimize(options.rounds.value_or(default_rounds));
+  clustering.minimize(options.rounds.value_or(default_rounds), options.convergence_tolerance);
   with_placement(options, [&](const auto& placement) { clustering.extract_embedded_dual_mesh(result.mesh, placement); });
   result.report = clustering.report();
   result.labels.reserve(input.number_of_faces());

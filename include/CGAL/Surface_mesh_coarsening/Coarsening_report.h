@@ -32,7 +32,7 @@ struct Coarsening_report
   double initial_energy = 0;
   /// the energy (8) of the clustering after it.
   double final_energy = 0;
-  /// whether the last round changed nothing.
+  /// whether the last round gained no more than parameter `convergence_tolerance` allows, or changed nothing.
   bool converged = false;
   /// the number of connected components whose faces were subdivided internally, because face by face they could not carry the
   /// number of clusters, or because parameter `subdivide_input` asked for it.

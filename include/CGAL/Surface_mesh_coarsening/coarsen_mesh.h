@@ -50,7 +50,9 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
     clustering.grow();
   }
   clustering.minimize(choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
-                                       Clustering::default_number_of_iterations));
+                                       Clustering::default_number_of_iterations),
+                      choose_parameter(get_parameter(np_in, internal_np::convergence_tolerance_p),
+                                       Clustering::default_convergence_tolerance));
   clustering.end_minimization();
   const auto source_map = get_parameter(np_out, internal_np::vertex_source);
   Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
@@ -130,7 +132,13 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDescription{the largest number of rounds of the minimization; with 0, the result is that of seeds and
 ///                           growth alone}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{`1000`, which is hardly ever reached: the rounds end when one changes nothing}
+///     \cgalParamDefault{`1000`, which is hardly ever reached: the rounds end by `convergence_tolerance`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{convergence_tolerance}
+///     \cgalParamDescription{the relative gain of a round: the minimization ends with the first round that lowers the energy by
+///                           no more than this part of it. With 0, it ends when a round changes nothing, as in the paper}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.001`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_placement}
 ///     \cgalParamDescription{the position of the vertex of a cluster}

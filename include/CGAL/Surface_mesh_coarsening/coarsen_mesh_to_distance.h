@@ -66,15 +66,19 @@ Distance_report coarsen_mesh_to_distance(const FaceGraph& input, double maximum_
 
   Distance_report report;
   Clustering clustering(input, np_in);
-  const std::size_t iterations = choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
-                                                  Clustering::default_number_of_iterations);
+  const Minimization_end end{choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
+                                              Clustering::default_number_of_iterations),
+                             choose_parameter(get_parameter(np_in, internal_np::convergence_tolerance_p),
+                                              Clustering::default_convergence_tolerance)};
+  if (!(end.tolerance >= 0))
+    throw Invalid_input("the convergence tolerance is " + std::to_string(end.tolerance));
   const Placement placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
   const typename Quick_placement<Placement>::type quick_placement{};
   constexpr bool has_quick_placement = !std::is_same<std::decay_t<decltype(quick_placement)>, Placement>::value;
   Clustering_state& state = clustering.state();
   Distance_search search(state, placement_model(placement),
                          has_quick_placement ? std::make_optional(placement_model(quick_placement)) : std::nullopt,
-                         output_coordinates<Traits>(state.frame), maximum_distance, iterations, num_vertices(input), report);
+                         output_coordinates<Traits>(state.frame), maximum_distance, end, num_vertices(input), report);
   search.run();
 
   report.clustering = clustering.report();

@@ -53,7 +53,7 @@ void print(const std::string& name, const char* weight, const Mesh& mesh, std::s
   SMC::Mwcvd_clustering<Mesh, Weight> clustering(mesh);
   clustering.seed(number);
   clustering.grow();
-  clustering.minimize();
+  clustering.minimize(clustering.default_number_of_iterations, 0);
   Mesh output;
   clustering.extract_dual_mesh(output);
   Checksum labels, triangles;

@@ -57,6 +57,7 @@ Json parameters_of(const Options& options)
   result["maximum_distance_is_relative"] = options.distance_is_relative;
   result["levels"] = options.levels;
   result["rounds"] = options.rounds ? Json(*options.rounds) : Json();
+  result["convergence_tolerance"] = options.convergence_tolerance;
   result["weight"] = options.weight;
   result["maximum_density"] = options.maximum_density;
   result["placement"] = options.placement;

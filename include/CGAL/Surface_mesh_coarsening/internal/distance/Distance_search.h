@@ -41,9 +41,9 @@ public:
   // `quick` is the placement that `placement` starts from, if it has one: see `Quick_placement`. `vertices` is the largest number
   // of clusters that is tried.
   Distance_search(Clustering_state& state, const Placement_model& placement, const std::optional<Placement_model>& quick,
-                  const Output_coordinates& output_coordinates, double distance, std::size_t iterations, std::size_t vertices,
+                  const Output_coordinates& output_coordinates, double distance, const Minimization_end& end, std::size_t vertices,
                   Distance_report& report)
-    : state_(state), placement_(placement), quick_(quick), output_coordinates_(output_coordinates), iterations_(iterations),
+    : state_(state), placement_(placement), quick_(quick), output_coordinates_(output_coordinates), minimization_end_(end),
       vertices_(vertices), number_((std::max)(vertices / 16, std::size_t(4))), report_(report), distance_(distance),
       local_distance_(std::ldexp(distance, -state.frame.exponent))
   {}
@@ -106,7 +106,7 @@ private:
         seed(state_, {Seeding::FOR_NUMBER, e.nearest()});
         grow(state_);
       }
-      minimize(state_, iterations_);
+      minimize(state_, minimization_end_);
       ++report_.clusterings;
       levels_.emplace(state_);
       estimates_by_level_.clear();
@@ -251,7 +251,7 @@ private:
   Placement_model placement_;
   std::optional<Placement_model> quick_;
   Output_coordinates output_coordinates_;
-  std::size_t iterations_;
+  Minimization_end minimization_end_;
   std::size_t vertices_; // the largest number of clusters that is tried
   std::size_t number_;   // of clusters that the clustering shall have
   Distance_report& report_;

@@ -9,6 +9,13 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
+// When a minimization ends: after so many rounds, or with the first round that lowers the energy by no more than a part `tolerance`.
+struct Minimization_end
+{
+  std::size_t max_rounds = 0;
+  double tolerance = 0;
+};
+
 // A minimization under way, for any weight.
 class Minimization
 {

@@ -55,7 +55,7 @@ struct Clustering_state
   // From minimization and editing; each begins afresh where the other has changed the clusters:
   std::unique_ptr<Minimization> minimization;
   std::unique_ptr<Cluster_editing> editing;
-  std::size_t iterations = 0; // rounds that were allowed
+  Minimization_end minimization_end; // as it was asked for
 
   Coarsening_report report;
 

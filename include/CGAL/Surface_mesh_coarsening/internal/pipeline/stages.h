@@ -32,8 +32,8 @@ void set_clusters(Clustering_state& state, std::unique_ptr<Cluster_labels> label
 // One round of the minimization (sections 5.1 and 8.2). Returns whether anything changed.
 bool minimize_round(Clustering_state& state);
 
-// Rounds until one changes nothing, `iterations` at the most.
-void minimize(Clustering_state& state, std::size_t iterations);
+// Rounds until the end that is asked for.
+void minimize(Clustering_state& state, const Minimization_end& end);
 
 // The energy (8).
 double energy(const Clustering_state& state);

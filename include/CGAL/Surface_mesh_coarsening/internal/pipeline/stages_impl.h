@@ -80,7 +80,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void seed(Clustering_state& state, const See
   forget_clusters(state);
   reset_report(state);
   state.seeding = seeding;
-  state.iterations = 0;
+  state.minimization_end = Minimization_end();
   state.initial = std::make_unique<Initial_clustering>(state.input, state.report, state.cancellation(), state.execution);
   all_or_nothing(state, [&] {
     if (seeding.kind == Seeding::AT_LEVEL) {
@@ -131,7 +131,8 @@ CGAL_SURFACE_MESH_COARSENING_INLINE bool minimize_round(Clustering_state& state)
   Coarsening_report& report = state.report;
   const std::size_t tests_before = state.minimization->tests();
   const std::size_t moves = state.minimization->round();
-  state.iterations = (std::max)(state.iterations, ++report.rounds);
+  std::size_t& max_rounds = state.minimization_end.max_rounds;
+  max_rounds = (std::max)(max_rounds, ++report.rounds);
   report.moves += moves;
   report.tests += state.minimization->tests() - tests_before;
   report.final_energy = state.minimization->energy();
@@ -140,13 +141,19 @@ CGAL_SURFACE_MESH_COARSENING_INLINE bool minimize_round(Clustering_state& state)
   return moves != 0;
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE void minimize(Clustering_state& state, std::size_t iterations)
+CGAL_SURFACE_MESH_COARSENING_INLINE void minimize(Clustering_state& state, const Minimization_end& end)
 {
   begin_minimization(state);
-  state.iterations = iterations;
+  state.minimization_end = end;
   state.visitor.stage_begins(Coarsening_stage::MINIMIZATION);
-  for (std::size_t i = 0; i < iterations && minimize_round(state); ++i)
-    ;
+  Coarsening_report& report = state.report;
+  double energy = state.minimization->energy();
+  bool has_ended = false;
+  for (std::size_t i = 0; i < end.max_rounds && !has_ended; ++i) {
+    has_ended = !minimize_round(state) || energy - report.final_energy <= end.tolerance * energy;
+    energy = report.final_energy;
+    report.converged = has_ended;
+  }
   state.visitor.stage_ends(Coarsening_stage::MINIMIZATION);
 }
 
@@ -269,7 +276,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void report_placement(Clustering_state& stat
 inline void recluster(Clustering_state& state, const std::vector<double>& densities)
 {
   const Seeding seeding = state.seeding;
-  const std::size_t iterations = state.iterations;
+  const Minimization_end end = state.minimization_end;
   forget_clusters(state);
   if (state.input.cells) {
     Clustering_input base = state.input.cells->base();
@@ -280,7 +287,7 @@ inline void recluster(Clustering_state& state, const std::vector<double>& densit
   }
   seed(state, seeding);
   grow(state);
-  minimize(state, iterations);
+  minimize(state, end);
 }
 
 // Whether other densities can be expected to help.
