@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# cpack -G DEB makes two Debian packages of the build tree: the library, which is headers alone and fits every
+# cpack -G DEB makes two Debian packages of the build tree: the library, which is headers and sources and fits every
 # architecture, and the tool if it has been built.
 
 if(NOT PROJECT_IS_TOP_LEVEL)

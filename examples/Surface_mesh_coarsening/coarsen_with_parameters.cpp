@@ -21,7 +21,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 namespace SMC = CGAL::Surface_mesh_coarsening;
 
 //! [visitor]
-// Stops a coarsening after ten rounds, and counts what it is told of.
+// Stops a coarsening after ten rounds, and counts the notifications.
 struct Ten_rounds : SMC::Coarsening_visitor_base
 {
   std::size_t rounds = 0, moves = 0;

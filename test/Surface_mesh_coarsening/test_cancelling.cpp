@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(other_output)
   }
 }
 
-// After a refusal the object can begin anew, and does what one would that was never refused.
+// After a refusal the object can start again, and gives the result of an object that was never refused.
 BOOST_AUTO_TEST_CASE(steps_restart)
 {
   typedef SMC::Mwcvd_clustering<Mesh> Clustering;

@@ -586,7 +586,7 @@ BOOST_AUTO_TEST_CASE(vertices_between_two_faces)
   check(Model(soup, 0), 67);
 }
 
-// Where triangles intersect and clusters are made anew, these keep features as well.
+// Where triangles intersect and the mesh is reclustered, the new clusters keep features as well.
 BOOST_AUTO_TEST_CASE(recomputed_clusters)
 {
   const Model model(generated::thin_plate(30, 0.02), 60);

@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(same_result_of_another_face_graph)
   BOOST_CHECK((coarsened<CGAL::Parallel_if_available_tag, SMC::Uniform_weight>(polyhedron, 100) == sequential));
 }
 
-// So many faces, and clusters, that sums are added up in several steps, and edges are listed anew.
+// So many faces, and clusters, that sums are added up in several steps, and edges are listed again.
 BOOST_AUTO_TEST_CASE(same_result_of_a_large_mesh)
 {
   const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(8), 0.001));

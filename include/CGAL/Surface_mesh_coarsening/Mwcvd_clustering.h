@@ -250,7 +250,7 @@ public:
   /// is no cluster of the number given.
   /// @{
 
-  /// freezes a cluster: no face joins or leaves it, until it is thawed or all clusters are made anew.
+  /// freezes a cluster: no face joins or leaves it, until it is thawed or the mesh is reclustered.
   void freeze_cluster(std::size_t cluster, bool is_frozen = true) { internal::freeze_cluster(state_, cluster, is_frozen); }
 
   /// thaws a cluster.

@@ -231,7 +231,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{a kernel deduced from the point type}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of the progress, and may cancel; pass `std::ref(visitor)` to have it used itself instead of
+///     \cgalParamDescription{is notified of the progress, and may cancel; pass `std::ref(visitor)` to have it used itself instead of
 ///                           a copy}
 ///     \cgalParamType{a model of `CoarseningVisitor`}
 ///     \cgalParamDefault{`Coarsening_visitor_base`}
@@ -277,7 +277,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///
 /// \return what was done, in numbers.
 ///
-/// \throws Unreachable_number_of_vertices if the number of vertices cannot be had; it carries the nearest that can.
+/// \throws Unreachable_number_of_vertices if the number of vertices cannot be reached; it carries the nearest number that can.
 /// \throws Invalid_input if the input has no faces, is not a 2-manifold or has a coordinate that is not finite, or if a
 /// parameter is out of range.
 /// \throws Coarsening_cancelled if the visitor said so.

@@ -28,7 +28,7 @@ class Unreachable_number_of_vertices
   : public Invalid_input
 {
 public:
-  /// \param message says what was asked and why it cannot be had.
+  /// \param message says what was asked and why it cannot be reached.
   /// \param nearest is the nearest number of vertices that can.
   Unreachable_number_of_vertices(const std::string& message, std::size_t nearest)
     : Invalid_input(message), nearest_(nearest) {}

@@ -103,7 +103,7 @@ public:
 
   // Edges that came to lie within a cluster leave the list; those that came to lie between two, and still do, are added at its
   // end: so to go through the list is to go through the mesh once for each round that added some. Where it is long, that takes
-  // more time than to make it anew when half of it was added.
+  // more time than to rebuild it when half of it was added.
   void update(const Cancellation_point& cancellation, Execution execution)
   {
     added_ += new_edges_.size();

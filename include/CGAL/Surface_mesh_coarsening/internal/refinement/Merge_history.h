@@ -23,7 +23,7 @@ namespace internal {
 // Valid clusters merged two by two, each time those whose merge adds least to the energy, for as long as the dual stays a
 // simplicial surface; and what undoes the merges.
 //
-// Clusters are numbered anew so that the numbers of level n, which has n clusters, are 0 to n - 1: cluster k is gone from
+// Clusters are renumbered so that the numbers of level n, which has n clusters, are 0 to n - 1: cluster k is gone from
 // level k on, merged into its parent, which has a smaller number. A triangle of the dual is stored with the corners that it
 // has last, before it goes. From the coarsest level on, each merge undone gives one or two triangles back and some corners of
 // others to the cluster that comes back.

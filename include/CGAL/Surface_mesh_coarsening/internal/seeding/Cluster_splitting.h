@@ -124,7 +124,7 @@ private:
     return size_[largest] == 1 ? NONE : largest;
   }
 
-  // Grows the cluster anew from two faces far apart, of which one is at the corner if it has a feature corner.
+  // Regrows the cluster from two faces far apart, of which one is at the corner if it has a feature corner.
   void split(Index x)
   {
     const Index corner = rules_ ? rules_->corner_cell(x) : NONE;

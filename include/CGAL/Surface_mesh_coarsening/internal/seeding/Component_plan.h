@@ -38,7 +38,7 @@ public:
     return 8 + 26 * c.genus() + 8 * c.loops + 4 * c.feature_clusters;
   }
 
-  // Begins anew for `wanted` clusters.
+  // Starts again for `wanted` clusters.
   void begin(const Component& component, std::size_t wanted)
   {
     aim_at(component, wanted);

@@ -67,7 +67,7 @@ public:
     bound_by_vertices();
   }
 
-  // Finds seeds, as many as give `number` clusters or more. Throws if that number cannot be had.
+  // Finds seeds, as many as give `number` clusters or more. Throws if that number cannot be reached.
   void seed(std::size_t number)
   {
     number_ = number;
