@@ -3,6 +3,8 @@
 // What does not depend on the types of meshes and maps, compiled once. Without this library, the same headers are included by
 // their users and everything in them is inline.
 
+#include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy_impl.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/find_features_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Weighted_energy_model.h>

@@ -8,6 +8,10 @@
 
 #include "models.h"
 
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Labelled_pieces.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_minimization.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Initial_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>

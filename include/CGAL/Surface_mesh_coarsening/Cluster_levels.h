@@ -57,7 +57,7 @@ public:
   {
     if (cluster < coarsest() || cluster >= finest())
       throw Invalid_input("cluster " + std::to_string(cluster) + " has no parent");
-    return levels_.history().parent(Index(cluster));
+    return levels_.parent(Index(cluster));
   }
 
   /// writes, for each cluster of level `fine`, the cluster of level `coarse` that it is part of, in time linear in `fine`.
@@ -69,7 +69,7 @@ public:
     check(coarse);
     if (coarse > fine)
       throw Invalid_input("level " + std::to_string(coarse) + " is not coarser than level " + std::to_string(fine));
-    for (const Index x : levels_.history().ancestors(fine, coarse))
+    for (const Index x : levels_.ancestors(fine, coarse))
       *out++ = std::size_t(x);
     return out;
   }
@@ -81,7 +81,7 @@ public:
   OutputIterator triangles(std::size_t level, OutputIterator out) const
   {
     check(level);
-    for (const internal::Triangle& t : levels_.history().triangles(level))
+    for (const internal::Triangle& t : levels_.triangles(level))
       *out++ = std::array<std::size_t, 3>{{t[0], t[1], t[2]}};
     return out;
   }

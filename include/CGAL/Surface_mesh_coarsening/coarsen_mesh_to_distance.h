@@ -5,17 +5,38 @@
 
 #include <CGAL/Surface_mesh_coarsening/Distance_report.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_search.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Vertex_sources.h>
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// The placement by which the search finds out about how many vertices it takes: that which a placement starts from, if it says
+// so, or itself.
+template <class Placement, class = void>
+struct Quick_placement
+{
+  typedef Placement type;
+};
+template <class Placement>
+struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
+{
+  typedef typename Placement::Start type;
+};
+
+} // namespace internal
+/// \endcond
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// coarsens a polygon mesh as far as a bound of the distance allows.
@@ -76,20 +97,20 @@ Distance_report coarsen_mesh_to_distance(const FaceGraph& input, double maximum_
   const typename Quick_placement<Placement>::type quick_placement{};
   constexpr bool has_quick_placement = !std::is_same<std::decay_t<decltype(quick_placement)>, Placement>::value;
   Clustering_state& state = clustering.state();
-  Distance_search search(state, placement_model(placement),
+  const Dual_within_distance dual =
+    find_within_distance(state, placement_model(placement),
                          has_quick_placement ? std::make_optional(placement_model(quick_placement)) : std::nullopt,
                          output_coordinates<Traits>(state.frame), maximum_distance, end, num_vertices(input), report);
-  search.run();
 
   report.clustering = clustering.report();
   report.clustering.clusters = report.vertices;
   const auto source_map = get_parameter(np_out, internal_np::vertex_source);
   Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
-  Face_graph_filler<OutputFaceGraph, NamedParametersOut> filler(search.positions(), state.frame, search.triangles(), output,
+  Face_graph_filler<OutputFaceGraph, NamedParametersOut> filler(dual.positions, state.frame, dual.triangles, output,
                                                                 np_out);
   state.visitor.throw_if_cancelled();
-  const std::vector<Index> clusters = search.clusters_of_base_faces();
-  sources.find(input, clustering.numbering(), state.base_input(), clusters, search.positions(), state.cancellation());
+  const std::vector<Index>& clusters = dual.clusters_of_base_faces;
+  sources.find(input, clustering.numbering(), state.base_input(), clusters, dual.positions, state.cancellation());
   write_face_clusters(clustering.numbering(), state.base_input(), clusters, report.vertices,
                       get_parameter(np_in, internal_np::face_cluster));
   write_vertex_clusters(clustering.numbering(), state.base_input(), clusters, report.vertices,

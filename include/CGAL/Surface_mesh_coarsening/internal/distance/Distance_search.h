@@ -21,24 +21,11 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The placement by which the search finds out about how many vertices it takes: that which a placement starts from, if it says
-// so, or itself.
-template <class Placement, class = void>
-struct Quick_placement
-{
-  typedef Placement type;
-};
-template <class Placement>
-struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
-{
-  typedef typename Placement::Start type;
-};
-
 // Looks for the coarsest result within a distance among the levels of a fine clustering.
 class Distance_search
 {
 public:
-  // `quick` is the placement that `placement` starts from, if it has one: see `Quick_placement`. `vertices` is the largest number
+  // `quick` is the placement that `placement` starts from, if it has one. `vertices` is the largest number
   // of clusters that is tried.
   Distance_search(Clustering_state& state, const Placement_model& placement, const std::optional<Placement_model>& quick,
                   const Output_coordinates& output_coordinates, double distance, const Minimization_end& end, std::size_t vertices,

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

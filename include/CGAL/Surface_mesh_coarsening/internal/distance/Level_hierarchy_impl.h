@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_LEVEL_HIERARCHY_IMPL_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_LEVEL_HIERARCHY_IMPL_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_estimate.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+inline const Clustering_input& input_without_features(const Clustering_state& state)
+{
+  if (state.working_input().cells)
+    throw Invalid_input("clusters cannot be edited, nor merged to levels, where features are kept");
+  return state.working_input();
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE Level_hierarchy::Level_hierarchy(const Clustering_state& state)
+  : state_(state), history_(input_without_features(state), internal::labels(state), Index(state.number_of_clusters()),
+                            state.cancellation())
+{}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> Level_hierarchy::ancestors(std::size_t fine, std::size_t coarse) const
+{
+  return history_.ancestors(fine, coarse);
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Triangle> Level_hierarchy::triangles(std::size_t level) const
+{
+  return history_.triangles(level);
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> Level_hierarchy::clusters_of_faces(std::size_t level,
+                                                                                          std::size_t number) const
+{
+  const std::vector<Index> of_cluster = history_.ancestors(finest(), level);
+  std::vector<Index> clusters(number);
+  for (std::size_t f = 0; f < number; ++f) {
+    const std::size_t x = cluster_of_face(state_, Index(f));
+    clusters[f] = x == finest() ? Index(level) : of_cluster[history_.number(Index(x))];
+  }
+  return clusters;
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE Cluster_labels Level_hierarchy::labels(std::size_t level) const
+{
+  const Clustering_input& input = state_.working_input();
+  const Cluster_labels& finest_labels = internal::labels(state_);
+  const std::vector<Index> of_cluster = history_.ancestors(finest(), level);
+  Cluster_labels result(input.mesh);
+  for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
+    result.set(Index(f), of_cluster[history_.number(finest_labels[Index(f)])]);
+  result.recount();
+  return result;
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE Placed_level Level_hierarchy::place(std::size_t level, const Placement_model& placement,
+                                                                        bool with_repair,
+                                                                        const Output_coordinates& output_coordinates) const
+{
+  Placed_level placed{labels(level), history_.triangles(level), {}};
+  Repair_counts counts;
+  placed.positions = place_vertices(Clustered_surface(state_.working_input(), placed.labels, level), placement, with_repair,
+                                    output_coordinates, placed.triangles, counts, state_.cancellation());
+  return placed;
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE double Level_hierarchy::estimate(const Placed_level& placed, double least) const
+{
+  return Distance_estimate(placed.labels, placed.positions, placed.triangles, state_.cancellation()).distance(least);
+}
+
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_LEVEL_HIERARCHY_IMPL_H

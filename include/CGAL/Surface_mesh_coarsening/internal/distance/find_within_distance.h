@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_FIND_WITHIN_DISTANCE_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_FIND_WITHIN_DISTANCE_H
+
+#include <CGAL/Surface_mesh_coarsening/Distance_report.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The coarsest dual within a distance that was found.
+struct Dual_within_distance
+{
+  std::vector<Triangle> triangles;
+  std::vector<Vector> positions;
+  std::vector<Index> clusters_of_base_faces;
+};
+
+// Looks for it among the levels of a fine clustering; throws if there is none. `quick` is a placement that takes less time and
+// comes nearly as close. `vertices` is the largest number of clusters that is tried.
+Dual_within_distance find_within_distance(Clustering_state& state, const Placement_model& placement,
+                                          const std::optional<Placement_model>& quick,
+                                          const Output_coordinates& output_coordinates, double distance, const Minimization_end& end,
+                                          std::size_t vertices, Distance_report& report);
+
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE
+#include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance_impl.h>
+#endif
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_FIND_WITHIN_DISTANCE_H
