@@ -42,8 +42,8 @@ struct Named_function_parameters<T, Tag, Surface_mesh_coarsening::internal_np::C
   // CGAL 6 recognizes a pack by this name.
   typedef int CGAL_Named_function_parameters_class;
 
-  Named_function_parameters(const T& v, const Rest& rest)
-    : base(v, Surface_mesh_coarsening::internal_np::Chain<Rest>(rest))
+  Named_function_parameters(const T& value, const Rest& rest)
+    : base(value, Surface_mesh_coarsening::internal_np::Chain<Rest>(rest))
   {}
 
 private:

@@ -65,7 +65,7 @@ public:
   void sort_groups(const Less& less)
   {
     for (std::size_t x = 0; x < size(); ++x)
-      std::sort(items_.begin() + first_[x], items_.begin() + first_[x + 1], less);
+      std::sort(items_.data() + first_[x], items_.data() + first_[x + 1], less);
   }
 
 private:

@@ -74,7 +74,7 @@ private:
       for (std::size_t i = 0; i < runs.size(); ++i) {
         if (Cluster_labels::is_cap(runs[i]))
           continue;
-        if (std::find(runs.begin() + i + 1, runs.end(), runs[i]) != runs.end())
+        if (std::find(runs.data() + i + 1, runs.data() + runs.size(), runs[i]) != runs.data() + runs.size())
           return name(runs[i]) + " touches itself at vertex " + std::to_string(v);
         ++euler_characteristic[runs[i]];
       }

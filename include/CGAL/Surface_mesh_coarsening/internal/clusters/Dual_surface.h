@@ -144,7 +144,7 @@ private:
     std::size_t arcs = 0;
     Edge f = previous(e);
     do {
-      arcs += is_arc_[f];
+      arcs += is_arc_[f] ? 1 : 0;
       f = opposite_[previous(f)];
     } while (f != previous(e) && arcs <= 2);
     return arcs == 2;

@@ -114,7 +114,7 @@ private:
     std::vector<std::uint64_t> directed;
     directed.reserve(3 * triangles_.size());
     for (const Triangle& t : triangles_)
-      for (int i = 0; i < 3; ++i)
+      for (std::size_t i = 0; i < 3; ++i)
         directed.push_back((std::uint64_t(t[i]) << 32) | t[(i + 1) % 3]);
     std::sort(directed.begin(), directed.end());
     const auto twice = std::adjacent_find(directed.begin(), directed.end());

@@ -75,7 +75,7 @@ struct Clustering_input
     std::vector<double> areas(mesh.components.size(), 0);
     for (std::size_t f = 0; f < area.size(); ++f)
       areas[mesh.component[f]] += area[f];
-    const std::size_t dropped = std::count_if(areas.begin(), areas.end(), [&](double a) { return a < min_area; });
+    const auto dropped = std::size_t(std::count_if(areas.begin(), areas.end(), [&](double a) { return a < min_area; }));
     if (dropped == 0)
       return 0;
     std::vector<Index> new_number(mesh.number_of_faces(), NONE), kept;

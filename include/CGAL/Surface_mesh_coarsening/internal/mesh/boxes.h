@@ -29,7 +29,7 @@ inline double squared_distance_from_box(const Vector& p, const Bbox_3& box)
 {
   const Vector low = low_corner(box), high = high_corner(box);
   double sum = 0;
-  for (int i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     const double d = (std::max)((std::max)(low[i] - p[i], p[i] - high[i]), 0.);
     sum += d * d;
   }

@@ -12,6 +12,7 @@
 #include <CGAL/property_map.h>
 
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -208,10 +209,10 @@ void list_faces(const FaceGraph& mesh, const Numbering<FaceGraph>& n, std::size_
       list.corner_vertex.push_back(n.number_of(source(h, mesh)));
       list.face_across.push_back(beyond == boost::graph_traits<FaceGraph>::null_face() ? NONE : n.number_of(beyond));
     }
-    const auto corner = list.corner_vertex.begin() + first;
-    const std::size_t shift = std::min_element(corner, list.corner_vertex.end()) - corner;
+    const auto corner = list.corner_vertex.begin() + std::ptrdiff_t(first), across = list.face_across.begin() + std::ptrdiff_t(first);
+    const std::ptrdiff_t shift = std::min_element(corner, list.corner_vertex.end()) - corner;
     std::rotate(corner, corner + shift, list.corner_vertex.end());
-    std::rotate(list.face_across.begin() + first, list.face_across.begin() + first + shift, list.face_across.end());
+    std::rotate(across, across + shift, list.face_across.end());
     list.degree.push_back(Index(list.corner_vertex.size() - first));
   }
 }
@@ -261,7 +262,7 @@ inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector
   Vector low{{inf, inf, inf}}, high{{-inf, -inf, -inf}};
   for (std::size_t v = 0; v < points.size(); ++v) {
     cancellation.poll();
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       if (first_in_star[v] == first_in_star[v + 1])
         continue;
       if (!std::isfinite(points[v][i]))
@@ -272,7 +273,7 @@ inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector
     }
   }
   double extent = 0;
-  for (int i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 3; ++i)
     if (low[i] <= high[i]) {
       frame.origin[i] = 0.5 * low[i] + 0.5 * high[i];
       extent = (std::max)(extent, 0.5 * high[i] - 0.5 * low[i]);
@@ -282,7 +283,7 @@ inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector
     frame.exponent = exponent;
   for (Vector& p : points) {
     cancellation.poll();
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       p[i] -= frame.origin[i];
       if (frame.exponent != 0)
         p[i] = std::ldexp(p[i], -frame.exponent);

@@ -33,7 +33,7 @@ inline Vector to_mesh_coordinates(const Local_frame& frame, const Vector& p)
   }
   constexpr double largest = (std::numeric_limits<double>::max)();
   Vector q;
-  for (int i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     const double x = frame.origin[i] + (frame.exponent == 0 ? p[i] : std::ldexp(p[i], frame.exponent));
     q[i] = (std::min)((std::max)(x, -largest), largest);
   }
@@ -83,7 +83,7 @@ struct Halfedges
     next.assign(target.size(), NONE);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       of_face[t] = side_halfedge[3 * t];
-      for (int i = 0; i < 3; ++i)
+      for (std::size_t i = 0; i < 3; ++i)
         next[side_halfedge[3 * t + i]] = side_halfedge[3 * t + (i + 1) % 3];
     }
     close_borders();
@@ -97,7 +97,7 @@ private:
     std::vector<std::pair<std::uint64_t, Index> > sides;
     sides.reserve(3 * triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t)
-      for (int i = 0; i < 3; ++i) {
+      for (std::size_t i = 0; i < 3; ++i) {
         const Index a = triangles[t][i], b = triangles[t][(i + 1) % 3];
         sides.push_back({(std::uint64_t((std::min)(a, b)) << 32) | (std::max)(a, b), Index(3 * t + i)});
       }

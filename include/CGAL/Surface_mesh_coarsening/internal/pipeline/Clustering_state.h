@@ -26,8 +26,8 @@ constexpr std::size_t faces_per_cluster = 20;
 // How the clusters came about.
 struct Seeding
 {
-  enum Kind { NONE, FOR_NUMBER, AT_LEVEL };
-  Kind kind = NONE; // none if the clusters were given, edited or frozen
+  enum Kind { BY_CALLER, FOR_NUMBER, AT_LEVEL };
+  Kind kind = BY_CALLER; // who gave, edited or froze the clusters
   std::size_t value = 0;
 };
 

@@ -294,7 +294,7 @@ inline void recluster(Clustering_state& state, const std::vector<double>& densit
 inline bool is_worth_reclustering(const Clustering_state& state, const Placed_dual& dual)
 {
   return dual.number_left() > 0 && 2 * dual.number_left() <= state.number_of_clusters() &&
-         state.seeding.kind != Seeding::NONE && state.energy->depends_on_densities();
+         state.seeding.kind != Seeding::BY_CALLER && state.energy->depends_on_densities();
 }
 
 // Raises the densities of the faces whose clusters have vertices of intersecting triangles.

@@ -233,7 +233,7 @@ private:
       return;
     for (std::size_t i = 0; i < plan_.size(); ++i)
       cut_[i] = plan_[i].from_pieces();
-    const std::size_t cut = std::count(cut_.begin(), cut_.end(), true);
+    const auto cut = std::size_t(std::count(cut_.begin(), cut_.end(), true));
     report_.subdivided_components = subdivided_input_ ? cut_.size() : cut;
     input_ = uncut_input_;
     if (cut > 0) {

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Times the tool, as a process, on generated meshes that are hard on it: vertices of high valence, long triangles, polygons of very
+// many sides, jagged borders, very many loops and components. Each run has to end, with a result or a refusal, within so many
+// times the processor time for each face that a reference mesh takes: the horse if it is given, a rough sphere of about its size
+// otherwise. Prints a line per run and ends with 1 if one took longer. The tool's path is in the environment variable COARSEN_MESH.
+
+#include "support/Tool_process.h"
+#include "support/generate_meshes.h"
+#include "support/mesh_files.h"
+#include "support/torture_set.h"
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <sys/resource.h>
+
+namespace {
+
+using generated::Soup;
+
+struct Options
+{
+  std::string reference, only, tool_options;
+  double limit = 20;
+  bool quick = false;
+};
+
+struct Hard_mesh
+{
+  std::string name;
+  std::function<Soup()> make;
+  std::string options;
+};
+
+// A disc of triangles around a polygon of many sides.
+Soup disc_around_polygon(std::size_t sides)
+{
+  Soup s = generated::tube(sides, 1);
+  generated::Polygon inside;
+  for (std::size_t i = 0; i < sides; ++i) {
+    generated::Point& p = s.points[2 * i];
+    p = {0.5 * p[0], 0.5 * p[1], 0};
+    s.points[2 * i + 1][2] = 0;
+    inside.push_back(2 * (sides - 1 - i));
+  }
+  s.polygons.push_back(inside);
+  return s;
+}
+
+// A tube of which one border goes up and down at each of its edges.
+Soup jagged_tube(std::size_t edges, std::size_t rings)
+{
+  Soup s = generated::triangulated(generated::tube(edges / 2, rings));
+  const auto on_top = [&](std::size_t v) { return v % (rings + 1) == rings; };
+  const auto is_between_teeth = [&](const generated::Polygon& p) { return std::count_if(p.begin(), p.end(), on_top) == 2; };
+  s.polygons.erase(std::remove_if(s.polygons.begin(), s.polygons.end(), is_between_teeth), s.polygons.end());
+  std::mt19937 engine(1);
+  for (std::size_t v = 0; v < s.points.size(); ++v)
+    if (on_top(v))
+      s.points[v][2] += 0.3 * (1 + generated::symmetric_random(engine));
+  return generated::without_isolated_vertices(s);
+}
+
+std::vector<Hard_mesh> hard_meshes(bool quick)
+{
+  using namespace generated;
+  const auto size = [quick](std::size_t large, std::size_t small) { return quick ? small : large; };
+  const unsigned level = quick ? 4 : 6;
+  return {
+    {"bipyramid of valence 1,000", [] { return bipyramid(1000); }, ""},
+    {"bipyramid of high valence", [=] { return bipyramid(size(100000, 5000)); }, ""},
+    {"cone of valence 10,000", [=] { return fan(size(10000, 3000)); }, ""},
+    {"cone of high valence", [=] { return fan(size(200000, 8000)); }, ""},
+    {"dual of a bipyramid", [=] { return dual(bipyramid(size(20000, 1000))); }, ""},
+    {"polygon of many sides", [=] { return disc_around_polygon(size(5000, 500)); }, ""},
+    {"polygon of very many sides", [=] { return disc_around_polygon(size(50000, 2000)); }, ""},
+    {"needles", [=] { return needles(size(1000, 100), size(100, 12)); }, ""},
+    {"long thin tube", [=] { return triangulated(tube(3, size(30000, 1000))); }, ""},
+    {"strip of triangles", [=] { return triangulated(grid(size(100000, 2000), 1)); }, ""},
+    {"strip of long triangles", [=] { return scaled(triangulated(grid(size(50000, 1000), 2)), 1e-3, 10, 1); }, ""},
+    {"uneven grid", [=] { return benchmark_support::uneven_grid(size(200, 60), size(500, 40)); }, ""},
+    {"jagged border", [=] { return jagged_tube(1000, size(100, 4)); }, ""},
+    {"jagged border, filled", [=] { return jagged_tube(size(1000, 200), size(100, 20)); }, "--fill-holes 1e9"},
+    {"very many loops", [=] { return with_holes(triangle_sphere(level), size(2000, 100)); }, ""},
+    {"very many components", [=] { return many_tetrahedra(size(10000, 300)); }, ""},
+    {"very many triangles apart", [=] { return benchmark_support::triangles(size(3000, 100)); }, ""},
+    {"plate of high genus", [=] { return triangulated(plate_with_windows(size(300, 20), size(5, 2))); }, ""},
+    {"thin plate", [=] { return thin_plate(size(180, 40), 0.01); }, ""},
+    {"noise", [=] { return with_noise(triangle_sphere(level), 0.2); }, ""},
+    {"flat sphere", [=] { return scaled(triangle_sphere(level), 1, 1, 0); }, ""},
+    {"all in one point", [=] { return scaled(triangle_sphere(level), 0); }, ""},
+    {"features all over", [=] { return with_noise(triangle_sphere(level - 1), 0.1); }, "--features 20"}};
+}
+
+double processor_seconds_of_children()
+{
+  rusage usage;
+  getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+class Sweep
+{
+public:
+  Sweep(double limit, const std::string& options) : limit_(limit), options_(options) {}
+
+  // The time for each face that others are compared with.
+  void run_reference(const std::string& file, std::size_t faces, std::size_t vertices)
+  {
+    reference_ = 1e300; // no limit
+    seconds_a_face_ = time("'" + file + "'", "-n " + std::to_string(vertices)).second / double(faces);
+    std::cout << "reference: " << 1e6 * seconds_a_face_ << " microseconds a face" << std::endl;
+  }
+
+  void run(const Hard_mesh& mesh)
+  {
+    const Soup soup = mesh.make();
+    directory_.write("in.off", mesh_files::off(soup));
+    // Starting the tool takes as long as some hundred faces.
+    reference_ = seconds_a_face_ * double((std::max)(soup.polygons.size(), std::size_t(2000)));
+    for (const double share : {0., 0.01, 0.1, 0.35}) {
+      const std::size_t number = std::size_t(share * double(soup.points.size()));
+      if (share > 0 && number < 4)
+        continue;
+      const auto outcome = time("in.off", mesh.options + (number > 0 ? " -n " + std::to_string(number) : ""));
+      const double times = outcome.second / reference_;
+      const bool failed = times > limit_;
+      failures_ += failed;
+      ++runs_;
+      worst_ = (std::max)(worst_, times);
+      std::cout << std::left << std::setw(30) << mesh.name << std::right << std::setw(8) << soup.polygons.size() << " faces "
+                << std::setw(7) << (number > 0 ? std::to_string(number) : "default") << " " << std::setw(8)
+                << (outcome.first == 0 ? "done" : outcome.first == 1 ? "refused" : "ended") << std::fixed << std::setprecision(2)
+                << std::setw(9) << outcome.second << " s " << std::setw(8) << times << " times" << (failed ? "  TOO LONG" : "")
+                << std::endl;
+    }
+  }
+
+  bool finish() const
+  {
+    std::cout << runs_ << " runs, " << failures_ << " longer than " << limit_ << " times the reference; the longest took " << worst_
+              << " times" << std::endl;
+    return failures_ == 0;
+  }
+
+private:
+  // The status and the processor time of a run. What takes much longer than it may is ended.
+  std::pair<int, double> time(const std::string& input, const std::string& options)
+  {
+    const double before = processor_seconds_of_children();
+    const unsigned most = unsigned((std::min)(600., 2 * limit_ * reference_ + 2));
+    const test::Tool_outcome outcome =
+      test::Tool_process(directory_.path(), input + " out.off --quiet " + options_ + " " + options, "ulimit -c 0; ulimit -t " + std::to_string(most))
+        .wait(std::chrono::seconds(3600));
+    return {outcome.status, processor_seconds_of_children() - before};
+  }
+
+  const double limit_;
+  const std::string options_; // of the tool
+  test::Tool_directory directory_;
+  double reference_ = 0, seconds_a_face_ = 0, worst_ = 0;
+  std::size_t runs_ = 0, failures_ = 0;
+};
+
+Options read_options(int argc, char** argv)
+{
+  namespace po = boost::program_options;
+  Options options;
+  po::options_description described("usage: sweep_times [OPTIONS]\noptions");
+  described.add_options()("help", "print this and exit")(
+    "reference", po::value(&options.reference), "the horse, of 112,642 faces")(
+    "limit", po::value(&options.limit)->default_value(options.limit), "times the reference's time for each face")(
+    "only", po::value(&options.only), "meshes with this in their names")(
+    "options", po::value(&options.tool_options), "options of the tool, for all runs")(
+    "quick", po::bool_switch(&options.quick), "small meshes");
+  po::variables_map map;
+  po::store(po::parse_command_line(argc, argv, described), map);
+  po::notify(map);
+  if (map.count("help") != 0) {
+    std::cout << described;
+    std::exit(0);
+  }
+  return options;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+try {
+  const Options options = read_options(argc, argv);
+  if (!std::getenv("COARSEN_MESH"))
+    throw std::runtime_error("the environment variable COARSEN_MESH does not name the tool");
+  Sweep sweep(options.limit, options.tool_options);
+  if (!options.reference.empty()) {
+    sweep.run_reference(std::filesystem::absolute(options.reference).string(), 112642, 1579);
+  } else {
+    const Soup sphere = generated::with_noise(generated::triangle_sphere(6), 0.001);
+    const test::Tool_directory directory;
+    directory.write("in.off", mesh_files::off(sphere));
+    sweep.run_reference((directory / "in.off").string(), sphere.polygons.size(), 1200);
+  }
+  for (const Hard_mesh& mesh : hard_meshes(options.quick))
+    if (mesh.name.find(options.only) != std::string::npos)
+      sweep.run(mesh);
+  return sweep.finish() ? 0 : 1;
+} catch (const std::exception& e) {
+  std::cerr << "sweep_times: " << e.what() << std::endl;
+  return 2;
+}
