@@ -38,7 +38,7 @@ public:
   /// lower the distance are made until it is reached; if it is not reached from the start, flips that raise it are made
   /// where they add little to the distance. Between 0 and 60.
   /// \throws Invalid_input if `mean_angle` is out of range.
-  explicit Fitted_placement(std::size_t rounds = 6, double mean_angle = 40) : rounds_(rounds), mean_angle_(mean_angle)
+  explicit Fitted_placement(std::size_t rounds = 5, double mean_angle = 40) : rounds_(rounds), mean_angle_(mean_angle)
   {
     if (!(mean_angle >= 0 && mean_angle <= 60))
       throw Invalid_input("the mean angle of a fit is " + std::to_string(mean_angle) + ", not in [0, 60]");

@@ -8,49 +8,90 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
+// A symmetric matrix.
+struct Symmetric_block
+{
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+
+  static Symmetric_block identity() { return {1, 0, 0, 1, 0, 1}; }
+  static Symmetric_block square(const Vector& v)
+  {
+    return {v[0] * v[0], v[0] * v[1], v[0] * v[2], v[1] * v[1], v[1] * v[2], v[2] * v[2]};
+  }
+  // The weights of movements along a unit normal, 1, and across it.
+  static Symmetric_block metric(const Vector& normal, double across)
+  {
+    Symmetric_block m;
+    m.add(across, identity());
+    m.add(1 - across, square(normal));
+    return m;
+  }
+
+  void add(double factor, const Symmetric_block& b)
+  {
+    xx += factor * b.xx;
+    xy += factor * b.xy;
+    xz += factor * b.xz;
+    yy += factor * b.yy;
+    yz += factor * b.yz;
+    zz += factor * b.zz;
+  }
+
+  Vector operator*(const Vector& v) const
+  {
+    return {{xx * v[0] + xy * v[1] + xz * v[2], xy * v[0] + yy * v[1] + yz * v[2], xz * v[0] + yz * v[1] + zz * v[2]}};
+  }
+
+  Eigen::Matrix3d matrix() const
+  {
+    Eigen::Matrix3d m;
+    m << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    return m;
+  }
+};
+
 // The normal equations of a linear least squares problem for the movements of the vertices of a triangle mesh, kept triangle
 // by triangle and vertex by vertex. They are solved by conjugate gradients, preconditioned with the blocks of the vertices;
 // the matrix is much like a mass matrix, whose condition does not grow with the mesh.
+//
+// Why it is not Eigen::ConjugateGradient: the symmetric blocks of the triangles take a third of the memory of the sparse matrix,
+// and need not be put together.
 class Fit_equations
 {
 public:
-  typedef Eigen::Matrix3d Block;
-
   Fit_equations(const std::vector<Triangle>& triangles, std::size_t vertices)
-    : triangles_(triangles), of_triangle_(triangles.size(), Element::Zero()), of_vertex_(vertices, Block::Zero()),
-      right_(vertices, Eigen::Vector3d::Zero()), is_fixed_(vertices, false) {}
+    : triangles_(triangles), of_triangle_(triangles.size()), of_vertex_(vertices), right_(vertices, Vector{{0, 0, 0}}),
+      is_fixed_(vertices, false) {}
 
-  // Wants points of triangle `t` to move along `normal` with full weight, and sideways with a part `damping` of that.
-  // `products` are the sums over the points of their weights times the products of their barycentric coordinates.
-  void add_stiffness(Index t, const Eigen::Matrix3d& products, const Vector& normal, double damping)
+  // Wants points of triangle `t` to move, with the weights of directions that `metric` gives. `products` are the sums over the
+  // points of their weights times the products of their barycentric coordinates.
+  void add_stiffness(Index t, const Symmetric_block& products, const Symmetric_block& metric)
   {
-    const Eigen::Vector3d n(normal[0], normal[1], normal[2]);
-    add_stiffness(t, products, damping * Block::Identity() + (1 - damping) * n * n.transpose());
-  }
-
-  // The same with other weights of directions.
-  void add_stiffness(Index t, const Eigen::Matrix3d& products, const Block& metric)
-  {
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b)
-        if (products(a, b) != 0)
-          of_triangle_[t].block<3, 3>(3 * a, 3 * b) += products(a, b) * metric;
+    Element& e = of_triangle_[t];
+    const std::array<double, 6> factor{{products.xx, products.yy, products.zz, products.yz, products.xz, products.xy}};
+    for (std::size_t i = 0; i < 6; ++i)
+      if (factor[i] != 0)
+        e[i].add(factor[i], metric);
   }
 
   // Wants vertex `v` to move by `d` with weight `weight`.
   void add_vertex(Index v, const Vector& d, double weight)
   {
-    of_vertex_[v].diagonal().array() += weight;
+    of_vertex_[v].add(weight, Symmetric_block::identity());
     add_force(v, d, weight);
   }
 
-  void add_force(Index v, const Vector& d, double weight) { right_[v] += weight * Eigen::Vector3d(d[0], d[1], d[2]); }
+  void add_force(Index v, const Vector& d, double weight) { right_[v] = right_[v] + weight * d; }
 
   // Keeps vertex `v` where it is.
   void fix(Index v) { is_fixed_[v] = true; }
@@ -59,8 +100,8 @@ public:
   std::vector<Vector> solve(std::size_t max_steps, double tolerance, const Cancellation_point& cancellation) const
   {
     const std::size_t n = right_.size();
-    const std::vector<Block> inverse = inverse_blocks();
-    Vectors x(n, Eigen::Vector3d::Zero()), r = right_, z(n), p(n), q(n);
+    const std::vector<Symmetric_block> inverse = inverse_blocks();
+    std::vector<Vector> x(n, Vector{{0, 0, 0}}), r = right_, z(n), p(n), q(n);
     hold(r);
     const double goal = product(r, r) * tolerance * tolerance;
     double rz = 0;
@@ -71,72 +112,69 @@ public:
       const double now = product(r, z), beta = step == 0 ? 0 : now / rz;
       rz = now;
       for (std::size_t v = 0; v < n; ++v)
-        p[v] = step == 0 ? z[v] : Eigen::Vector3d(z[v] + beta * p[v]);
+        p[v] = step == 0 ? z[v] : z[v] + beta * p[v];
       multiply(p, q);
       const double alpha = rz / product(p, q);
       for (std::size_t v = 0; v < n; ++v) {
-        x[v] += alpha * p[v];
-        r[v] -= alpha * q[v];
+        x[v] = x[v] + alpha * p[v];
+        r[v] = r[v] - alpha * q[v];
       }
     }
-    std::vector<Vector> moves(n, Vector{{0, 0, 0}});
-    for (std::size_t v = 0; v < n; ++v) {
-      if (!x[v].allFinite())
-        return std::vector<Vector>(n, Vector{{0, 0, 0}});
-      moves[v] = {{x[v][0], x[v][1], x[v][2]}};
-    }
-    return moves;
+    const auto is_finite = [](const Vector& d) { return std::isfinite(d[0]) && std::isfinite(d[1]) && std::isfinite(d[2]); };
+    return std::all_of(x.begin(), x.end(), is_finite) ? x : std::vector<Vector>(n, Vector{{0, 0, 0}});
   }
 
 private:
-  typedef Eigen::Matrix<double, 9, 9> Element;
-  typedef std::vector<Eigen::Vector3d> Vectors;
+  // Of the pairs of corners 00, 11, 22, 12, 20 and 01.
+  typedef std::array<Symmetric_block, 6> Element;
 
-  std::vector<Block> inverse_blocks() const
+  std::vector<Symmetric_block> inverse_blocks() const
   {
-    std::vector<Block> blocks = of_vertex_;
+    std::vector<Symmetric_block> blocks = of_vertex_;
     for (std::size_t t = 0; t < triangles_.size(); ++t)
-      for (int a = 0; a < 3; ++a)
-        blocks[triangles_[t][a]] += of_triangle_[t].block<3, 3>(3 * a, 3 * a);
-    for (Block& b : blocks)
-      b = b.inverse().eval();
+      for (std::size_t a = 0; a < 3; ++a)
+        blocks[triangles_[t][a]].add(1, of_triangle_[t][a]);
+    for (Symmetric_block& b : blocks) {
+      const Eigen::Matrix3d inverse = b.matrix().inverse();
+      b = {inverse(0, 0), inverse(0, 1), inverse(0, 2), inverse(1, 1), inverse(1, 2), inverse(2, 2)};
+    }
     return blocks;
   }
 
-  void multiply(const Vectors& p, Vectors& q) const
+  void multiply(const std::vector<Vector>& p, std::vector<Vector>& q) const
   {
     for (std::size_t v = 0; v < p.size(); ++v)
       q[v] = of_vertex_[v] * p[v];
-    Eigen::Matrix<double, 9, 1> in, out;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      for (int a = 0; a < 3; ++a)
-        in.segment<3>(3 * a) = p[triangles_[t][a]];
-      out.noalias() = of_triangle_[t] * in;
-      for (int a = 0; a < 3; ++a)
-        q[triangles_[t][a]] += out.segment<3>(3 * a);
+      const Triangle& corner = triangles_[t];
+      const Element& e = of_triangle_[t];
+      const Vector a = p[corner[0]], b = p[corner[1]], c = p[corner[2]];
+      q[corner[0]] = q[corner[0]] + e[0] * a + e[5] * b + e[4] * c;
+      q[corner[1]] = q[corner[1]] + e[5] * a + e[1] * b + e[3] * c;
+      q[corner[2]] = q[corner[2]] + e[4] * a + e[3] * b + e[2] * c;
     }
     hold(q);
   }
 
-  void hold(Vectors& p) const
+  void hold(std::vector<Vector>& p) const
   {
     for (std::size_t v = 0; v < p.size(); ++v)
       if (is_fixed_[v])
-        p[v].setZero();
+        p[v] = {{0, 0, 0}};
   }
 
-  static double product(const Vectors& p, const Vectors& q)
+  static double product(const std::vector<Vector>& p, const std::vector<Vector>& q)
   {
     double sum = 0;
     for (std::size_t v = 0; v < p.size(); ++v)
-      sum += p[v].dot(q[v]);
+      sum += dot(p[v], q[v]);
     return sum;
   }
 
   const std::vector<Triangle>& triangles_;
   std::vector<Element> of_triangle_;
-  std::vector<Block> of_vertex_;
-  Vectors right_;
+  std::vector<Symmetric_block> of_vertex_;
+  std::vector<Vector> right_;
   std::vector<bool> is_fixed_;
 };
 

@@ -59,22 +59,24 @@ public:
   // The area of the input.
   double area() const { return area_; }
   // The part of the area that a sample of the input stands for.
-  double weight() const { return samples_.empty() ? 0 : area_ / double(samples_.size()); }
+  double weight() const { return samples_.empty() ? 0 : area_ / double(number_of_used()); }
 
-  void find_feet()
+  // Uses one in `step` of the samples of the input.
+  void find_feet(std::size_t step)
   {
+    step_ = step;
     const std::vector<Triangle>& triangles = coarse_.triangles();
     const Cancellation_point& cancellation = surface_.cancellation();
     for_each_number(surface_.execution(), triangles.size(), cancellation,
                     [&](Index t) { prepared_[t] = Prepared_triangle(positions_, triangles[t]); });
-    for_each_chunk(surface_.execution(), samples_.size(), 64, cancellation,
+    for_each_chunk(surface_.execution(), number_of_used(), 64, cancellation,
                    [this](std::size_t, std::size_t begin, std::size_t end) {
                      for (std::size_t i = begin; i < end; ++i)
-                       find_foot(samples_[i]);
+                       find_foot(samples_[i * step_]);
                    });
     first_on_.assign(triangles.size(), NONE);
-    for (std::size_t i = samples_.size(); i-- > 0;)
-      link(Index(i));
+    for (std::size_t i = number_of_used(); i-- > 0;)
+      link(Index(i * step_));
     constexpr std::size_t at_a_time = 1024, steps_of_triangle = 16;
     for (std::size_t first = 0; first < back_.size(); first += at_a_time) {
       cancellation.poll(steps_of_triangle * at_a_time);
@@ -100,8 +102,8 @@ public:
   double sum_of_squared_distances() const
   {
     double sum = 0;
-    for (const Sample& s : samples_)
-      sum += s.foot.squared_distance;
+    for (std::size_t i = 0; i < samples_.size(); i += step_)
+      sum += samples_[i].foot.squared_distance;
     return weight() * sum;
   }
 
@@ -192,6 +194,8 @@ private:
     std::array<Start, 32> points_;
     std::size_t number_ = 0;
   };
+
+  std::size_t number_of_used() const { return (samples_.size() + step_ - 1) / step_; }
 
   void link(Index i)
   {
@@ -329,6 +333,7 @@ private:
   const Flippable_triangulation& coarse_;
   const std::vector<Vector>& positions_;
   const double area_;
+  std::size_t step_ = 1;
   std::vector<Sample> samples_;
   std::vector<Prepared_triangle> prepared_;
   std::vector<Index> first_on_, next_on_; // the samples whose foot lies on each triangle, as linked lists

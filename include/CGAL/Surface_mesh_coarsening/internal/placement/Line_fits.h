@@ -6,8 +6,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_equations.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Line_fit.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <vector>
 
@@ -51,16 +49,16 @@ public:
       line.for_each_foot([&](Index x, Index y, double at, const Vector& off, double length) {
         const std::vector<Index>& around = coarse.around(x);
         const Index t = *std::find_if(around.begin(), around.end(), [&](Index u) { return coarse.corner(u, y) >= 0; });
-        Eigen::Vector3d b = Eigen::Vector3d::Zero();
-        b[coarse.corner(t, x)] = 1 - at;
-        b[coarse.corner(t, y)] = at;
+        Vector b{{0, 0, 0}};
+        b[std::size_t(coarse.corner(t, x))] = 1 - at;
+        b[std::size_t(coarse.corner(t, y))] = at;
         const Vector way = positions_[y] - positions_[x];
-        Eigen::Vector3d along(way[0], way[1], way[2]);
-        if (along.squaredNorm() > 0)
-          along.normalize();
-        const double weight = width * length;
-        equations.add_stiffness(t, weight * b * b.transpose(),
-                                Eigen::Matrix3d::Identity() - (1 - damping) * along * along.transpose());
+        const double square = dot(way, way), weight = width * length;
+        Symmetric_block metric = Symmetric_block::identity(), products;
+        if (square > 0)
+          metric.add(-(1 - damping) / square, Symmetric_block::square(way));
+        products.add(weight, Symmetric_block::square(b));
+        equations.add_stiffness(t, products, metric);
         equations.add_force(x, off, weight * (1 - at));
         equations.add_force(y, off, weight * at);
       });

@@ -21,6 +21,8 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices(const Clustered_surface& s
   // The movements after the last flips take a little from the angles.
   constexpr double reserve = 0.4;
   constexpr double min_angle = 7;
+  // Before the last rounds, one in so many samples will do.
+  constexpr std::size_t rounds_with_all = 3, step_before = 4;
   for (std::size_t x = 0; x < positions.size(); ++x) {
     surface.cancellation().poll(surface.faces(x).size());
     if (!border.is_on_border(x))
@@ -30,7 +32,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices(const Clustered_surface& s
   Surface_fit fit(surface, border, coarse, positions);
   Edge_flips flips(coarse, positions, fit.samples(), surface.cancellation());
   for (std::size_t i = 0; i < rounds; ++i) {
-    fit.find_feet();
+    fit.find_feet(i + rounds_with_all < rounds ? step_before : 1);
     flips.run((mean_angle + reserve) / degrees_per_radian, min_angle / degrees_per_radian);
     fit.move_vertices();
     for (std::size_t x = 0; x < positions.size(); ++x)
