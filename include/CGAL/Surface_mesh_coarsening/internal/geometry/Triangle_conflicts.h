@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -55,6 +56,8 @@ public:
     if (common == 1) {
       const int j = in_u[shared];
       const Index a = u[(j + 1) % 3], b = u[(j + 2) % 3], c = t[(shared + 1) % 3], d = t[(shared + 2) % 3];
+      if (are_apart(t[shared], a, b, c, d))
+        return false;
       // Mostly all but the common corner of one triangle is on one side of the plane of the other.
       if (are_beside(t, a, b) || are_beside(u, c, d))
         return false;
@@ -83,6 +86,29 @@ private:
       if (v != a && v != b)
         return v;
     return t[0];
+  }
+
+  // Whether a plane through `common` certainly has `a` and `b` on one side and `c` and `d` on the other. The many triangles around
+  // a vertex of high valence are told apart so, which takes long by exact tests if they are coplanar.
+  bool are_apart(Index common, Index a, Index b, Index c, Index d) const
+  {
+    constexpr double rounding = 1e-14; // more than dot products of three terms are off, relative to the lengths
+    const std::array<Vector, 4> to{{way(common, a), way(common, b), way(common, c), way(common, d)}};
+    Vector normal{{0, 0, 0}};
+    std::array<double, 4> length;
+    for (std::size_t i = 0; i < 4; ++i) {
+      length[i] = std::sqrt(dot(to[i], to[i]));
+      normal = normal + ((i < 2 ? 1 : -1) / length[i]) * to[i];
+    }
+    const double bound = rounding * std::sqrt(dot(normal, normal));
+    return dot(normal, to[0]) > bound * length[0] && dot(normal, to[1]) > bound * length[1] &&
+           dot(normal, to[2]) < -bound * length[2] && dot(normal, to[3]) < -bound * length[3];
+  }
+
+  Vector way(Index from, Index to) const
+  {
+    const Exact_point &p = points_[from], &q = points_[to];
+    return {{q.x() - p.x(), q.y() - p.y(), q.z() - p.z()}};
   }
 
   // Whether a triangle is on one side of the plane of another, which is quick to tell.

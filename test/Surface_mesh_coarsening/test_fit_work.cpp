@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The fit and the repair take about as long a face on meshes of one or two vertices of very high valence as on a sphere. Processor
+// time is compared with processor time, so the bound holds on any machine and with any options.
+
+#define BOOST_TEST_MODULE fit_work
+#include "support/face_graphs.h"
+#include "support/generate_meshes.h"
+
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
+
+#include <cstddef>
+#include <ctime>
+#include <string>
+
+namespace SMC = CGAL::Surface_mesh_coarsening;
+using test::Mesh;
+
+namespace {
+
+// Seconds for each vertex of the input or the output.
+double seconds_each(const std::string& name, const Mesh& mesh, std::size_t number)
+{
+  Mesh output;
+  const std::clock_t begin = std::clock();
+  SMC::coarsen_mesh(mesh, number, output,
+                    SMC::parameters::cluster_weight(SMC::Weighted_area_weight()).vertex_placement(SMC::Fitted_placement()));
+  const double seconds = double(std::clock() - begin) / CLOCKS_PER_SEC;
+  BOOST_CHECK_EQUAL(output.number_of_vertices(), number);
+  BOOST_TEST_MESSAGE(name << ": " << seconds << " s");
+  return seconds / double(mesh.number_of_vertices() + number);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(high_valence)
+{
+  using namespace generated;
+  const double usual = seconds_each("sphere", test::to_mesh(triangle_sphere(5)), 3000);
+  constexpr double bound = 40;
+  BOOST_CHECK_LE(seconds_each("bipyramid", test::to_mesh(bipyramid(1000)), 750), bound * usual);
+  BOOST_CHECK_LE(seconds_each("cone", test::to_mesh(fan(10000)), 3000), bound * usual);
+  BOOST_CHECK_LE(seconds_each("cone to a few vertices", test::to_mesh(fan(30000)), 500), bound * usual);
+  Soup polygon = fan(4000);
+  polygon.points.pop_back();
+  polygon.polygons.assign(1, Polygon());
+  for (std::size_t i = 0; i < polygon.points.size(); ++i)
+    polygon.polygons[0].push_back(i);
+  BOOST_CHECK_LE(seconds_each("polygon", test::to_mesh(polygon), 3999), bound * usual);
+}
