@@ -164,7 +164,8 @@ inline std::vector<Triangle_box> triangle_boxes(const std::vector<Triangle>& tri
 
 // All pairs of triangles that are in conflict, in order.
 inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>& triangles,
-                                                    const std::vector<Exact_point>& points, Execution execution)
+                                                    const std::vector<Exact_point>& points, Execution execution,
+                                                    const Cancellation_point& cancellation)
 {
   const Triangle_conflict conflict(points);
   std::vector<Triangle_box> boxes = triangle_boxes(triangles, conflict);
@@ -174,6 +175,7 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
   std::vector<Triangle_pair> pairs;
   std::vector<Triangle_pair> waiting;
   const auto test_waiting = [&] {
+    cancellation.poll(waiting.size());
     std::vector<char> is_conflict(waiting.size());
     for_each_chunk(execution, waiting.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
@@ -186,7 +188,7 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
   };
   const auto note_pair = [&](const Triangle_box& a, const Triangle_box& b) {
     waiting.push_back(std::minmax(a.info(), b.info()));
-    if (waiting.size() == 1 << 16)
+    if (waiting.size() == 1 << 14)
       test_waiting();
   };
   constexpr std::ptrdiff_t compared_one_by_one = 200; // boxes; CGAL's default of 10 takes longer

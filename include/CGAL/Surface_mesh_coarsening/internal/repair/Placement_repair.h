@@ -111,7 +111,7 @@ private:
   {
     pairs_.clear();
     reversed_.clear();
-    for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), points_, execution_))
+    for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), points_, execution_, cancellation_))
       if (!is_in_input(pair))
         pairs_.push_back(pair);
     std::vector<char> reversed(coarse_.triangles().size());
