@@ -330,8 +330,11 @@ std::optional<std::string> fault_after_orientation(Soup& soup)
   if (!fault)
     return fault;
   try {
-    Soup turned = soup;
-    CGAL::Polygon_mesh_processing::orient_polygon_soup(turned.points, turned.polygons);
+    Soup turned;
+    turned.points = soup.points;
+    std::vector<std::vector<std::size_t> > polygons = soup.polygons.lists();
+    CGAL::Polygon_mesh_processing::orient_polygon_soup(turned.points, polygons);
+    turned.polygons = coarsening_support::Polygons(polygons);
     if (turned.points.size() != soup.points.size() || coarsening_support::soup_fault(turned))
       return fault;
     soup = turned;
@@ -363,7 +366,7 @@ void run_torture(const Torture& torture, Sweep& sweep)
   Soup soup;
   for (const generated::Point& p : made.points)
     soup.points.push_back(Point(p[0], p[1], p[2]));
-  soup.polygons = made.polygons;
+  soup.polygons = coarsening_support::Polygons(made.polygons);
   const auto fault = coarsening_support::soup_fault(soup);
   if (!torture.refused) {
     if (fault)

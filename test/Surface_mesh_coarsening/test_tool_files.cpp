@@ -100,7 +100,8 @@ BOOST_AUTO_TEST_CASE(variants_of_the_formats)
     const auto soup = parse_soup(content, type);
     BOOST_TEST(soup.points.size() == 3u);
     BOOST_REQUIRE(soup.polygons.size() == 1u);
-    BOOST_TEST(soup.polygons[0] == (std::vector<std::size_t>{0, 1, 2}), boost::test_tools::per_element());
+    const auto polygon = soup.polygons[0];
+    BOOST_CHECK((std::vector<std::size_t>(polygon.begin(), polygon.end()) == std::vector<std::size_t>{0, 1, 2}));
     BOOST_TEST((soup.points[2] == coarsening_support::Point(0, 1, -2.5)));
   };
   same("off", "OFF 3 1\n0 0 0\n1 0 0\n0 1 -2.5\n3 0 1 2");

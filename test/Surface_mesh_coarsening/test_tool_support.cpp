@@ -5,12 +5,14 @@
 #define BOOST_TEST_MODULE tool_support
 #include "check/certificate.h"
 #include "check/soup_fault.h"
+#include "io/read_soup.h"
 #include "io/to_mesh.h"
 #include "render/Camera.h"
 #include "render/Scene.h"
 #include "render/cluster_colors.h"
 #include "render/render.h"
 #include "support/generate_meshes.h"
+#include "support/mesh_files.h"
 
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -18,8 +20,11 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <set>
 #include <vector>
@@ -34,7 +39,7 @@ Soup soup_of(const generated::Soup& source)
   Soup soup;
   for (const auto& p : source.points)
     soup.points.emplace_back(p[0], p[1], p[2]);
-  soup.polygons = source.polygons;
+  soup.polygons = Polygons(source.polygons);
   return soup;
 }
 
@@ -43,10 +48,11 @@ Mesh mesh_of(const generated::Soup& source) { return to_mesh(soup_of(source)); }
 // The same question, answered with CGAL alone.
 bool is_manifold_for_cgal(const Soup& soup)
 {
-  if (!PMP::is_polygon_soup_a_polygon_mesh(soup.polygons))
+  const auto polygons = soup.polygons.lists();
+  if (!PMP::is_polygon_soup_a_polygon_mesh(polygons))
     return false;
   Mesh mesh;
-  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+  PMP::polygon_soup_to_polygon_mesh(soup.points, polygons, mesh);
   std::vector<Halfedge> cones;
   PMP::non_manifold_vertices(mesh, std::back_inserter(cones));
   return cones.empty();
@@ -102,7 +108,7 @@ void check_same_as_cgal(const generated::Soup& source)
   const Soup soup = soup_of(source);
   BOOST_REQUIRE(!soup_fault(soup));
   Mesh expected;
-  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, expected);
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons.lists(), expected);
   const Mesh mesh = to_mesh(soup);
   BOOST_CHECK(mesh.is_valid(false));
   BOOST_CHECK_EQUAL(mesh.number_of_halfedges(), expected.number_of_halfedges());
@@ -148,6 +154,51 @@ BOOST_AUTO_TEST_CASE(mesh_with_hubs)
   BOOST_CHECK(CGAL::is_closed(mesh));
 }
 
+// In linear time, or nearly, whatever is wrong.
+BOOST_AUTO_TEST_CASE(faults_of_large_polygons)
+{
+  const std::size_t n = 300000;
+  Soup soup;
+  std::vector<std::size_t> polygon(n);
+  std::iota(polygon.begin(), polygon.end(), std::size_t(0));
+  for (std::size_t i = 0; i < n; ++i)
+    soup.points.emplace_back(std::cos(double(i)), std::sin(double(i)), 0);
+  soup.polygons.push_back(polygon);
+  BOOST_CHECK(!soup_fault(soup));
+  polygon.insert(polygon.end(), polygon.begin(), polygon.end());
+  soup.polygons = Polygons();
+  soup.polygons.push_back(polygon);
+  BOOST_CHECK(soup_fault(soup)->find("face 0 uses vertex 0 at (1, 0, 0) twice") == 0);
+
+  // A point that is not finite does no harm where no face uses it.
+  soup = soup_of(generated::bipyramid(n));
+  soup.points.emplace_back(std::numeric_limits<double>::infinity(), 0, 0);
+  BOOST_CHECK(!soup_fault(soup));
+  BOOST_CHECK_EQUAL(drop_unused_points(soup), 1u);
+  BOOST_CHECK(std::isfinite(soup.points.back().x()));
+}
+
+BOOST_AUTO_TEST_CASE(reading_can_be_stopped)
+{
+  struct Stopped
+  {};
+  const Soup soup = soup_of(generated::triangle_sphere(6));
+  std::size_t asked = 0;
+  const Stop count = [&asked] { ++asked; };
+  std::optional<Edge_pairing> pairing;
+  BOOST_CHECK(!soup_fault(soup, pairing, count));
+  BOOST_CHECK_GT(asked, 5u);
+  asked = 0;
+  to_mesh(soup, *pairing, count);
+  BOOST_CHECK_GT(asked, 3u);
+  for (const auto& form : mesh_files::all_forms(generated::triangle_sphere(6))) {
+    asked = 0;
+    parse_soup(form.second, form.first, count);
+    BOOST_CHECK_GT(asked, 5u);
+    BOOST_CHECK_THROW(parse_soup(form.second, form.first, [] { throw Stopped(); }), Stopped);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(counts)
 {
   BOOST_TEST(only_component(generated::cube_grid(3)).genus() == 0);
@@ -174,9 +225,10 @@ Soup dual_of(const Mesh& mesh)
     dual.points.push_back(CGAL::midpoint(a, b));
   }
   for (Vertex v : mesh.vertices()) {
-    dual.polygons.emplace_back();
+    std::vector<std::size_t> polygon;
     for (Face f : mesh.faces_around_target(mesh.halfedge(v)))
-      dual.polygons.back().insert(dual.polygons.back().begin(), f);
+      polygon.insert(polygon.begin(), f);
+    dual.polygons.push_back(polygon);
   }
   return dual;
 }
@@ -192,13 +244,16 @@ BOOST_AUTO_TEST_CASE(certificate_of_a_dual)
   const Certificate good = certify(cube, labels, octahedron);
   BOOST_TEST(good.kept());
 
-  for (auto& triangle : dual.polygons)
+  auto triangles = dual.polygons.lists();
+  for (auto& triangle : triangles)
     std::reverse(triangle.begin(), triangle.end());
+  dual.polygons = Polygons(triangles);
   const Certificate turned = certify(cube, labels, to_mesh(dual));
   BOOST_TEST(!turned.orientation_kept);
   BOOST_TEST(!turned.kept());
 
-  dual.polygons.pop_back();
+  triangles.pop_back();
+  dual.polygons = Polygons(triangles);
   const Certificate open = certify(cube, labels, to_mesh(dual));
   BOOST_TEST(!open.components[0].kept());
   BOOST_TEST(!open.kept());
@@ -214,8 +269,10 @@ BOOST_AUTO_TEST_CASE(certificate_of_a_turned_component)
   Soup dual = dual_of(cubes);
   BOOST_TEST(certify(cubes, labels, to_mesh(dual)).kept());
 
+  auto triangles = dual.polygons.lists();
   for (std::size_t i = 8; i < 16; ++i)
-    std::reverse(dual.polygons[i].begin(), dual.polygons[i].end());
+    std::reverse(triangles[i].begin(), triangles[i].end());
+  dual.polygons = Polygons(triangles);
   BOOST_TEST(!certify(cubes, labels, to_mesh(dual)).orientation_kept);
 }
 

@@ -28,7 +28,7 @@ inline coarsening_support::Mesh generated_mesh(const generated::Soup& made)
   soup.points.reserve(made.points.size());
   for (const generated::Point& p : made.points)
     soup.points.push_back(coarsening_support::Point(p[0], p[1], p[2]));
-  soup.polygons = made.polygons;
+  soup.polygons = coarsening_support::Polygons(made.polygons);
   return coarsening_support::to_mesh(soup);
 }
 

@@ -48,7 +48,11 @@ using coarsening_support::Point;
 using coarsening_support::Vertex;
 
 // Points and triangles as lists, which every method can give.
-typedef coarsening_support::Soup Result;
+struct Result
+{
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t> > polygons;
+};
 
 inline Result result_of(Mesh& mesh)
 {

@@ -3,6 +3,7 @@
 #include "input.h"
 
 #include "check/soup_fault.h"
+#include "io/Edge_pairing.h"
 #include "io/Failure.h"
 #include "io/read_soup.h"
 #include "io/soup_properties.h"
@@ -11,6 +12,7 @@
 #include "Interruption.h"
 
 #include <exception>
+#include <optional>
 
 namespace coarsen_mesh_tool {
 namespace {
@@ -43,12 +45,13 @@ Input read_input(const Options& options, Stage_times& times, Progress_line& prog
     Interruption::throw_if_requested();
     times.begin("read");
   }
-  if (const auto fault = soup_fault(soup))
+  std::optional<Edge_pairing> pairing;
+  if (const auto fault = soup_fault(soup, pairing, Interruption::throw_if_requested))
     throw Failure(options.input, (options.repair ? "is not an oriented 2-manifold even after the repair: "
                                                  : "is not an oriented 2-manifold (--repair may help): ") +
                                    *fault);
   result.unused_points = drop_unused_points(soup);
-  result.mesh = to_mesh(soup);
+  result.mesh = to_mesh(soup, *pairing, Interruption::throw_if_requested);
   add_properties(soup, result.mesh);
   result.material_library = soup.material_library;
   times.end();

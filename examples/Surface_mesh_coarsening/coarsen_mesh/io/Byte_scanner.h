@@ -5,7 +5,9 @@
 
 #include "io/Text_scanner.h"
 
-#include <algorithm>
+#include <boost/endian/conversion.hpp>
+#include <boost/integer.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -36,27 +38,25 @@ public:
     throw Format_fault("byte " + std::to_string(at - begin), reason);
   }
 
-  void skip(std::uint64_t bytes, const std::string& what)
+  template <class Words>
+  void skip(std::uint64_t bytes, const Words& what)
   {
     if (bytes > bytes_left())
-      fail("the file ends within " + what);
+      fail("the file ends within " + words_of(what));
     at += static_cast<std::size_t>(bytes);
   }
 
-  template <class Number>
-  Number read(const std::string& what)
+  template <class Number, class Words>
+  Number read(const Words& what)
   {
-    char bytes[sizeof(Number)] = {};
-    const char* const from = at;
-    skip(sizeof bytes, what);
-    const std::uint16_t one = 1;
-    const bool little_endian_machine = *reinterpret_cast<const unsigned char*>(&one) == 1;
-    if (big_endian == little_endian_machine)
-      std::reverse_copy(from, from + sizeof bytes, bytes);
-    else
-      std::copy(from, from + sizeof bytes, bytes);
+    typename boost::uint_t<8 * sizeof(Number)>::exact bits;
+    if (sizeof bits > bytes_left())
+      fail("the file ends within " + words_of(what));
+    std::memcpy(&bits, at, sizeof bits);
+    at += sizeof bits;
+    bits = big_endian ? boost::endian::big_to_native(bits) : boost::endian::little_to_native(bits);
     Number number;
-    std::memcpy(&number, bytes, sizeof bytes);
+    std::memcpy(&number, &bits, sizeof number);
     return number;
   }
 

@@ -5,6 +5,8 @@
 #ifndef COARSENING_SUPPORT_MESH_H
 #define COARSENING_SUPPORT_MESH_H
 
+#include "io/Polygons.h"
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -39,11 +41,12 @@ struct Soup_property
 struct Soup
 {
   std::vector<Point> points;
-  std::vector<std::vector<std::size_t> > polygons;
+  Polygons polygons;
   std::vector<Soup_property> of_points = {}, of_polygons = {};
-  // Texture coordinates, and which of them the corners of each polygon have; no polygon has any where there are none.
+  // Texture coordinates, and which of them the corners of each polygon have: a list for each polygon, empty if it has none, or no
+  // list at all.
   std::vector<std::array<double, 2> > texture_points = {};
-  std::vector<std::vector<std::size_t> > texture_corners = {};
+  Polygons texture_corners = {};
   std::vector<std::string> materials = {}, groups = {}; // of each polygon, if there are any
   std::string material_library = {};
 

@@ -4,14 +4,16 @@
 #define COARSENING_SUPPORT_TEXT_SCANNER_H
 
 #include "io/Failure.h"
+#include "io/Polygons.h"
 
 #include <charconv>
 #include <cstddef>
 #include <cstdlib>
-#include <limits>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace coarsening_support {
 
@@ -22,8 +24,25 @@ public:
   Format_fault(const std::string& place, const std::string& reason) : std::runtime_error(place + ": " + reason) {}
 };
 
-// Stands for the index of a vertex that cannot be there.
-constexpr std::size_t no_vertex = (std::numeric_limits<std::size_t>::max)();
+// Gives up by an exception if the user wishes so; reading calls it now and then. Empty if nobody can.
+typedef std::function<void()> Stop;
+
+// Calls `stop` for the first and every further few thousand of elements.
+inline void stop_at(std::size_t element, const Stop& stop)
+{
+  if (element % 16384 == 0 && stop)
+    stop();
+}
+
+// The words for a message, which may be given as a function: where millions of numbers are read, none is put into words in vain.
+template <class Words>
+std::string words_of(const Words& words)
+{
+  if constexpr (std::is_invocable<const Words&>::value)
+    return words();
+  else
+    return std::string(words);
+}
 
 // Reads the words of a text, line by line. The text has to be followed by a zero character, as that of a `std::string` is.
 class Text_scanner
@@ -45,6 +64,11 @@ class Text_scanner
       ++at;
     ++at;
     ++line;
+  }
+
+  bool is_end_of_word(const char* p) const
+  {
+    return p == end || is_blank(*p) || is_line_end(*p) || (continued && *p == '\\' && p + 1 != end && is_line_end(p[1]));
   }
 
   void skip_blanks()
@@ -84,10 +108,11 @@ public:
   }
 
   // The same, where the file must not end before `what`.
-  void need_line(const std::string& what)
+  template <class Words>
+  void need_line(const Words& what)
   {
     if (!find_line())
-      fail("the file ends before " + what);
+      fail("the file ends before " + words_of(what));
   }
 
   // The next word of the line, empty if there is none left.
@@ -95,7 +120,7 @@ public:
   {
     skip_blanks();
     const char* const begin = at;
-    while (at != end && !is_blank(*at) && !is_line_end(*at) && !is_continuation())
+    while (!is_end_of_word(at))
       ++at;
     return std::string_view(begin, static_cast<std::size_t>(at - begin));
   }
@@ -117,11 +142,12 @@ public:
       ;
   }
 
-  void end_line(const std::string& what)
+  template <class Words>
+  void end_line(const Words& what)
   {
     const std::string_view rest = word();
     if (!rest.empty())
-      fail("there is more on the line than " + what + ": " + shown(rest));
+      fail("there is more on the line than " + words_of(what) + ": " + shown(rest));
   }
 
   // A word as it can stand in a message.
@@ -132,25 +158,28 @@ public:
   }
 
   // Numbers too large for a double become infinite, those too small zero.
-  double number(const std::string& what)
+  template <class Words>
+  double number(const Words& what)
   {
+    double value = 0;
+    if (take_number(value))
+      return value;
+    // A sign, a hexadecimal number, or one that is out of range.
     const std::string_view text = word();
     char* stop = nullptr;
-    const double value = text.empty() ? 0 : std::strtod(text.data(), &stop);
+    if (!text.empty())
+      value = std::strtod(text.data(), &stop);
     if (text.empty() || stop != text.data() + text.size())
-      fail(text.empty() ? what + " is missing" : shown(text) + " stands where " + what + " was expected");
+      fail_at(text, what);
     return value;
   }
 
-  long long integer(const std::string& what)
+  template <class Words>
+  long long integer(const Words& what)
   {
-    const std::string_view text = word();
     long long value = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (text.empty())
-      fail(what + " is missing");
-    if (read.ec != std::errc() || read.ptr != text.data() + text.size())
-      fail(shown(text) + " stands where " + what + " was expected");
+    if (!take_number(value))
+      fail_at(word(), what);
     return value;
   }
 
@@ -174,11 +203,30 @@ public:
            std::to_string(room) + " at the most");
   }
 
-  // The index of a vertex; one that cannot be there is for the check of the surface to report.
-  std::size_t vertex_index()
+  // The number of a vertex; one that cannot be there is for the check of the surface to report.
+  Vertex_number vertex_number()
   {
     const long long value = integer("the number of a vertex");
-    return value < 0 ? no_vertex : static_cast<std::size_t>(value);
+    return value < 0 ? no_vertex : to_vertex_number(static_cast<std::size_t>(value));
+  }
+
+private:
+  // Takes the next word if it is a number as C++ writes it.
+  template <class Number>
+  bool take_number(Number& value)
+  {
+    skip_blanks();
+    const auto read = std::from_chars(at, end, value);
+    if (read.ec != std::errc() || !is_end_of_word(read.ptr))
+      return false;
+    at = read.ptr;
+    return true;
+  }
+
+  template <class Words>
+  [[noreturn]] void fail_at(std::string_view text, const Words& what) const
+  {
+    fail(text.empty() ? words_of(what) + " is missing" : shown(text) + " stands where " + words_of(what) + " was expected");
   }
 };
 

@@ -3,146 +3,15 @@
 #ifndef COARSENING_SUPPORT_READ_STL_H
 #define COARSENING_SUPPORT_READ_STL_H
 
-#include "io/Byte_scanner.h"
 #include "io/Mesh.h"
 #include "io/Text_scanner.h"
-#include "io/file_type.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <initializer_list>
-#include <numeric>
 #include <string>
-#include <vector>
 
 namespace coarsening_support {
 
-// The format has no vertices, only triangles: equal points become one vertex, numbered by where it is met first. Points with
-// a coordinate that is no number are equal to none.
-inline void merge_stl_corners(const std::vector<std::array<double, 3> >& corners, Soup& soup)
-{
-  const auto is_number = [&](std::size_t i) {
-    return std::none_of(corners[i].begin(), corners[i].end(), [](double x) { return std::isnan(x); });
-  };
-  std::vector<std::size_t> order(corners.size()), first(corners.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::iota(first.begin(), first.end(), std::size_t(0));
-  order.erase(std::remove_if(order.begin(), order.end(), [&](std::size_t i) { return !is_number(i); }), order.end());
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return corners[i] == corners[j] ? i < j : corners[i] < corners[j];
-  });
-  for (std::size_t k = 1; k < order.size(); ++k)
-    if (corners[order[k]] == corners[order[k - 1]])
-      first[order[k]] = first[order[k - 1]];
-  std::vector<std::size_t> number(corners.size());
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (first[i] == i) {
-      number[i] = soup.points.size();
-      soup.points.emplace_back(corners[i][0], corners[i][1], corners[i][2]);
-    } else
-      number[i] = number[first[i]];
-    if (i % 3 == 0)
-      soup.polygons.emplace_back(3);
-    soup.polygons.back()[i % 3] = number[i];
-  }
-}
-
-inline void read_binary_stl(const std::string& content, std::vector<std::array<double, 3> >& corners)
-{
-  const char* const begin = content.data();
-  Byte_scanner bytes(begin, begin, begin + content.size(), false);
-  bytes.skip(80, "the header");
-  const auto triangles = bytes.read<std::uint32_t>("the number of triangles");
-  bytes.check_count(triangles, "triangles", 50);
-  corners.reserve(3 * static_cast<std::size_t>(triangles));
-  const std::string triangle = "a triangle";
-  for (std::uint32_t f = 0; f < triangles; ++f) {
-    bytes.skip(12, triangle); // the normal
-    for (int i = 0; i < 3; ++i) {
-      const double x = bytes.read<float>(triangle), y = bytes.read<float>(triangle), z = bytes.read<float>(triangle);
-      corners.push_back({x, y, z});
-    }
-    bytes.skip(2, triangle);
-  }
-  bytes.expect_end("the " + std::to_string(triangles) + " triangles announced");
-}
-
-// The words that follow, in either case; line ends mean nothing between them.
-inline void expect_stl_words(Text_scanner& text, std::initializer_list<const char*> words)
-{
-  for (const char* word : words) {
-    text.need_line("'" + std::string(word) + "'");
-    const std::string_view found = text.word();
-    if (lower_case(std::string(found)) != word)
-      text.fail(Text_scanner::shown(found) + " stands where '" + word + "' was expected");
-  }
-}
-
-inline std::array<double, 3> stl_vector(Text_scanner& text, const char* what)
-{
-  std::array<double, 3> result;
-  for (double& x : result) {
-    text.need_line(what);
-    x = text.number(what);
-  }
-  return result;
-}
-
-inline void read_text_stl(const std::string& content, std::vector<std::array<double, 3> >& corners)
-{
-  Text_scanner text(content.data(), content.data() + content.size());
-  do {
-    expect_stl_words(text, {"solid"});
-    text.skip_line(); // its name
-    for (;;) {
-      text.need_line("'endsolid'");
-      const std::string_view word = text.word();
-      const std::string keyword = lower_case(std::string(word));
-      if (keyword == "endsolid")
-        break;
-      if (keyword != "facet")
-        text.fail(Text_scanner::shown(word) + " stands where 'facet' or 'endsolid' was expected");
-      expect_stl_words(text, {"normal"});
-      for (int i = 0; i < 3; ++i) {
-        text.need_line("a coordinate of a normal");
-        text.word(); // often no number at all
-      }
-      expect_stl_words(text, {"outer", "loop"});
-      for (int i = 0; i < 3; ++i) {
-        expect_stl_words(text, {"vertex"});
-        corners.push_back(stl_vector(text, "a coordinate of a vertex"));
-      }
-      expect_stl_words(text, {"endloop", "endfacet"});
-    }
-    text.skip_line();
-  } while (text.find_line());
-}
-
-// Both forms may begin with the word "solid". The one that the size is right for is binary.
-inline bool is_binary_stl(const std::string& content)
-{
-  constexpr std::size_t header = 84;
-  Text_scanner text(content.data(), content.data() + content.size());
-  if (!text.find_line() || lower_case(std::string(text.next_word().substr(0, 5))) != "solid")
-    return true;
-  if (content.size() < header)
-    return false;
-  Byte_scanner bytes(content.data(), content.data() + 80, content.data() + content.size(), false);
-  return header + 50 * std::uint64_t(bytes.read<std::uint32_t>("the number of triangles")) == content.size();
-}
-
-inline void read_stl(const std::string& content, Soup& soup)
-{
-  std::vector<std::array<double, 3> > corners;
-  if (is_binary_stl(content))
-    read_binary_stl(content, corners);
-  else
-    read_text_stl(content, corners);
-  merge_stl_corners(corners, soup);
-}
+// Adds what a file of the format STL holds, text or binary. Throws Format_fault.
+void read_stl(const std::string& content, Soup& soup, const Stop& stop = nullptr);
 
 } // namespace coarsening_support
 

@@ -66,8 +66,7 @@ inline void add_names(const char* name, const std::vector<std::string>& names, M
 
 inline void add_texture(const Soup& soup, Mesh& mesh)
 {
-  const auto has_texture = [](const std::vector<std::size_t>& corners) { return !corners.empty(); };
-  if (std::none_of(soup.texture_corners.begin(), soup.texture_corners.end(), has_texture))
+  if (soup.texture_corners.corners().empty())
     return;
   const auto texture = mesh.add_property_map<Halfedge, Texture_point>(texture_property, Texture_point{{0, 0}}).first;
   for (std::size_t f = 0; f < soup.texture_corners.size(); ++f) {
@@ -75,9 +74,9 @@ inline void add_texture(const Soup& soup, Mesh& mesh)
       continue;
     // The first halfedge of the face is the one that leaves its first corner, or the one after some of the others.
     Halfedge h = mesh.halfedge(Face(Mesh::size_type(f)));
-    while (std::size_t(mesh.target(h)) != soup.polygons[f][0])
+    while (Vertex_number(mesh.target(h)) != soup.polygons[f][0])
       h = mesh.next(h);
-    for (const std::size_t t : soup.texture_corners[f]) {
+    for (const Vertex_number t : soup.texture_corners[f]) {
       texture[h] = soup.texture_points[t];
       h = mesh.next(h);
     }

@@ -26,13 +26,12 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 using Exact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact_point = Exact_kernel::Point_3;
 using Exact_mesh = CGAL::Surface_mesh<Exact_point>;
-using Polygons = std::vector<std::vector<std::size_t> >;
 
 class Repair
 {
   std::vector<Repair_step> steps;
   std::vector<Exact_point> points;
-  Polygons polygons;
+  std::vector<std::vector<std::size_t> > polygons;
   Exact_mesh mesh;
 
   void note(const std::string& action, std::size_t count)
@@ -107,7 +106,7 @@ public:
   {
     for (const Point& p : soup.points)
       points.emplace_back(p.x(), p.y(), p.z());
-    polygons = std::move(soup.polygons);
+    polygons = soup.polygons.lists();
     drop_meaningless_polygons();
     repair_soup();
     orient_soup();
@@ -116,9 +115,9 @@ public:
     for (const Exact_point& p : mesh.points())
       soup.points.emplace_back(p.x(), p.y(), p.z());
     for (auto f : mesh.faces()) {
-      soup.polygons.emplace_back();
       for (auto v : mesh.vertices_around_face(mesh.halfedge(f)))
-        soup.polygons.back().push_back(v);
+        soup.polygons.add_corner(v);
+      soup.polygons.end_polygon();
     }
     return steps;
   }
