@@ -310,6 +310,104 @@ BOOST_AUTO_TEST_CASE(outputs_that_cannot_be_written)
   BOOST_TEST(test::content_of(shop / "out.off") == "before");
 }
 
+// A file that a program reads back differently is not written.
+BOOST_AUTO_TEST_CASE(numbers_of_formats)
+{
+  const Tool_directory shop;
+  const generated::Soup sphere = generated::triangle_sphere(3);
+  shop.write("far.off", mesh_files::off(generated::translated(sphere, 6378137, 6378137, 6378137))); // meters from the Earth's center
+  check_refused(shop, "far.off out.stl -n 200 --report r.json", {"out.stl: cannot be written: ", "different points", "use .ply"});
+  check_done(shop, "far.off out.ply -n 200");
+  BOOST_TEST(parse_soup(test::content_of(shop / "out.ply"), "ply").points.size() == 200u);
+  shop.write("large.off", mesh_files::off(generated::scaled(sphere, 1e39, 1e39, 1e39)));
+  check_refused(shop, "large.off out.stl -n 200", {"out.stl: cannot be written: ", "use .ply"});
+  check_refused(shop, "large.off out.stl -n 200 --levels 2", {"out.stl: cannot be written: "});
+  shop.write("near.off", mesh_files::off(sphere));
+  check_done(shop, "near.off out.stl -n 200");
+}
+
+BOOST_AUTO_TEST_CASE(names_of_one_file)
+{
+  const Tool_directory shop;
+  const std::string content = mesh_files::off(generated::triangle_sphere(2));
+  shop.write("in.off", content);
+  shop.write("out.ply", "old");
+  fs::create_directory(shop / "folder");
+  fs::create_directory_symlink(shop.path(), shop / "folder" / "here");
+  fs::create_symlink("in.off", shop / "input.json");
+  fs::create_hard_link(shop / "in.off", shop / "again.json");
+  fs::create_symlink("new.ply", shop / "dangling.ply");
+  const std::string path = "'" + shop.path().string() + "'";
+  const std::vector<std::string> before = shop.files();
+  for (const std::string& arguments :
+       std::vector<std::string>{"in.off out.ply --clusters " + path + "/out.ply", "in.off out.ply --clusters folder/here/out.ply",
+        "in.off new.ply --clusters folder/../new.ply", "in.off new.ply --clusters folder/here/new.ply",
+        "in.off new.ply --clusters dangling.ply", "in.off out.ply --report " + path + "/in.off",
+        "in.off out.ply --report input.json", "in.off out.ply --report again.json",
+        "folder/here/in.off out.ply --report in.off"}) {
+    const Tool_outcome outcome = shop.run(arguments + " -n 20");
+    BOOST_TEST(outcome.status == 2, arguments << ": status " << outcome.status);
+    BOOST_TEST(outcome.is_one_line_error());
+  }
+  BOOST_TEST(shop.files() == before, boost::test_tools::per_element());
+  BOOST_TEST(test::content_of(shop / "in.off") == content);
+  BOOST_TEST(test::content_of(shop / "out.ply") == "old");
+
+  check_done(shop, "in.off dangling.ply -n 20");
+  BOOST_TEST(fs::is_symlink(shop / "dangling.ply"));
+  BOOST_TEST(parse_soup(test::content_of(shop / "new.ply"), "ply").points.size() == 20u);
+  fs::create_symlink("loop.ply", shop / "loop.ply");
+  check_refused(shop, "in.off loop.ply -n 20", {"loop.ply: cannot be written: "});
+}
+
+BOOST_AUTO_TEST_CASE(numbers_at_the_ends)
+{
+  const Tool_directory shop;
+  shop.write("in.off", mesh_files::off(sphere()));
+  for (const std::string distance : {"--maximum-distance-absolute 1e200", "--maximum-distance-absolute 1.7e308",
+                                     "--maximum-distance 1e308"}) {
+    check_done(shop, "in.off out.off " + distance);
+    BOOST_TEST(parse_soup(test::content_of(shop / "out.off"), "off").points.size() == 4u);
+  }
+  fs::remove(shop / "out.off");
+  check_refused(shop, "in.off out.off --maximum-distance-absolute 1e-300", {"within a distance of 1e-300"});
+  for (const std::string number : {"18446744073709551615", "1000000000"})
+    check_refused(shop, "in.off out.off --subdivide -n " + number, {"more than can be numbered"}, little_memory);
+}
+
+BOOST_AUTO_TEST_CASE(what_a_terminal_gets)
+{
+  const Tool_directory shop;
+  const auto is_printable = [](const std::string& text) {
+    return std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
+  };
+  shop.write("in.off", "OFF\n3 1 0\n0 0 \x1b]0;title\x07\n1 0 0\n0 1 0\n3 0 1 2\n");
+  check_refused(shop, "in.off out.off", {"'\\x1b]0;title\\x07'"});
+  shop.write("in.off", "OFF\n3 1 0\n0 0 \xc2\x9b\x33m\xff\n1 0 0\n0 1 0\n3 0 1 2\n");
+  check_refused(shop, "in.off out.off", {"'\\xc2\\x9b3m\\xff'"});
+  BOOST_TEST(is_printable(shop.run("in.off out.off").err));
+  for (const std::string name : {"a\x1b[31m.off", "a\x7f.off", "a\xff.off", "a\xc2\x9b.off", "a\xe2\x80\xae.off"}) {
+    BOOST_TEST(is_printable(shop.run("'" + name + "' out.off").err), name);
+    shop.write(name, mesh_files::off(sphere()));
+    const Tool_outcome outcome = shop.run("'" + name + "' out.off -n 12");
+    BOOST_TEST(outcome.status == 0, outcome.err);
+    BOOST_TEST(is_printable(outcome.out), name);
+  }
+  check_refused(shop, "'M\xc3\xbcnchen \xe2\x82\xac.off' out.off", {"M\xc3\xbcnchen \xe2\x82\xac.off: "});
+}
+
+// The first redirection of the streams is the one that counts here.
+BOOST_AUTO_TEST_CASE(standard_output_that_is_full)
+{
+  const Tool_directory shop;
+  shop.write("in.off", mesh_files::off(sphere()));
+  const std::string full = " >/dev/full 2>stderr </dev/null #";
+  check_refused(shop, "in.off out.off -n 12 --report r.json" + full, {"standard output: cannot be written: "});
+  check_refused(shop, "--version" + full, {"standard output: cannot be written: "});
+  check_refused(shop, "--help" + full, {"standard output: cannot be written: "});
+  check_done(shop, "in.off out.off -n 12 --quiet" + full);
+}
+
 BOOST_AUTO_TEST_CASE(pipes, *boost::unit_test::timeout(200))
 {
   const Tool_directory shop;

@@ -187,14 +187,14 @@ BOOST_AUTO_TEST_CASE(reading_can_be_stopped)
   const Stop count = [&asked] { ++asked; };
   std::optional<Edge_pairing> pairing;
   BOOST_CHECK(!soup_fault(soup, pairing, count));
-  BOOST_CHECK_GT(asked, 5u);
+  BOOST_CHECK_GE(asked, 2u);
   asked = 0;
   to_mesh(soup, *pairing, count);
-  BOOST_CHECK_GT(asked, 3u);
+  BOOST_CHECK_GE(asked, 2u);
   for (const auto& form : mesh_files::all_forms(generated::triangle_sphere(6))) {
     asked = 0;
     parse_soup(form.second, form.first, count);
-    BOOST_CHECK_GT(asked, 5u);
+    BOOST_CHECK_GE(asked, 2u);
     BOOST_CHECK_THROW(parse_soup(form.second, form.first, [] { throw Stopped(); }), Stopped);
   }
 }

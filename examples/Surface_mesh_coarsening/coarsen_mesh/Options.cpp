@@ -3,6 +3,7 @@
 #include "Options.h"
 
 #include "io/file_type.h"
+#include "io/same_file.h"
 #include "coarsening.h"
 
 #include <CGAL/Surface_mesh_coarsening/version.h>
@@ -173,9 +174,8 @@ void check_files(const Options& options)
   for (int pass = 0; pass < 2; ++pass, files[0] = options.output)
     for (std::size_t i = 0; i < files.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (!files[i].empty() &&
-            std::filesystem::path(files[i]).lexically_normal() == std::filesystem::path(files[j]).lexically_normal())
-          throw Wrong_usage("'" + files[i] + "' is named twice");
+        if (!files[i].empty() && !files[j].empty() && is_same_file(files[i], files[j]))
+          throw Wrong_usage("'" + files[i] + "'" + (files[i] == files[j] ? " is named twice" : " and '" + files[j] + "' are one file"));
 }
 
 // Tells whether the option was given, also for those with a default.

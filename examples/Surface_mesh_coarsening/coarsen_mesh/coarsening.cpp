@@ -25,10 +25,12 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -85,7 +87,7 @@ void coarsen_to_distance(const Mesh& input, const Options& options, const NamedP
     [&](Face f) -> std::size_t& { return result.labels[static_cast<std::size_t>(f)]; });
   with_placement(options, [&](const auto& placement) {
     const SMC::Distance_report report = SMC::coarsen_mesh_to_distance<CGAL::Parallel_if_available_tag>(
-      input, *options.maximum_distance * unit, result.mesh, np.vertex_placement(placement).face_cluster_map(clusters));
+      input, (std::min)(*options.maximum_distance * unit, (std::numeric_limits<double>::max)()), result.mesh, np.vertex_placement(placement).face_cluster_map(clusters));
     result.report = report.clustering;
     result.distance_bound = report.distance_bound;
   });
@@ -214,9 +216,6 @@ std::string level_file(const std::string& output, std::size_t level)
 
 Coarsening_result coarsen(const Mesh& input, const Options& options, Tool_visitor& visitor)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, options.threads);
-#endif
   for (const Named_weight& weight : weights())
     if (weight.name == options.weight)
       return weight.coarsen(input, options, visitor);

@@ -3,9 +3,11 @@
 #include "run_and_report.h"
 
 #include "check/certificate.h"
+#include "check/soup_fault.h"
 #include "io/Failure.h"
 #include "io/Output_files.h"
 #include "io/file_type.h"
+#include "io/read_soup.h"
 #include "io/write_mesh.h"
 #include "render/cluster_bytes.h"
 #include "render/picture.h"
@@ -23,12 +25,19 @@
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/assertions_behaviour.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <functional>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -56,6 +65,20 @@ Coarsening_result coarsen_or_explain(const Input& input, const Options& options,
   }
 }
 
+// Reads back what a file is to hold: rounding to the numbers of its format may have changed the mesh.
+void check_written(const std::string& file, const std::string& bytes, const Mesh& mesh)
+{
+  const std::string type = file_type(file);
+  const Soup soup = parse_soup(bytes, type, Interruption::throw_if_requested);
+  std::optional<std::string> fault = soup_fault(soup);
+  if (soup.points.size() != mesh.number_of_vertices() || soup.polygons.size() != mesh.number_of_faces())
+    fault = "its " + std::to_string(mesh.number_of_vertices()) + " vertices are at " + std::to_string(soup.points.size()) +
+            " different points only";
+  if (fault)
+    throw Failure(file, "cannot be written: as numbers of the format " + upper_case(type) + " can tell, the result is no surface: " +
+                          *fault + (type == "stl" ? " (use .ply, .off or .obj, which keep all digits, or move the mesh to the origin)" : ""));
+}
+
 std::string shown(double x)
 {
   char text[32];
@@ -80,18 +103,27 @@ std::string summary(const Options& options, const Input& input, const Coarsening
     remarks += std::to_string(result.levels.size()) + " levels, ";
   if (left_out > 0)
     remarks += std::to_string(left_out) + " components left out, ";
-  return options.input + " (" + std::to_string(input.mesh.number_of_vertices()) + " vertices, " +
-         std::to_string(input.mesh.number_of_faces()) + " faces" + dropped + ") -> " + options.output + " (" +
+  return escaped_utf8(options.input) + " (" + std::to_string(input.mesh.number_of_vertices()) + " vertices, " +
+         std::to_string(input.mesh.number_of_faces()) + " faces" + dropped + ") -> " + escaped_utf8(options.output) + " (" +
          std::to_string(result.mesh.number_of_vertices()) + " vertices, " +
          std::to_string(result.mesh.number_of_faces()) + " faces), " + std::to_string(result.report.rounds) +
          " rounds, " + remarks + (findings.certificate.kept() ? "topology kept, " : "topology changed, ") + seconds +
          (findings.quality ? "\n" + quality_text(result.mesh, *findings.quality) : "");
 }
 
+// Throws Failure if standard output has not taken what was written to it.
+void flush_output()
+{
+  errno = 0;
+  if (!std::cout.flush())
+    throw Failure("standard output", "cannot be written: " + std::generic_category().message(errno ? errno : EIO));
+}
+
 typedef std::vector<std::pair<std::string, std::string> > Files; // name and content
 
-// Lets the files and the report appear, which is made last as it tells how long the others took.
-void write_files(const Options& options, const Files& files, const std::function<std::string()>& make_report)
+// Lets the files and the report appear, which is made last as it tells how long the others took, and says so.
+void write_files(const Options& options, const Files& files, const std::function<std::string()>& make_report,
+                 const std::function<std::string()>& make_summary)
 {
   Output_files outputs;
   {
@@ -105,14 +137,22 @@ void write_files(const Options& options, const Files& files, const std::function
   }
   Interruption::throw_if_requested();
   outputs.write_streams(Interruption::throw_if_requested);
+  if (!options.quiet)
+    std::cout << make_summary() << '\n';
+  flush_output();
   const Deferred_interruption deferred;
   Interruption::throw_if_requested();
   outputs.commit();
 }
 
 // Computes everything, and only then lets the files appear.
-std::string run(const Options& options)
+void run(const Options& options)
 {
+#ifdef CGAL_LINKED_WITH_TBB
+  // Holds for the process. Its destructor would start a thread, for which there may be no memory left.
+  [[maybe_unused]] static const auto* const limit =
+    new tbb::global_control(tbb::global_control::max_allowed_parallelism, options.threads);
+#endif
   Stage_times times;
   Progress_line progress(!options.quiet);
   Input input = read_input(options, times, progress);
@@ -154,18 +194,23 @@ std::string run(const Options& options)
   Interruption::throw_if_requested();
   times.begin("write");
   progress.say("writing");
-  files.emplace_back(options.output, mesh_bytes(result.mesh, file_type(options.output), input.material_library));
+  const auto add_mesh = [&](const std::string& file, const Mesh& mesh) {
+    files.emplace_back(file, mesh_bytes(mesh, file_type(file), input.material_library));
+    check_written(file, files.back().second, mesh);
+  };
+  add_mesh(options.output, result.mesh);
   for (std::size_t i = 0; i < result.levels.size(); ++i)
-    files.emplace_back(level_file(options.output, i + 1),
-                       mesh_bytes(result.levels[i].mesh, file_type(options.output), input.material_library));
+    add_mesh(level_file(options.output, i + 1), result.levels[i].mesh);
   if (!options.clusters.empty())
     files.emplace_back(options.clusters, cluster_bytes(input.mesh, result.labels));
   progress.end();
-  write_files(options, files, [&] {
-    times.end();
-    return options.report.empty() ? "" : report_text(options, input, result, findings, times);
-  });
-  return summary(options, input, result, findings, times);
+  write_files(
+    options, files,
+    [&] {
+      times.end();
+      return options.report.empty() ? "" : report_text(options, input, result, findings, times);
+    },
+    [&] { return summary(options, input, result, findings, times); });
 }
 
 int complain(const std::string& what, int status)
@@ -185,13 +230,11 @@ int run_and_report(int argc, char* argv[])
   try {
     const auto options = read_options(argc, argv);
     if (!options) {
-      std::cout.flush();
-      return std::cout ? 0 : complain("standard output: cannot be written", 1);
+      flush_output();
+      return 0;
     }
     subject = options->input;
-    const std::string done = run(*options);
-    if (!options->quiet)
-      std::cout << done << std::endl;
+    run(*options);
     return 0;
   } catch (const Wrong_usage& e) {
     return complain(e.what(), 2);

@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Distance_report.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Vertex_sources.h>
@@ -83,7 +84,7 @@ Distance_report coarsen_mesh_to_distance(const FaceGraph& input, double maximum_
   typedef Mwcvd_clustering<FaceGraph, Weight, ConcurrencyTag> Clustering;
   typedef typename GetGeomTraits<OutputFaceGraph, NamedParametersOut>::type Traits;
   if (!(maximum_distance > 0 && std::isfinite(maximum_distance)))
-    throw Invalid_input("the maximum distance is " + std::to_string(maximum_distance));
+    throw Invalid_input("the maximum distance is " + number_text(maximum_distance));
 
   Distance_report report;
   Clustering clustering(input, np_in);

@@ -3,6 +3,7 @@
 #include "io/Output_files.h"
 
 #include "io/Failure.h"
+#include "io/same_file.h"
 
 #include <cerrno>
 #include <cstddef>
@@ -78,14 +79,6 @@ bool is_open_file(const std::string& file)
          file.compare(0, 6, "/proc/") == 0;
 }
 
-// The file that a chain of links ends at: it is to be replaced, not the link.
-fs::path end_of_links(const std::string& file)
-{
-  std::error_code error;
-  const fs::path end = fs::is_symlink(file, error) ? fs::canonical(file, error) : fs::path(file);
-  return error || end.empty() ? fs::path(file) : end;
-}
-
 void remove_quietly(const fs::path& file)
 {
   std::error_code ignored;
@@ -108,9 +101,13 @@ void Output_files::stage(const std::string& file, const std::string& bytes)
 {
   Entry entry;
   entry.name = file;
-  entry.target = end_of_links(file);
+  entry.target = coarsening_support::end_of_links(file); // which is to be replaced, not the link
   std::error_code error;
   const fs::file_status status = fs::status(entry.target, error);
+  if (status.type() == fs::file_type::none) // its name is too long, its folder is closed, or the like
+    throw cannot_write(file, error);
+  if (fs::is_symlink(fs::symlink_status(entry.target, error)))
+    throw cannot_write(file, std::make_error_code(std::errc::too_many_symbolic_link_levels));
   if (fs::is_directory(status))
     throw cannot_write(file, std::make_error_code(std::errc::is_a_directory));
   if (is_open_file(file))

@@ -154,7 +154,7 @@ public:
   static std::string shown(std::string_view text)
   {
     constexpr std::size_t most = 30;
-    return "'" + one_line(std::string(text.substr(0, most))) + (text.size() > most ? "...'" : "'");
+    return "'" + escaped(text.substr(0, most)) + (text.size() > most ? "...'" : "'");
   }
 
   // Numbers too large for a double become infinite, those too small zero.

@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Additive_cluster_weight.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 
 #include <cmath>
 #include <string>
@@ -40,7 +41,7 @@ public:
     : p_(p), inverse_of_p_(1 / p), whole_p_(p >= 1 && p <= 64 && p == std::floor(p) ? unsigned(p) : 0)
   {
     if (!(p >= 1) || std::isinf(p))
-      throw Invalid_input("the exponent of the maximum density weight is " + std::to_string(p));
+      throw Invalid_input("the exponent of the maximum density weight is " + internal::number_text(p));
   }
 
   /// returns what the weight needs of a face.

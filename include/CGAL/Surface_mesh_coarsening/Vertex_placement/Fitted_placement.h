@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
 
 #include <array>
@@ -41,7 +42,7 @@ public:
   explicit Fitted_placement(std::size_t rounds = 5, double mean_angle = 40) : rounds_(rounds), mean_angle_(mean_angle)
   {
     if (!(mean_angle >= 0 && mean_angle <= 60))
-      throw Invalid_input("the mean angle of a fit is " + std::to_string(mean_angle) + ", not in [0, 60]");
+      throw Invalid_input("the mean angle of a fit is " + internal::number_text(mean_angle) + ", not in [0, 60]");
   }
 
   /// places the vertices of all clusters, and may flip edges of the coarse mesh.

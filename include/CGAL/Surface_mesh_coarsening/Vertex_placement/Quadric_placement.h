@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/quadric_position.h>
 
 #include <cstddef>
@@ -38,7 +39,7 @@ public:
   explicit Quadric_placement(double pull = default_pull) : pull_(pull)
   {
     if (!(pull > 0 && pull <= 1))
-      throw Invalid_input("the pull towards the centroid is " + std::to_string(pull) + ", not in (0, 1]");
+      throw Invalid_input("the pull towards the centroid is " + internal::number_text(pull) + ", not in (0, 1]");
   }
 
   /// returns the position of the vertex of cluster `cluster`.

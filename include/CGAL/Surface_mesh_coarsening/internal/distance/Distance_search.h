@@ -5,11 +5,14 @@
 
 #include <CGAL/Surface_mesh_coarsening/Distance_report.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/hausdorff_bound.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -32,7 +35,7 @@ public:
                   Distance_report& report)
     : state_(state), placement_(placement), quick_(quick), output_coordinates_(output_coordinates), minimization_end_(end),
       vertices_(vertices), number_((std::max)(vertices / 16, std::size_t(4))), report_(report), distance_(distance),
-      local_distance_(std::ldexp(distance, -state.frame.exponent))
+      local_distance_((std::min)(std::ldexp(distance, -state.frame.exponent), farthest_needed(state.base_input())))
   {}
 
   void run()
@@ -41,6 +44,15 @@ public:
       find_clustering();
       find_level();
     } while (!bound_result());
+  }
+
+  // Every result is nearer: its vertices are near their clusters. Squares of much larger distances are not finite.
+  static double farthest_needed(const Clustering_input& input)
+  {
+    Bbox_3 box;
+    for (const Vector& p : input.mesh.points)
+      box += box_of_point(p);
+    return (std::max)(8 * std::sqrt(squared_diagonal(box)), (std::numeric_limits<double>::min)());
   }
 
   // Of the result:
@@ -202,7 +214,7 @@ private:
       }
       if (result_->level == finest) {
         if (number_ >= vertices_)
-          throw Unreachable_distance("no result within a distance of " + std::to_string(distance_) + " was found", external);
+          throw Unreachable_distance("no result within a distance of " + number_text(distance_) + " was found", external);
         number_ *= 2;
         return false;
       }

@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_READ_FEATURES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_READ_FEATURES_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/find_features.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
@@ -88,7 +89,7 @@ void read_features(const FaceGraph& mesh, const NamedParameters& np, const Numbe
   Feature_request request;
   request.angle = choose_parameter(get_parameter(np, internal_np::feature_angle_p), 180.);
   if (!(request.angle >= 0 && request.angle <= 180))
-    throw Invalid_input("the feature angle is " + std::to_string(request.angle) + " degrees, not in [0, 180]");
+    throw Invalid_input("the feature angle is " + number_text(request.angle) + " degrees, not in [0, 180]");
   patches = read_patches(n, get_parameter(np, CGAL::internal_np::face_patch));
   if (request.angle == 180 && patches.empty() && !has_parameter<CGAL::internal_np::edge_is_constrained_t, NamedParameters> &&
       !has_parameter<CGAL::internal_np::vertex_is_constrained_t, NamedParameters>)

@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_BUILD_FLAT_MESH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_BUILD_FLAT_MESH_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -267,7 +268,7 @@ inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector
         continue;
       if (!std::isfinite(points[v][i]))
         throw Invalid_input("coordinate " + std::to_string(i) + " of vertex " + std::to_string(v) + " is " +
-                            std::to_string(points[v][i]));
+                            number_text(points[v][i]));
       low[i] = (std::min)(low[i], points[v][i]);
       high[i] = (std::max)(high[i], points[v][i]);
     }

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NAMED_PARAMETERS_H
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/build_flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
@@ -107,7 +108,7 @@ Density_choice density_choice(const NamedParameters& np)
 {
   const double r = choose_parameter(get_parameter(np, internal_np::maximum_density_p), 50.);
   if (!(r >= 1 && r <= largest_density))
-    throw Invalid_input("the maximum density is " + std::to_string(r) + ", not in [1, 1e20]");
+    throw Invalid_input("the maximum density is " + number_text(r) + ", not in [1, 1e20]");
   return {r, choose_parameter(get_parameter(np, internal_np::border_densities_p), true)};
 }
 
@@ -123,7 +124,7 @@ std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&
     cancellation.poll();
     const double r = CGAL::to_double(get(map, f));
     if (!(r >= 1 / largest_density && r <= largest_density))
-      throw Invalid_input("the density of face " + std::to_string(densities.size()) + " is " + std::to_string(r) +
+      throw Invalid_input("the density of face " + std::to_string(densities.size()) + " is " + number_text(r) +
                           ", not in [1e-20, 1e20]");
     densities.push_back(r);
   }
@@ -163,10 +164,10 @@ std::size_t drop_small_components(const NamedParameters& np, const Local_frame& 
 {
   const double least = choose_parameter(get_parameter(np, internal_np::minimum_component_area_p), 0.);
   if (!(least >= 0))
-    throw Invalid_input("the minimum component area is " + std::to_string(least));
+    throw Invalid_input("the minimum component area is " + number_text(least));
   const std::size_t dropped = input.drop_components_below(std::ldexp(least, -2 * frame.exponent), cancellation);
   if (input.mesh.number_of_faces() == 0)
-    throw Invalid_input("no component of the input has an area of " + std::to_string(least));
+    throw Invalid_input("no component of the input has an area of " + number_text(least));
   return dropped;
 }
 

@@ -88,7 +88,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void seed(Clustering_state& state, const See
       return;
     }
     if (state.subdivides_input)
-      state.initial->subdivide(faces_per_cluster * seeding.value);
+      state.initial->subdivide(seeding.value, faces_per_cluster);
     state.initial->seed(seeding.value);
   });
   state.visitor.stage_ends(Coarsening_stage::SEEDING);

@@ -55,9 +55,13 @@ public:
     is_pinched_.assign(components.size(), false);
   }
 
-  // Cuts all faces into pieces, as often as it takes to have `faces` of them.
-  void subdivide(std::size_t faces)
+  // Cuts all faces into pieces, as often as it takes to have enough of them for each cluster.
+  void subdivide(std::size_t clusters, std::size_t faces_per_cluster)
   {
+    // The last cut makes up to four times as many, with four corners each.
+    if (clusters >= NONE / 2 / 16 / faces_per_cluster)
+      throw Invalid_input("faces subdivided for " + std::to_string(clusters) + " vertices are more than can be numbered");
+    const std::size_t faces = clusters * faces_per_cluster;
     while (uncut_input_->mesh.number_of_faces() < faces) {
       if (!subdivided_input_)
         subdivided_input_ = *uncut_input_;

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef COARSENING_SUPPORT_SAME_FILE_H
+#define COARSENING_SUPPORT_SAME_FILE_H
+
+#include <filesystem>
+
+namespace coarsening_support {
+
+// The file that a chain of symbolic links ends at, whether it is there or not.
+std::filesystem::path end_of_links(const std::filesystem::path& file);
+
+// Tells whether two names stand for one file, now or when it has been written.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
+} // namespace coarsening_support
+
+#endif // COARSENING_SUPPORT_SAME_FILE_H
