@@ -2,12 +2,15 @@
 
 #include "repair/fill_holes.h"
 
+#include "repair/triangulate_in_parts.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/version.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -19,25 +22,39 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 // The triangulation of a hole compares positions exactly.
 using Exact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-std::vector<Face> triangulate(Mesh& mesh, Halfedge h)
+// Returns the number of triangles, 0 if none were found.
+std::size_t triangulate_by_cgal(Mesh& mesh, Halfedge h, std::size_t edges, const Stop& stop)
 {
   std::vector<Face> patch;
   const auto points = boost::make_function_property_map<Vertex, Exact_kernel::Point_3>([&mesh](Vertex v) {
     const Point& p = mesh.point(v);
     return Exact_kernel::Point_3(p.x(), p.y(), p.z());
   });
-  const auto np = CGAL::parameters::vertex_point_map(points).geom_traits(Exact_kernel());
+  const Step_counter counter(stop);
+  const auto np = CGAL::parameters::vertex_point_map(points)
+                    .geom_traits(Exact_kernel())
+                    .do_not_use_cubic_algorithm(edges > most_edges_for_cubic_algorithm)
+                    .visitor(counter);
+  try {
 #if CGAL_VERSION_NR >= 1060000000
-  PMP::triangulate_hole(mesh, h, np.face_output_iterator(std::back_inserter(patch)));
+    PMP::triangulate_hole(mesh, h, np.face_output_iterator(std::back_inserter(patch)));
 #else
-  PMP::triangulate_hole(mesh, h, std::back_inserter(patch), np);
+    PMP::triangulate_hole(mesh, h, std::back_inserter(patch), np);
 #endif
-  return patch;
+  } catch (const Step_counter::Too_many_steps&) {
+  }
+  return patch.size();
+}
+
+std::size_t triangulate(Mesh& mesh, Halfedge h, std::size_t edges, const Stop& stop)
+{
+  const std::size_t triangles = triangulate_by_cgal(mesh, h, edges, stop);
+  return triangles > 0 || edges <= most_edges_for_cubic_algorithm ? triangles : triangulate_in_parts(mesh, h, stop);
 }
 
 Hole measured(const Mesh& mesh, Halfedge start)
 {
-  Hole hole{static_cast<std::size_t>(mesh.target(start)), 0, 0};
+  Hole hole{static_cast<std::size_t>(mesh.target(start)), 0, 0, Hole_state::LONGER};
   Halfedge h = start;
   do {
     const Vector side = mesh.point(mesh.target(h)) - mesh.point(mesh.source(h));
@@ -54,11 +71,8 @@ bool is_lone_triangle(const Mesh& mesh, Halfedge h, const Hole& hole)
   return hole.edges == 3 && mesh.face(mesh.opposite(h)) == mesh.face(mesh.opposite(mesh.next(h)));
 }
 
-} // namespace
-
-Hole_filling fill_holes(Mesh& mesh, double max_length)
+std::vector<Halfedge> starts_of_border_loops(const Mesh& mesh)
 {
-  Hole_filling result;
   std::vector<bool> seen(mesh.num_halfedges(), false);
   std::vector<Halfedge> starts;
   for (Halfedge h : mesh.halfedges())
@@ -67,19 +81,30 @@ Hole_filling fill_holes(Mesh& mesh, double max_length)
       for (Halfedge g = h; !seen[g]; g = mesh.next(g))
         seen[g] = true;
     }
-  for (Halfedge h : starts) {
-    const Hole hole = measured(mesh, h);
-    if (!(hole.length <= max_length)) {
-      ++result.longer;
-      continue;
+  return starts;
+}
+
+} // namespace
+
+std::size_t Hole_filling::number(Hole_state state) const
+{
+  return static_cast<std::size_t>(
+    std::count_if(holes.begin(), holes.end(), [state](const Hole& hole) { return hole.state == state; }));
+}
+
+Hole_filling fill_holes(Mesh& mesh, double most_length, const Stop& stop)
+{
+  Hole_filling result;
+  for (Halfedge h : starts_of_border_loops(mesh)) {
+    if (stop)
+      stop();
+    Hole hole = measured(mesh, h);
+    if (hole.length <= most_length) {
+      const std::size_t triangles = is_lone_triangle(mesh, h, hole) ? 0 : triangulate(mesh, h, hole.edges, stop);
+      hole.state = triangles > 0 ? Hole_state::FILLED : Hole_state::NOT_FILLED;
+      result.triangles_added += triangles;
     }
-    const std::size_t patch = is_lone_triangle(mesh, h, hole) ? 0 : triangulate(mesh, h).size();
-    if (patch == 0)
-      result.not_filled.push_back(hole);
-    else {
-      ++result.filled;
-      result.triangles_added += patch;
-    }
+    result.holes.push_back(hole);
   }
   return result;
 }

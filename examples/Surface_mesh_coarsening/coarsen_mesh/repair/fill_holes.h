@@ -4,6 +4,7 @@
 #define COARSEN_MESH_FILL_HOLES_H
 
 #include "io/Mesh.h"
+#include "io/Text_scanner.h"
 
 #include <cstddef>
 #include <vector>
@@ -12,23 +13,27 @@ namespace coarsen_mesh_tool {
 
 using namespace coarsening_support;
 
+enum class Hole_state { FILLED, LONGER, NOT_FILLED };
+
 // A border loop, told by one of its vertices.
 struct Hole
 {
   std::size_t vertex, edges;
   double length;
+  Hole_state state; // longer than holes that are to be filled, or no triangulation was found
 };
 
 struct Hole_filling
 {
-  std::size_t filled = 0, triangles_added = 0;
-  std::size_t longer = 0;        // loops that are longer than what was to be filled
-  std::vector<Hole> not_filled;  // loops that no triangulation was found for
+  std::size_t triangles_added = 0;
+  std::vector<Hole> holes;
+
+  std::size_t number(Hole_state state) const;
 };
 
-// Fills the holes of the mesh whose border is at most `max_length` long with triangles between their vertices. The numbers
-// of vertices and faces that are there stay.
-Hole_filling fill_holes(Mesh& mesh, double max_length);
+// Fills the holes of the mesh whose border is at most `most_length` long with triangles between their vertices. The numbers
+// of vertices and faces that are there stay. The time for a hole grows little more than linearly with its length.
+Hole_filling fill_holes(Mesh& mesh, double most_length, const Stop& stop = nullptr);
 
 } // namespace coarsen_mesh_tool
 
