@@ -15,18 +15,19 @@ _coarsen_mesh()
   local endings= values=
   case $before in
     -w | --weight) values="uniform area maximum exact-maximum variance" ;;
+    --fill-holes) values=all ;;
     --placement) values="centroid closest-vertex quadric fitted" ;;
     --clusters) endings=ply ;;
     --picture) endings=png ;;
     --report) endings=json ;;
     -n | --vertices | -k | --neighborhood-level | --maximum-distance | --maximum-distance-absolute | --levels | \
-    --rounds | --convergence-tolerance | --maximum-density | --view | --up | --fill-holes | \
+    --rounds | --convergence-tolerance | --maximum-density | --view | --up | \
     --minimum-component-area | --threads) return ;;
     *)
       if [[ $word == -* ]]; then
         values="--vertices --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --weight --maximum-density --placement --features --clusters --picture
           --view --up --report --repair --fill-holes --minimum-component-area --subdivide --measure --threads --quiet
-          --version --help -n -k -w"
+          --version --help -n -k -w -h"
       else
         endings="off obj ply stl"
       fi ;;

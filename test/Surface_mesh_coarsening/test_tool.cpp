@@ -157,6 +157,7 @@ BOOST_AUTO_TEST_CASE(questions)
   BOOST_TEST(version.status == 0);
   BOOST_TEST(version.out == "coarsen_mesh " CGAL_SURFACE_MESH_COARSENING_VERSION "\n");
   const Outcome help = shop.run("--help");
+  BOOST_TEST(shop.run("-h").out == help.out);
   BOOST_TEST(help.status == 0);
   for (const char* option :
        {"--vertices", "--neighborhood-level", "--rounds", "--convergence-tolerance", "--weight", "--maximum-density", "--placement", "--features",
@@ -207,6 +208,9 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
                                 "in.off out.off --fill-holes -1",
                                 "in.off out.off --fill-holes nan",
                                 "in.off out.off --fill-holes",
+                                "in.off out.off --fill-holes most",
+                                "in.off out.off --fill-holes -5%",
+                                "in.off out.off --fill-holes %",
                                 "in.off out.off --minimum-component-area -2",
                                 "in.off out.off --minimum-component-area wide",
                                 "in.off out.off --subdivide 3",
@@ -492,6 +496,12 @@ BOOST_AUTO_TEST_CASE(holes_are_filled)
   BOOST_TEST(report["input"]["holes"]["triangles_added"] == 20);
   BOOST_TEST(report["input"]["holes"]["left_because_longer"] == 0);
   BOOST_TEST(report["input"]["holes"]["not_filled"].empty());
+  BOOST_REQUIRE(report["input"]["holes"]["all"].size() == 20u);
+  for (const Json& hole : report["input"]["holes"]["all"]) {
+    BOOST_TEST(hole["edges"] == 3);
+    BOOST_TEST(hole["length"] < 0.6);
+    BOOST_TEST(hole["filled"] == true);
+  }
   for (const char* when : {"before", "after"}) {
     BOOST_TEST(report["certificate"]["components"][0][when]["euler_characteristic"] == 2);
     BOOST_TEST(report["certificate"]["components"][0][when]["border_loops"] == 0);
@@ -507,6 +517,10 @@ BOOST_AUTO_TEST_CASE(holes_are_filled)
   BOOST_TEST(report["input"]["holes"]["left_because_longer"] == 1);
   BOOST_TEST(report["certificate"]["components"][0]["before"]["border_loops"] == 1);
   BOOST_TEST(report["certificate"]["components"][0]["after"]["euler_characteristic"] == 1);
+  shop.run_well("open.off out.off -n 80 --fill-holes 18% --report r.json"); // 0.6 of a diagonal of 3.4
+  BOOST_TEST(shop.report("r.json")["input"]["holes"]["left_because_longer"] == 1);
+  shop.run_well("open.off out.off -n 80 --fill-holes all --report r.json");
+  BOOST_TEST(shop.report("r.json")["certificate"]["components"][0]["after"]["euler_characteristic"] == 2);
   shop.run_well("open.off out.off -n 80 --fill-holes 100 --report r.json");
   BOOST_TEST(shop.report("r.json")["certificate"]["components"][0]["after"]["euler_characteristic"] == 2);
 

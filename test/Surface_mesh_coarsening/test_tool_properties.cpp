@@ -145,7 +145,12 @@ BOOST_AUTO_TEST_CASE(distances_take_the_place_of_numbers)
                             "--maximum-distance 0.1 -n 20", "--maximum-distance 0.1 --maximum-distance-absolute 1",
                             "--maximum-distance 0.1 --levels 2"})
     BOOST_CHECK_EQUAL(shop.run(std::string("in.off out.off ") + wrong).status, 2);
-  BOOST_CHECK_EQUAL(shop.run("in.off out.off --maximum-distance-absolute 1e-9").status, 1);
+  const Tool_outcome outcome = shop.run("in.off out.off --maximum-distance-absolute 1e-9");
+  BOOST_CHECK_EQUAL(outcome.status, 1);
+  BOOST_CHECK(outcome.names("within a distance of 1e-09"));
+  // Relative distances are answered as such.
+  BOOST_CHECK(shop.run("in.off out.off --maximum-distance 1e-9").names("no result within 1e-09 of the diagonal"));
+  BOOST_CHECK(shop.run("in.off out.off --maximum-distance 0.02").out.find(" of the diagonal, ") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,7 @@
 #include "render/Scene.h"
 #include "render/cluster_colors.h"
 #include "render/render.h"
+#include "repair/fill_holes.h"
 #include "support/generate_meshes.h"
 #include "support/mesh_files.h"
 
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <ctime>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -197,6 +199,50 @@ BOOST_AUTO_TEST_CASE(reading_can_be_stopped)
     BOOST_CHECK_GE(asked, 2u);
     BOOST_CHECK_THROW(parse_soup(form.second, form.first, [] { throw Stopped(); }), Stopped);
   }
+}
+
+namespace {
+
+// A tube whose upper border goes up and down: few of its triangulations are among Delaunay tetrahedra.
+Mesh jagged_tube(std::size_t edges)
+{
+  generated::Soup soup = generated::tube(edges, 2);
+  std::mt19937 engine(5);
+  double top = 0;
+  for (const auto& p : soup.points)
+    top = (std::max)(top, p[2]);
+  for (auto& p : soup.points)
+    if (p[2] == top)
+      for (double& x : p)
+        x += 0.5 * double(engine() % 1000) / 1000;
+  return mesh_of(soup);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(jagged_holes)
+{
+  for (const std::size_t edges : {40u, 1000u, 3000u}) {
+    Mesh mesh = jagged_tube(edges);
+    std::size_t asked = 0;
+    const auto begin = std::clock();
+    const auto filling = coarsen_mesh_tool::fill_holes(mesh, 1e9, [&asked] { ++asked; });
+    BOOST_CHECK_LT(double(std::clock() - begin) / CLOCKS_PER_SEC, 6);
+    BOOST_CHECK_EQUAL(filling.number(coarsen_mesh_tool::Hole_state::FILLED), 2u);
+    BOOST_CHECK_EQUAL(filling.triangles_added, 2 * (edges - 2));
+    BOOST_CHECK(CGAL::is_closed(mesh));
+    BOOST_CHECK(mesh.is_valid(false));
+    BOOST_CHECK(!soup_fault(to_soup(mesh)));
+    BOOST_CHECK_GE(asked, 2u);
+  }
+  struct Stopped
+  {};
+  Mesh mesh = jagged_tube(1000);
+  std::size_t asked = 0;
+  BOOST_CHECK_THROW(coarsen_mesh_tool::fill_holes(mesh, 1e9, [&asked] {
+    if (++asked == 5)
+      throw Stopped();
+  }), Stopped);
 }
 
 BOOST_AUTO_TEST_CASE(counts)

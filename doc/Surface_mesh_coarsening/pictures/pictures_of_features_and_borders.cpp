@@ -113,7 +113,7 @@ void picture_holes(const Setting& setting)
   compose(setting.directory, "holes",
           {{{render(scene, camera), "input, " + vertices_of(mesh), "", ""},
             {with_border(kept, camera), "holes kept, " + vertices_of(kept), "", ""},
-            {with_border(without, camera), std::to_string(filling.filled) + " holes filled before, " + vertices_of(without), "",
+            {with_border(without, camera), std::to_string(filling.number(coarsen_mesh_tool::Hole_state::FILLED)) + " holes filled before, " + vertices_of(without), "",
              ""}}});
 }
 

@@ -86,6 +86,29 @@ void check_choice(const std::string& option, const std::string& value, const std
     throw Wrong_usage("--" + option + " is one of " + joined(names) + ", not '" + value + "'");
 }
 
+// A length, a part of the diagonal in percent, or "all".
+void read_hole_length(const std::string& text, Options& options)
+{
+  options.hole_length_is_relative = !text.empty() && text.back() == '%';
+  options.fill_holes = text == "all" ? std::numeric_limits<double>::infinity() : -1;
+  if (const auto number = to_number(options.hole_length_is_relative ? text.substr(0, text.size() - 1) : text))
+    options.fill_holes = options.hole_length_is_relative ? *number / 100 : *number;
+  if (!(options.fill_holes >= 0))
+    throw Wrong_usage("--fill-holes takes a length from 0 on, one in percent of the diagonal, or all, not '" + text + "'");
+}
+
+// The view (1, 0.5, 0.8) of a model that stands on its y axis, turned with the model. The direction is that of the shortest
+// rotation from the y axis to `up`.
+Vector default_view(const Vector& up)
+{
+  const Vector view(1, 0.5, 0.8), y(0, 1, 0), u = up / std::sqrt(up.squared_length());
+  const double cosine = u * y;
+  if (cosine < -1 + 1e-12) // half a turn around the x axis
+    return Vector(view.x(), -view.y(), -view.z());
+  const Vector axis = CGAL::cross_product(y, u);
+  return cosine * view + CGAL::cross_product(axis, view) + (axis * view) / (1 + cosine) * axis;
+}
+
 constexpr const char* default_feature_angle = "30";
 
 po::options_description described_options()
@@ -117,15 +140,15 @@ po::options_description described_options()
      "stay where they are")
     ("clusters", text()->value_name("FILE"), "write the input with a color and a label for each face (.ply)")
     ("picture", text()->value_name("FILE"), "write a picture of the result and of the clusters (.png)")
-    ("view", text()->value_name("X,Y,Z"), "direction from which the picture is taken (default 1,0.5,0.8)")
+    ("view", text()->value_name("X,Y,Z"), "direction from which the picture is taken (default 1,0.5,0.8, turned as --up is)")
     ("up", text()->value_name("X,Y,Z"), "direction that points up in the picture (default 0,1,0)")
     ("report", text()->value_name("FILE"), "write parameters, counts, topology and times (JSON)")
     ("repair",
      "mend the input first: merge coincident points, remove useless faces, orient, duplicate non-manifold vertices, "
      "stitch borders, remove degenerate triangles and unused points")
     ("fill-holes", text()->value_name("LENGTH"),
-     "first fill the holes whose border is at most LENGTH long, in the mesh's unit of length; --report tells how many were "
-     "filled, and which could not be")
+     "first fill the holes whose border is at most LENGTH long, in the mesh's unit of length, or in percent of the diagonal of its "
+     "bounding box, such as 10%, or all; --report lists the holes with their lengths, and whether they were filled")
     ("minimum-component-area", text()->value_name("A"),
      "leave out connected components of an area below A, in the square of the mesh's unit of length (a cube of side 2 "
      "has area 24); --report lists them")
@@ -140,7 +163,7 @@ po::options_description described_options()
      "upper bound for the number of threads; the result does not depend on it. More than one need oneTBB")
     ("quiet", "print nothing but errors")
     ("version", "print the version")
-    ("help", "print this text");
+    ("help,h", "print this text");
   // clang-format on
   return result;
 }
@@ -230,13 +253,13 @@ Options checked_options(const po::variables_map& values)
   options.clusters = given(values, "clusters").value_or("");
   options.picture = given(values, "picture").value_or("");
   options.report = given(values, "report").value_or("");
-  if (const auto text = given(values, "view"))
-    options.view = to_direction("view", *text);
   if (const auto text = given(values, "up"))
     options.up = to_direction("up", *text);
+  const auto view = given(values, "view");
+  options.view = view ? to_direction("view", *view) : default_view(options.up);
   options.repair = values.count("repair") > 0;
   if (const auto text = given(values, "fill-holes"))
-    options.fill_holes = to_size("fill-holes", *text);
+    read_hole_length(*text, options);
   if (const auto text = given(values, "minimum-component-area"))
     options.minimum_component_area = to_size("minimum-component-area", *text);
   options.subdivide = values.count("subdivide") > 0;

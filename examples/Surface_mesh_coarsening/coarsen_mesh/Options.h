@@ -35,9 +35,10 @@ struct Options
   double maximum_density = 10;
   std::optional<double> features; // the angle in degrees from which edges are kept
   std::string clusters, picture, report;
-  Vector view = Vector(1, 0.5, 0.8), up = Vector(0, 1, 0);
+  Vector view, up = Vector(0, 1, 0);
   double minimum_component_area = 0; // of the mesh's units squared; 0 keeps every component
-  double fill_holes = 0;             // perimeter up to which holes are filled; 0 fills none
+  double fill_holes = 0;             // length of the border up to which holes are filled; 0 fills none, infinity all
+  bool hole_length_is_relative = false; // to the diagonal
   bool repair = false, subdivide = false, measure = false, quiet = false;
   unsigned threads = 1;
 };

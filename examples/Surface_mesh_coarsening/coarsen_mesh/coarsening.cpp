@@ -70,14 +70,6 @@ void carry_properties(const Mesh& input, const std::vector<std::size_t>& labels,
   SMC::transfer_properties(input, clusters, result, policies);
 }
 
-double diagonal(const Mesh& mesh)
-{
-  CGAL::Bbox_3 box;
-  for (Vertex v : mesh.vertices())
-    box += mesh.point(v).bbox();
-  return std::hypot(box.x_span(), box.y_span(), box.z_span());
-}
-
 template <class NamedParameters>
 void coarsen_to_distance(const Mesh& input, const Options& options, const NamedParameters& np, Coarsening_result& result)
 {
@@ -192,6 +184,14 @@ const std::vector<std::string>& placement_names()
 {
   static const std::vector<std::string> names = {"centroid", "closest-vertex", "quadric", "fitted"};
   return names;
+}
+
+double diagonal(const Mesh& mesh)
+{
+  CGAL::Bbox_3 box;
+  for (Vertex v : mesh.vertices())
+    box += mesh.point(v).bbox();
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
 }
 
 unsigned max_threads()

@@ -43,6 +43,9 @@ std::string default_placement();
 // More threads than this are not used, whatever the options allow; 1 without oneTBB.
 unsigned max_threads();
 
+// Of the bounding box.
+double diagonal(const Mesh& mesh);
+
 // Coarsens with the weight, the placement and the numbers that the options name.
 Coarsening_result coarsen(const Mesh& input, const Options& options, Tool_visitor& visitor);
 

@@ -46,6 +46,24 @@ namespace {
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 
+std::string shown(double x)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", x);
+  return text;
+}
+
+// A distance as it was asked for.
+std::string distance_text(const Options& options, double distance)
+{
+  return options.distance_is_relative ? "within " + shown(distance) + " of the diagonal" : "within a distance of " + shown(distance);
+}
+
+std::string counted(std::size_t number, const std::string& noun)
+{
+  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+}
+
 Coarsening_result coarsen_or_explain(const Input& input, const Options& options, Stage_times& times,
                                      Progress_line& progress)
 {
@@ -57,6 +75,10 @@ Coarsening_result coarsen_or_explain(const Input& input, const Options& options,
   } catch (const SMC::Coarsening_cancelled&) {
     Interruption::throw_if_requested();
     throw;
+  } catch (const SMC::Unreachable_distance& e) {
+    throw Failure(options.input, "no result " + distance_text(options, *options.maximum_distance) +
+                                   " was found (nearest distance found: " +
+                                   shown(options.distance_is_relative ? e.nearest() / diagonal(input.mesh) : e.nearest()) + ")");
   } catch (const SMC::Unreachable_number_of_vertices& e) {
     throw Failure(options.input,
                   one_line(e.what()) + " (nearest number that works: " + std::to_string(e.nearest()) + ")");
@@ -79,35 +101,32 @@ void check_written(const std::string& file, const std::string& bytes, const Mesh
                           *fault + (type == "stl" ? " (use .ply, .off or .obj, which keep all digits, or move the mesh to the origin)" : ""));
 }
 
-std::string shown(double x)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", x);
-  return text;
-}
-
 std::string summary(const Options& options, const Input& input, const Coarsening_result& result,
                     const Findings& findings, const Stage_times& times)
 {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.2f s", times.total());
-  const std::string dropped =
-    input.unused_points > 0 ? ", " + std::to_string(input.unused_points) + " unused points dropped" : "";
-  const std::size_t left_out = result.report.dropped_components;
+  const auto sizes = [](const Mesh& mesh) {
+    const std::size_t n = mesh.number_of_vertices();
+    return std::to_string(n) + (n == 1 ? " vertex, " : " vertices, ") + counted(mesh.number_of_faces(), "face");
+  };
+  const auto& report = result.report;
   std::string remarks;
   if (findings.holes)
-    remarks += std::to_string(findings.holes->filled) + " holes filled, ";
+    remarks += counted(findings.holes->number(Hole_state::FILLED), "hole") + " filled, ";
+  if (options.features)
+    remarks += counted(report.feature_lines, "feature line") + " and " + counted(report.feature_corners, "corner") + " kept, ";
   if (result.distance_bound)
-    remarks += "within a distance of " + shown(*result.distance_bound) + ", ";
+    remarks += distance_text(options, options.distance_is_relative ? *result.distance_bound / diagonal(input.mesh)
+                                                                   : *result.distance_bound) + ", ";
   if (!result.levels.empty())
-    remarks += std::to_string(result.levels.size()) + " levels, ";
-  if (left_out > 0)
-    remarks += std::to_string(left_out) + " components left out, ";
-  return escaped_utf8(options.input) + " (" + std::to_string(input.mesh.number_of_vertices()) + " vertices, " +
-         std::to_string(input.mesh.number_of_faces()) + " faces" + dropped + ") -> " + escaped_utf8(options.output) + " (" +
-         std::to_string(result.mesh.number_of_vertices()) + " vertices, " +
-         std::to_string(result.mesh.number_of_faces()) + " faces), " + std::to_string(result.report.rounds) +
-         " rounds, " + remarks + (findings.certificate.kept() ? "topology kept, " : "topology changed, ") + seconds +
+    remarks += counted(result.levels.size(), "level") + ", ";
+  if (report.dropped_components > 0)
+    remarks += counted(report.dropped_components, "component") + " left out, ";
+  const std::string dropped = input.unused_points > 0 ? ", " + counted(input.unused_points, "unused point") + " dropped" : "";
+  return escaped_utf8(options.input) + " (" + sizes(input.mesh) + dropped + ") -> " + escaped_utf8(options.output) + " (" +
+         sizes(result.mesh) + "), " + counted(report.rounds, "round") + ", " + remarks +
+         (findings.certificate.kept() ? "topology kept, " : "topology changed, ") + seconds +
          (findings.quality ? "\n" + quality_text(result.mesh, *findings.quality) : "");
 }
 
@@ -160,7 +179,8 @@ void run(const Options& options)
   if (options.fill_holes > 0) {
     times.begin("hole filling");
     progress.say("filling holes");
-    findings.holes = fill_holes(input.mesh, options.fill_holes);
+    const double unit = options.hole_length_is_relative ? diagonal(input.mesh) : 1;
+    findings.holes = fill_holes(input.mesh, options.fill_holes * unit, Interruption::throw_if_requested);
     times.end();
   }
   const Coarsening_result result = coarsen_or_explain(input, options, times, progress);

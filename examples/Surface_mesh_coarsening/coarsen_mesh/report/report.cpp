@@ -63,7 +63,8 @@ Json parameters_of(const Options& options)
   result["placement"] = options.placement;
   result["features"] = options.features ? Json(*options.features) : Json();
   result["minimum_component_area"] = options.minimum_component_area;
-  result["fill_holes"] = options.fill_holes;
+  result["fill_holes"] = std::isfinite(options.fill_holes) ? Json(options.fill_holes) : Json("all");
+  result["hole_length_is_relative"] = options.hole_length_is_relative;
   result["subdivide"] = options.subdivide;
   result["threads"] = {{"allowed", options.threads}, {"used", (std::min)(options.threads, max_threads())}};
   return result;
@@ -111,13 +112,21 @@ Json holes_of(const std::optional<Hole_filling>& holes)
 {
   if (!holes)
     return nullptr;
-  Json not_filled = Json::array();
-  for (const Hole& hole : holes->not_filled)
-    not_filled.push_back({{"vertex", hole.vertex}, {"edges", hole.edges}, {"length", hole.length}});
-  return {{"filled", holes->filled},
+  const auto described = [](const Hole& hole) {
+    return Json{{"vertex", hole.vertex}, {"edges", hole.edges}, {"length", hole.length}};
+  };
+  Json not_filled = Json::array(), all = Json::array();
+  for (const Hole& hole : holes->holes) {
+    all.push_back(described(hole));
+    all.back()["filled"] = hole.state == Hole_state::FILLED;
+    if (hole.state == Hole_state::NOT_FILLED)
+      not_filled.push_back(described(hole));
+  }
+  return {{"filled", holes->number(Hole_state::FILLED)},
           {"triangles_added", holes->triangles_added},
-          {"left_because_longer", holes->longer},
-          {"not_filled", not_filled}};
+          {"left_because_longer", holes->number(Hole_state::LONGER)},
+          {"not_filled", not_filled},
+          {"all", all}};
 }
 
 Json quality_of(const Mesh& result, const std::optional<Coarsening_quality>& quality)
@@ -181,6 +190,8 @@ std::string report_text(const Options& options, const Input& input, const Coarse
   report["clustering"] = clustering_of(result.report);
   report["output"] = sizes_of(options.output, result.mesh);
   report["output"]["distance_bound"] = result.distance_bound ? Json(*result.distance_bound) : Json();
+  report["output"]["relative_distance_bound"] =
+    result.distance_bound ? Json(*result.distance_bound / diagonal(input.mesh)) : Json();
   report["levels"] = levels_of(options, input, result);
   report["output"]["valid"] = !findings.fault;
   report["output"]["fault"] = findings.fault ? Json(*findings.fault) : Json();
