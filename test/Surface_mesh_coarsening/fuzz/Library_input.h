@@ -161,7 +161,7 @@ inline std::string surface_fault(const Soup& soup)
   coarsening_support::Soup converted;
   for (const auto& p : soup.points)
     converted.points.emplace_back(p[0], p[1], p[2]);
-  converted.polygons = soup.polygons;
+  converted.polygons = coarsening_support::Polygons(soup.polygons);
   return coarsening_support::soup_fault(converted).value_or("");
 }
 

@@ -14,8 +14,8 @@ namespace coarsen_mesh_tool {
 
 using namespace coarsening_support;
 
-// The search among all triangulations takes time with the cube of the number of edges, a tenth of a second for so many.
-constexpr std::size_t most_edges_for_cubic_algorithm = 200;
+// The search among all triangulations takes time with the cube of the number of edges, a twentieth of a second for so many.
+constexpr std::size_t most_edges_for_cubic_algorithm = 150;
 
 // A visitor of CGAL's hole filling that lets it be stopped and bounds its time. It counts on where it is copied to.
 class Step_counter : public CGAL::Polygon_mesh_processing::Hole_filling::Default_visitor
@@ -23,11 +23,13 @@ class Step_counter : public CGAL::Polygon_mesh_processing::Hole_filling::Default
   const Stop* stop_;
   mutable std::size_t steps_ = 0;
 
-  void count() const
+  void count(std::size_t steps) const
   {
-    constexpr std::size_t most_steps = 4000000;
-    stop_at(steps_, *stop_);
-    if (++steps_ > most_steps)
+    constexpr std::size_t most_steps = 1000000;
+    if (steps_ / 4096 != (steps_ + steps) / 4096 && *stop_)
+      (*stop_)();
+    steps_ += steps;
+    if (steps_ > most_steps)
       throw Too_many_steps();
   }
 
@@ -36,8 +38,8 @@ public:
   {};
 
   explicit Step_counter(const Stop& stop) : stop_(&stop) {}
-  void quadratic_step() const { count(); }
-  void cubic_step() const { count(); }
+  void quadratic_step() const { count(100); } // walks around an edge, for each of its facets
+  void cubic_step() const { count(1); }
 };
 
 // Fills the hole that a border halfedge belongs to: its border is cut in two along a short diagonal, and each part again, until
