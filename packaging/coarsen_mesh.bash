@@ -21,11 +21,11 @@ _coarsen_mesh()
     --picture) endings=png ;;
     --report) endings=json ;;
     -n | --vertices | -k | --neighborhood-level | --maximum-distance | --maximum-distance-absolute | --levels | \
-    --rounds | --convergence-tolerance | --maximum-density | --view | --up | \
+    --rounds | --convergence-tolerance | --maximum-density | --error-feedback | --view | --up | \
     --minimum-component-area | --threads) return ;;
     *)
       if [[ $word == -* ]]; then
-        values="--vertices --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --weight --maximum-density --placement --features --clusters --picture
+        values="--vertices --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --weight --maximum-density --placement --error-feedback --features --clusters --picture
           --view --up --report --repair --fill-holes --minimum-component-area --subdivide --measure --threads --quiet
           --version --help -n -k -w -h"
       else

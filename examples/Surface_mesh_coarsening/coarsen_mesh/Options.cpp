@@ -135,6 +135,9 @@ po::options_description described_options()
     ("maximum-density", text()->value_name("R")->default_value("10"),
      "densities run from 1 on flat parts to R on the sharpest ones, and to 4 R on borders; the weight variance does well with 3")
     ("placement", text()->value_name("P")->default_value(default_placement()), joined(placement_names()).c_str())
+    ("error-feedback", text()->value_name("R")->default_value("7"),
+     "with the placement fitted: in R rounds, vertices are taken from where they do little for the distance to where it is large; "
+     "0 leaves them where the densities put them")
     ("features", text()->value_name("ANGLE")->implicit_value(default_feature_angle),
      "keep sharp edges, those at which normals are ANGLE degrees or more apart: they become lines of edges, and their corners "
      "stay where they are")
@@ -245,6 +248,7 @@ Options checked_options(const po::variables_map& values)
   options.maximum_density = to_number(density_text).value_or(0);
   if (!(options.maximum_density >= 1 && options.maximum_density <= 1e20))
     throw Wrong_usage("--maximum-density takes a number from 1 to 1e20, not '" + density_text + "'");
+  options.error_feedback = to_count("error-feedback", *given(values, "error-feedback"), 0, any);
   if (const auto text = given(values, "features")) {
     options.features = to_number(*text);
     if (!options.features || !(*options.features >= 0 && *options.features <= 180))

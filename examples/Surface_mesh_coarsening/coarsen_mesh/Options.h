@@ -33,6 +33,7 @@ struct Options
   double convergence_tolerance = 1e-3; // the relative gain of the last round
   std::string weight, placement;     // names out of the lists in Choices.h
   double maximum_density = 10;
+  std::size_t error_feedback = 7; // rounds of it
   std::optional<double> features; // the angle in degrees from which edges are kept
   std::string clusters, picture, report;
   Vector view, up = Vector(0, 1, 0);

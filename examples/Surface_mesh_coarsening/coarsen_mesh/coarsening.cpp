@@ -125,6 +125,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
                     .convergence_tolerance(options.convergence_tolerance)
                     .minimum_component_area(options.minimum_component_area)
                     .subdivide_input(options.subdivide)
+                    .error_feedback(options.error_feedback)
                     .feature_angle(options.features.value_or(180))
                     .visitor(std::ref(visitor));
   if (options.maximum_distance) {

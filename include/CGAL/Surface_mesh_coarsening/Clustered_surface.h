@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/vertex_bounds.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
 
 #include <CGAL/Bbox_3.h>
@@ -50,7 +51,7 @@ public:
   {
     internal::for_each_chunk(execution, clusters, 64, cancellation, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t x = begin; x < end; ++x)
-        bounds_[x] = grown_box(x);
+        bounds_[x] = internal::vertex_bounds(input.mesh, faces(x));
     });
   }
   const internal::Clustering_input& input() const { return input_; }
@@ -113,19 +114,6 @@ public:
   }
 
 private:
-  Bbox_3 grown_box(std::size_t cluster) const
-  {
-    Bbox_3 box;
-    for (const std::uint32_t f : faces(cluster))
-      for (const std::uint32_t v : vertices(f))
-        box += internal::box_of_point(point(v));
-    // Computed positions may be off by as much as they are rounded.
-    double largest = 0;
-    for (int i = 0; i < 3; ++i)
-      largest = (std::max)({largest, std::abs((box.min)(i)), std::abs((box.max)(i))});
-    return internal::grown(box, 0.5 * std::sqrt(internal::squared_diagonal(box)) + 1e-12 * largest);
-  }
-
   const internal::Clustering_input& input_;
   const internal::Cluster_labels& labels_;
   const internal::Execution execution_;

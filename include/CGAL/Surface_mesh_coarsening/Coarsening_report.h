@@ -39,6 +39,8 @@ struct Coarsening_report
   std::size_t subdivided_components = 0;
   /// the number of connected components that were left out because of parameter `minimum_component_area`.
   std::size_t dropped_components = 0;
+  /// the number of clusters that were moved to where the distance was large (parameter `error_feedback`).
+  std::size_t exchanged_vertices = 0;
   /// the number of pairs of triangles that intersected after the placement of the vertices where the input does not. This
   /// number and the three below are 0 if parameter `repair_output` is `false`.
   std::size_t intersections_found = 0;

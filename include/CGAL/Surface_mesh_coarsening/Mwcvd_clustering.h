@@ -52,7 +52,7 @@ public:
   /// \param mesh a 2-manifold polygon mesh
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `face_density_map`,
   /// `maximum_density`, `border_densities`, `cluster_weight`, `minimum_component_area`, `subdivide_input`,
-  /// `repair_output`, `feature_angle`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `face_patch_map`,
+  /// `repair_output`, `error_feedback`, `feature_angle`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `face_patch_map`,
   /// `vertex_point_map`, `face_index_map`, `geom_traits` and `visitor`, as `coarsen_mesh()` describes them
   /// \throws Invalid_input if the mesh has no faces, is not a 2-manifold, has a coordinate that is not finite, or if a
   /// parameter is out of range.

@@ -153,6 +153,15 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{error_feedback}
+///     \cgalParamDescription{the number of rounds of `Fitted_placement` in which vertices are taken from where they do little for
+///                           the distance to where it is large; clusters follow, their number stays, and what does not lower
+///                           the distance is taken back. With 0, vertices stay where the densities have put their clusters.}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{`7`; `0` if `face_density_map` is given}
+///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, and where clusters are given, edited or
+///                     frozen}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{feature_angle}
 ///     \cgalParamDescription{edges at which the normals of the two faces are so many degrees or more apart are kept as lines of
 ///                           edges of the output, and the corners where they end or meet as vertices; in \f$ [0, 180] \f$}

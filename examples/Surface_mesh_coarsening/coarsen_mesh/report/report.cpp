@@ -61,6 +61,7 @@ Json parameters_of(const Options& options)
   result["weight"] = options.weight;
   result["maximum_density"] = options.maximum_density;
   result["placement"] = options.placement;
+  result["error_feedback"] = options.error_feedback;
   result["features"] = options.features ? Json(*options.features) : Json();
   result["minimum_component_area"] = options.minimum_component_area;
   result["fill_holes"] = std::isfinite(options.fill_holes) ? Json(options.fill_holes) : Json("all");
@@ -85,6 +86,7 @@ Json clustering_of(const CGAL::Surface_mesh_coarsening::Coarsening_report& repor
           {"converged", report.converged},
           {"subdivided_components", report.subdivided_components},
           {"dropped_components", report.dropped_components},
+          {"exchanged_vertices", report.exchanged_vertices},
           {"self_intersections_found", report.intersections_found},
           {"self_intersections_left", report.intersections_left},
           {"clusterings", report.clusterings},

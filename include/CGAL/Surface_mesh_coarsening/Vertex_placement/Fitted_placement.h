@@ -54,8 +54,17 @@ public:
                   std::vector<std::array<std::uint32_t, 3> >& triangles,
                   std::vector<Clustered_surface::Point>& positions) const
   {
-    internal::fit_vertices(surface, border, rounds_, mean_angle_, triangles, positions);
+    place_and_exchange(surface, border, triangles, positions, internal::Vertex_relocation());
   }
+
+  /// \cond SKIP_IN_MANUAL
+  // The same, with rounds that exchange vertices.
+  void place_and_exchange(const Clustered_surface& surface, const Border_arcs& border, std::vector<internal::Triangle>& triangles,
+                          std::vector<Clustered_surface::Point>& positions, const internal::Vertex_relocation& relocation) const
+  {
+    internal::fit_vertices(surface, border, rounds_, mean_angle_, triangles, positions, relocation);
+  }
+  /// \endcond
 
 private:
   std::size_t rounds_;

@@ -161,6 +161,26 @@ public:
         around_[v].push_back(x);
   }
 
+  // Replaces some triangles by as many others that cover the same region.
+  void replace(const std::vector<Index>& old_triangles, const std::vector<Triangle>& new_triangles)
+  {
+    for (const Index t : old_triangles)
+      for (const Index v : triangles_[t])
+        take_away(v, t);
+    for (std::size_t i = 0; i < old_triangles.size(); ++i) {
+      triangles_[old_triangles[i]] = new_triangles[i];
+      for (const Index v : new_triangles[i])
+        around_[v].push_back(old_triangles[i]);
+    }
+    for (const Index t : old_triangles)
+      for (int i = 0; i < 3; ++i) {
+        const Index u = find_across(t, i);
+        neighbors_[t][i] = u;
+        if (u != NONE)
+          neighbors_[u][corner(u, triangles_[t][(i + 1) % 3])] = t;
+      }
+  }
+
   // The mean of the neighbors of an inner vertex.
   Vector mean_of_neighbors(Index v, const std::vector<Vector>& positions) const
   {
@@ -234,6 +254,16 @@ private:
             }
         }
       }
+  }
+
+  Index find_across(Index t, int i) const
+  {
+    const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3];
+    const bool from_a = around_[a].size() <= around_[b].size();
+    for (const Index u : around_[from_a ? a : b])
+      if (u != t && corner(u, from_a ? b : a) >= 0)
+        return u;
+    return NONE;
   }
 
   void take_away(Index vertex, Index gone)

@@ -54,21 +54,27 @@ inline std::vector<Vector> place_vertices(const Clustered_surface& surface, cons
   return positions;
 }
 
-// The same, and on request moves vertices and flips edges where triangles intersect that do not in the input, or look away
-// from the surface.
+// Moves vertices and flips edges where triangles intersect that do not in the input, or look away from the surface.
+inline Repair_counts repair_placement(const Clustered_surface& surface, const Border_arcs& border,
+                                      const Placement_model& placement, const Output_coordinates& output_coordinates,
+                                      std::vector<Triangle>& triangles, std::vector<Vector>& positions,
+                                      const Cancellation_point& cancellation)
+{
+  Placement_repair repair(surface, border, output_coordinates, triangles, positions, cancellation);
+  if (placement.is_at_input_vertices)
+    repair.stay_at_input_vertices();
+  return repair.run();
+}
+
+// Places the vertices, and repairs the placement on request.
 inline std::vector<Vector> place_vertices(const Clustered_surface& surface, const Placement_model& placement, bool with_repair,
                                           const Output_coordinates& output_coordinates, std::vector<Triangle>& triangles,
                                           Repair_counts& counts, const Cancellation_point& cancellation = Cancellation_point())
 {
   const Border_arcs border(surface);
   std::vector<Vector> positions = place_vertices(surface, border, placement, triangles, cancellation);
-  counts = Repair_counts();
-  if (with_repair) {
-    Placement_repair repair(surface, border, output_coordinates, triangles, positions, cancellation);
-    if (placement.is_at_input_vertices)
-      repair.stay_at_input_vertices();
-    counts = repair.run();
-  }
+  counts = with_repair ? repair_placement(surface, border, placement, output_coordinates, triangles, positions, cancellation)
+                       : Repair_counts();
   return positions;
 }
 

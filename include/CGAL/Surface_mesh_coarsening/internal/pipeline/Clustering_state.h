@@ -23,6 +23,9 @@ class Initial_clustering;
 // The number of faces for each cluster that subdivision provides: clusters of so many faces can be round.
 constexpr std::size_t faces_per_cluster = 20;
 
+// The number of rounds in which vertices are exchanged, where densities are computed.
+constexpr std::size_t default_exchange_rounds = 7;
+
 // How the clusters came about.
 struct Seeding
 {
@@ -41,6 +44,7 @@ struct Clustering_state
   Visitor_handle visitor;
   Execution execution = Execution::SEQUENTIAL;
   bool subdivides_input = false, repairs_output = true;
+  std::size_t exchange_rounds = 0; // in which vertices are taken to where the error is
   Local_frame frame;
   Clustering_input input; // the faces, or cells of them where features are kept
   std::vector<long long> patches; // of the faces of the caller's mesh, where they are given

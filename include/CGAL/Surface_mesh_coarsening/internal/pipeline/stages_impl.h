@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 #include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_relocation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Initial_clustering.h>
 
 #include <algorithm>
@@ -263,6 +264,66 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place(const Clustering_state& st
   return dual;
 }
 
+// The surface as its clusters are now.
+inline std::unique_ptr<Clustered_surface> clustered_surface(const Clustering_state& state, Placed_dual& dual)
+{
+  dual.pieces = std::make_unique<Labelled_pieces>(state.working_input(), labels(state), state.number_of_clusters());
+  return std::make_unique<Clustered_surface>(dual.pieces->input(), dual.pieces->labels(), state.number_of_clusters(),
+                                             state.execution, dual.pieces->features(), state.cancellation());
+}
+
+// What the placement asks of the clusters while it exchanges vertices.
+inline Vertex_relocation vertex_relocation(const Clustering_state& state, const Clustered_surface& surface,
+                                           Cluster_relocation& clusters)
+{
+  Vertex_relocation relocation;
+  relocation.rounds = state.exchange_rounds;
+  relocation.relocate = [&](Index x, Index into, Index f) { return clusters.relocate(x, into, f); };
+  relocation.undo = [&] { clusters.undo(); };
+  relocation.within_bounds = [&](Index x, const Vector& p) {
+    return clusters.has_changed(x) ? closest_in_box(p, vertex_bounds(state.working_input().mesh, clusters.faces(x)))
+                                   : surface.within_bounds(x, p);
+  };
+  return relocation;
+}
+
+// Places the vertices, exchanges some of them, clusters following, and repairs the placement.
+inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
+                                      const Output_coordinates& output_coordinates)
+{
+  if (!placement.exchanging || state.exchange_rounds == 0 || state.minimization_end.max_rounds == 0 ||
+      state.seeding.kind == Seeding::BY_CALLER)
+    return place(state, placement, output_coordinates);
+  state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
+  Placed_dual dual;
+  std::unique_ptr<Clustered_surface> surface = clustered_surface(state, dual);
+  dual.triangles = dual_triangles(labels(state), state.cancellation(), state.execution);
+  dual.positions.resize(state.number_of_clusters());
+  Cluster_relocation clusters(state.working_input(), *state.labels, Index(state.number_of_clusters()));
+  try {
+    const Border_arcs border(*surface);
+    border.place(dual.positions);
+    placement.exchanging(*surface, border, dual.triangles, dual.positions, vertex_relocation(state, *surface, clusters));
+  } catch (...) {
+    clusters.undo();
+    throw;
+  }
+  if (clusters.number() > 0) {
+    state.minimization.reset();
+    state.editing.reset();
+    surface = clustered_surface(state, dual);
+  }
+  state.report.exchanged_vertices = clusters.number();
+  for (std::size_t x = 0; x < dual.positions.size(); ++x)
+    dual.positions[x] = surface->within_bounds(x, dual.positions[x]);
+  if (state.repairs_output)
+    dual.counts = repair_placement(*surface, Border_arcs(*surface), placement, output_coordinates, dual.triangles,
+                                   dual.positions, state.cancellation());
+  state.visitor.throw_if_cancelled();
+  state.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
+  return dual;
+}
+
 CGAL_SURFACE_MESH_COARSENING_INLINE void report_placement(Clustering_state& state, const Placed_dual& dual)
 {
   state.report.intersections_found = dual.counts.intersections_found;
@@ -323,14 +384,14 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
                                                                const Output_coordinates& output_coordinates)
 {
   constexpr std::size_t max_repetitions = 4;
-  Placed_dual dual = place(state, placement, output_coordinates);
+  Placed_dual dual = place_and_exchange(state, placement, output_coordinates);
   if (!is_worth_reclustering(state, dual))
     return dual;
   std::size_t clusterings = 1, fewest = dual.number_left();
   std::vector<double> densities = state.base_input().density, best_densities = densities;
   const auto repeat = [&](const std::vector<double>& with) {
     recluster(state, with);
-    dual = place(state, placement, output_coordinates);
+    dual = place_and_exchange(state, placement, output_coordinates);
     ++clusterings;
   };
   while (clusterings <= max_repetitions && is_worth_reclustering(state, dual)) {

@@ -46,7 +46,11 @@ public:
       return;
     const double rate = rate_for(flips, budget, total / double(triangles.size()));
     apply(flips, rate);
+    rate_ = rate;
   }
+
+  // The squared distance that the last run took an angle of one radian to be worth.
+  double rate() const { return rate_; }
 
 private:
   struct Flip
@@ -141,7 +145,7 @@ private:
   const std::vector<Vector>& positions_;
   Fit_samples& samples_;
   const Cancellation_point cancellation_;
-  double sharpest_allowed_ = 1;
+  double sharpest_allowed_ = 1, rate_ = 0;
 };
 
 } // namespace internal

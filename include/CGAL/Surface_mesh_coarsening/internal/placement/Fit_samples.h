@@ -157,6 +157,45 @@ public:
     back_[u] = feet_of(coarse_.triangles()[u], starts);
   }
 
+  double sum_of_costs() const
+  {
+    double sum = 0;
+    for (std::size_t t = 0; t < back_.size(); ++t)
+      sum += cost(Index(t));
+    return sum;
+  }
+
+  // The part of the cost of a triangle that the samples of the input have.
+  double cost_of_input(Index t) const
+  {
+    double sum = 0;
+    for_each_on(t, [&](const Sample& s) { sum += s.foot.squared_distance; });
+    return weight() * sum;
+  }
+
+  // Finds the feet of the samples of some triangles on others that have come in their place, and the feet of these.
+  void redistribute(const std::vector<Index>& old_triangles, const std::vector<Index>& new_triangles)
+  {
+    std::vector<Index> samples;
+    for (const Index t : old_triangles) {
+      for (Index i = first_on_[t]; i != NONE; i = next_on_[i])
+        samples.push_back(i);
+      first_on_[t] = NONE;
+    }
+    for (const Index t : new_triangles)
+      prepared_[t] = Prepared_triangle(positions_, coarse_.triangles()[t]);
+    for (std::size_t k = samples.size(); k-- > 0;) {
+      Sample& s = samples_[samples[k]];
+      s.triangle = new_triangles.front();
+      s.foot = prepared_[s.triangle].closest(s.position);
+      for (const Index t : new_triangles)
+        improve_foot(s, t);
+      link(samples[k]);
+    }
+    for (const Index t : new_triangles)
+      back_[t] = feet_of(coarse_.triangles()[t], starts_around(t));
+  }
+
 private:
   static constexpr std::size_t samples_per_triangle = 16;
   static constexpr int max_steps = 20;              // of a search on the input

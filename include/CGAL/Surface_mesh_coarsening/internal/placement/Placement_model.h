@@ -6,10 +6,12 @@
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Vertex_relocation.h>
 
 #include <cstddef>
 #include <functional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -23,6 +25,10 @@ struct Placement_model
   // One of the two: a position for each cluster, or all positions together, which may flip edges of the triangles.
   std::function<Vector(const Clustered_surface&, std::size_t)> local;
   std::function<void(const Clustered_surface&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&)> global;
+  // The same, exchanging vertices between regions.
+  std::function<void(const Clustered_surface&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&,
+                     const Vertex_relocation&)>
+    exchanging;
   bool may_run_in_parallel = false;
   bool is_at_input_vertices = false;
 };
@@ -43,6 +49,15 @@ template <class Placement>
 constexpr bool is_at_input_vertices<Placement, std::void_t<decltype(Placement::is_at_input_vertices)> > =
   Placement::is_at_input_vertices;
 
+template <class Placement, class = void>
+constexpr bool exchanges_vertices = false;
+template <class Placement>
+constexpr bool exchanges_vertices<
+  Placement, std::void_t<decltype(std::declval<const Placement&>().place_and_exchange(
+               std::declval<const Clustered_surface&>(), std::declval<const Border_arcs&>(),
+               std::declval<std::vector<Triangle>&>(), std::declval<std::vector<Vector>&>(),
+               std::declval<const Vertex_relocation&>()))> > = true;
+
 template <class Placement>
 Placement_model placement_model(const Placement& placement)
 {
@@ -54,6 +69,11 @@ Placement_model placement_model(const Placement& placement)
   else
     model.global = [&placement](const Clustered_surface& surface, const Border_arcs& border, std::vector<Triangle>& triangles,
                                 std::vector<Vector>& positions) { placement(surface, border, triangles, positions); };
+  if constexpr (exchanges_vertices<Placement>)
+    model.exchanging = [&placement](const Clustered_surface& surface, const Border_arcs& border, std::vector<Triangle>& triangles,
+                                    std::vector<Vector>& positions, const Vertex_relocation& relocation) {
+      placement.place_and_exchange(surface, border, triangles, positions, relocation);
+    };
   model.may_run_in_parallel = may_run_in_parallel<Placement>;
   model.is_at_input_vertices = is_at_input_vertices<Placement>;
   return model;

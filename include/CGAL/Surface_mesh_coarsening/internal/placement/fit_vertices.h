@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Vertex_relocation.h>
 
 #include <cstddef>
 #include <vector>
@@ -14,10 +15,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Fits all vertices together, starting from quadrics: see `Fitted_placement`. `mean_angle` is in degrees.
+// Fits all vertices together, starting from quadrics: see `Fitted_placement`. `mean_angle` is in degrees. After two thirds of the
+// rounds, as many follow as `relocation` wants, which exchange vertices for as long as there are some to exchange, then one or more
+// without; if all these do not lower the distance, they are taken back.
 void fit_vertices(const Clustered_surface& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
-                  std::vector<Triangle>& triangles, std::vector<Vector>& positions);
-
+                  std::vector<Triangle>& triangles, std::vector<Vector>& positions,
+                  const Vertex_relocation& relocation = Vertex_relocation());
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_walk.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/faces_in_bfs_order.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
 
@@ -35,38 +36,48 @@ public:
   // The new cluster has the next number. Returns whether there is one.
   bool split(Index x)
   {
-    const std::vector<Index> faces = outward(face_of_[x]);
-    constexpr std::size_t attempts = 8;
-    for (std::size_t i = 0; i < (std::min)(attempts, faces.size()) && faces.size() > 1; ++i) {
-      const Index first = outward(faces[i * faces.size() / (std::min)(attempts, faces.size())]).back();
-      const Index second = outward(first).back();
-      if (try_split(x, faces, first, second))
-        return true;
-    }
+    face_of_.push_back(face_of_[x]);
+    if (split_anyhow(x, number_of_clusters() - 1, outward(face_of_[x])))
+      return true;
+    face_of_.pop_back();
     return false;
   }
 
   // Its neighbors are tried in the order of what the union adds to the inertia. The last cluster gets the number of `x`.
   bool remove(Index x)
   {
-    const std::vector<Index> faces = outward(face_of_[x]);
-    std::vector<std::pair<double, Index> > candidates;
-    for (const Index y : neighbors_in_arcs(faces))
-      if (!labels_.is_frozen(y))
-        candidates.emplace_back(inertia_between(moments_of(faces), moments_of(outward(face_of_[y]))), y);
-    std::sort(candidates.begin(), candidates.end());
-    for (const auto& candidate : candidates) {
-      for (const Index f : faces)
-        labels_.move(f, candidate.second);
-      if (is_valid_around(candidate.second)) {
-        take_number(x);
-        return true;
-      }
-      for (const Index f : faces)
-        labels_.move(f, x);
-    }
-    return false;
+    if (merge(x, outward(face_of_[x])) == NONE)
+      return false;
+    take_number(x);
+    return true;
   }
+
+  // Gives the faces of cluster `x` to a neighbor, to `into` if possible, and makes another cluster `x` of faces around `f`, which
+  // are taken from the cluster of `f`. Returns whether it was possible, and which clusters have changed. Clusters on the border
+  // or on features lose no faces, and frozen ones do not change.
+  bool relocate(Index x, Index into, Index f, std::vector<Index>& changed)
+  {
+    const Index y = labels_[f];
+    if (x == y || !is_free(x) || !is_free(y))
+      return false;
+    const std::vector<Index> faces = outward(face_of_[x]);
+    const Index heir = merge(x, faces, into);
+    if (heir == NONE)
+      return false;
+    const std::vector<Index> others = outward(f);
+    const Index former = std::exchange(face_of_[x], f);
+    if (labels_[f] != y || (!try_split(y, x, others, others.back(), f) && !split_anyhow(y, x, others))) {
+      for (const Index g : faces)
+        labels_.move(g, x);
+      face_of_[x] = former;
+      return false;
+    }
+    changed = {x, y, heir};
+    return true;
+  }
+
+  // The faces of a cluster.
+  std::vector<Index> faces(Index x) { return outward(face_of_[x]); }
 
 private:
   std::vector<Index> outward(Index f) { return faces_in_bfs_order(labels_, f); }
@@ -78,9 +89,59 @@ private:
       visit(c);
   }
 
-  bool try_split(Index x, const std::vector<Index>& faces, Index first, Index second)
+  // Whether no vertex of the cluster is on the border or a feature, and its faces may leave it.
+  bool is_free(Index x)
   {
-    const Index y = number_of_clusters();
+    if (labels_.is_frozen(x))
+      return false;
+    for (const Index f : outward(face_of_[x])) {
+      if (input_.cells && (input_.cells->node(f) != NONE || input_.cells->is_at_border(f)))
+        return false;
+      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+        if (mesh_.is_on_border(mesh_.corner_vertex[c]))
+          return false;
+    }
+    return true;
+  }
+
+  // Gives the faces of cluster `x` to a neighbor that allows it: to `first`, or else to the one to whose inertia they add least.
+  // Returns that; NONE if there is none.
+  Index merge(Index x, const std::vector<Index>& faces, Index first = NONE)
+  {
+    std::vector<std::pair<double, Index> > candidates;
+    for (const Index y : neighbors_in_arcs(faces))
+      if (!labels_.is_frozen(y))
+        candidates.emplace_back(y == first ? 0 : inertia_between(moments_of(faces), moments_of(outward(face_of_[y]))), y);
+    std::sort(candidates.begin(), candidates.end());
+    for (const auto& candidate : candidates) {
+      for (const Index f : faces)
+        labels_.move(f, candidate.second);
+      if (is_valid_around(candidate.second))
+        return candidate.second;
+      for (const Index f : faces)
+        labels_.move(f, x);
+    }
+    return NONE;
+  }
+
+  // Splits cluster `x` in two of about the same extent. The new one is `y`.
+  bool split_anyhow(Index x, Index y, const std::vector<Index>& faces)
+  {
+    constexpr std::size_t attempts = 8;
+    for (std::size_t i = 0; i < (std::min)(attempts, faces.size()) && faces.size() > 1; ++i) {
+      const Index first = outward(faces[i * faces.size() / (std::min)(attempts, faces.size())]).back();
+      const Index second = outward(first).back();
+      if (try_split(x, y, faces, first, second))
+        return true;
+    }
+    return false;
+  }
+
+  // Grows clusters `x` and `y` from two faces over those of `x`.
+  bool try_split(Index x, Index y, const std::vector<Index>& faces, Index first, Index second)
+  {
+    if (first == second)
+      return false;
     for (const Index f : faces)
       labels_.set(f, NONE);
     Cluster_growth growth(labels_);
@@ -99,14 +160,13 @@ private:
       return false;
     for (const Index f : of_second)
       labels_.move(f, y);
-    face_of_.push_back(second);
-    const Index former = std::exchange(face_of_[x], first);
+    const Index former = std::exchange(face_of_[x], first), former_of_y = std::exchange(face_of_[y], second);
     if (is_valid_around(x) && is_valid_around(y))
       return true;
     for (const Index f : of_second)
       labels_.move(f, x);
-    face_of_.pop_back();
     face_of_[x] = former;
+    face_of_[y] = former_of_y;
     return false;
   }
 

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_TRIAL_FAN_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_TRIAL_FAN_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Prepared_triangle.h>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// A few triangles that a change would put in the place of others, with the samples of the input that these have. One vertex of
+// them may be moved to where the samples are closest.
+class Trial_fan
+{
+public:
+  // The cosine of the largest angle between the normals of a triangle before and after.
+  static constexpr double max_turn = 0.2;
+
+  void clear()
+  {
+    triangles_.clear();
+    samples_.clear();
+  }
+
+  // `free_corner`: that of the vertex which may be moved. `reference`: a normal that the triangle must not turn away from.
+  void add_triangle(const Vector& a, const Vector& b, const Vector& c, int free_corner, const Vector& reference)
+  {
+    triangles_.push_back({{{a, b, c}}, std::size_t(free_corner), reference, {}});
+  }
+
+  void add_sample(const Vector& p) { samples_.push_back(p); }
+
+  void move_to(const Vector& p)
+  {
+    for (Local_triangle& t : triangles_) {
+      t.corner[t.free_corner] = p;
+      t.prepared = Prepared_triangle(t.corner[0], t.corner[1], t.corner[2]);
+    }
+  }
+
+  // Whether all triangles look where they should, and no angle is smaller than one of the given cosine.
+  bool is_sound(double max_cosine) const
+  {
+    for (const Local_triangle& t : triangles_) {
+      const Vector n = cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]);
+      if (!(dot(n, t.reference) > max_turn * std::sqrt(dot(n, n) * dot(t.reference, t.reference))) ||
+          sharpest(t) > max_cosine)
+        return false;
+    }
+    return true;
+  }
+
+  double sum_of_angles() const
+  {
+    double sum = 0;
+    for (const Local_triangle& t : triangles_)
+      sum += std::acos((std::min)(1., sharpest(t)));
+    return sum;
+  }
+
+  // The sum of the squared distances of the samples; and where the free vertex, which is at `p`, would be best as far as it can be
+  // told from the closest points.
+  double squared_distances(const Vector& p, Vector& better) const
+  {
+    Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    double sum = 0, weight = 0;
+    std::size_t nearest = 0;
+    for (const Vector& s : samples_) {
+      const Foot_point foot = closest(s, nearest);
+      sum += foot.squared_distance;
+      add_equation(s, foot, triangles_[nearest], matrix, right, weight);
+    }
+    better = p;
+    if (weight > 0) {
+      matrix.diagonal().array() += min_inertia * weight;
+      const Eigen::Vector3d x = matrix.inverse() * right;
+      if (x.allFinite())
+        better = p + Vector{{x[0], x[1], x[2]}};
+    }
+    return sum;
+  }
+
+private:
+  // The same as in the fit: the weights of sideways movements, and of movements as such.
+  static constexpr double damping = 0.02, min_inertia = 0.001;
+
+  struct Local_triangle
+  {
+    std::array<Vector, 3> corner;
+    std::size_t free_corner;
+    Vector reference;
+    Prepared_triangle prepared;
+  };
+
+  static double sharpest(const Local_triangle& t)
+  {
+    double largest = -1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector e = t.corner[(i + 1) % 3] - t.corner[i], f = t.corner[(i + 2) % 3] - t.corner[i];
+      const double product = std::sqrt(dot(e, e) * dot(f, f));
+      largest = (std::max)(largest, product > 0 ? dot(e, f) / product : 1);
+    }
+    return largest;
+  }
+
+  // Begins with the triangle that was nearest to the sample before.
+  Foot_point closest(const Vector& s, std::size_t& nearest) const
+  {
+    Foot_point best = triangles_[nearest].prepared.closest(s);
+    const std::size_t first = nearest;
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+      const Prepared_triangle& t = triangles_[i].prepared;
+      if (i == first || !t.may_be_nearer(s, best.squared_distance))
+        continue;
+      const Foot_point foot = t.closest(s);
+      if (foot.squared_distance < best.squared_distance) {
+        best = foot;
+        nearest = i;
+      }
+    }
+    return best;
+  }
+
+  static void add_equation(const Vector& s, const Foot_point& foot, const Local_triangle& t, Eigen::Matrix3d& matrix,
+                           Eigen::Vector3d& right, double& weight)
+  {
+    const Vector& b = foot.barycentric;
+    const double part = b[t.free_corner];
+    if (!(part > 0))
+      return;
+    const Vector d = s - (b[0] * t.corner[0] + b[1] * t.corner[1] + b[2] * t.corner[2]);
+    const bool is_inside = b[0] > 0 && b[1] > 0 && b[2] > 0;
+    Vector n = is_inside ? cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]) : d;
+    const double length = std::sqrt(dot(n, n));
+    n = length > 0 ? (1 / length) * n : n;
+    const Eigen::Vector3d e(n[0], n[1], n[2]);
+    matrix += part * part * ((1 - damping) * e * e.transpose() + damping * Eigen::Matrix3d::Identity());
+    right += part * Eigen::Vector3d(d[0], d[1], d[2]);
+    weight += part * part;
+  }
+
+  std::vector<Local_triangle> triangles_;
+  std::vector<Vector> samples_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_TRIAL_FAN_H

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_RELOCATION_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_RELOCATION_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Moves clusters of a valid clustering from place to place, which leaves it valid and of as many clusters; or takes all of that
+// back.
+class Cluster_relocation
+{
+public:
+  Cluster_relocation(const Clustering_input& input, Cluster_labels& labels, Index clusters)
+    : input_(input), labels_(labels), old_labels_(labels.labels()), editing_(input, labels, clusters),
+      has_changed_(clusters, false) {}
+
+  // The number of clusters that were moved.
+  std::size_t number() const { return number_; }
+  bool has_changed(Index x) const { return has_changed_[x]; }
+  // The faces of a cluster, of the input.
+  std::vector<Index> faces(Index x) { return editing_.faces(x); }
+
+  // Gives the faces of cluster `x` to a neighbor, to `into` if possible, and makes another cluster of that number around a face,
+  // which is a piece of one of the input where features are kept. Returns whether it was possible.
+  bool relocate(Index x, Index into, Index face)
+  {
+    std::vector<Index> changed;
+    if (!editing_.relocate(x, into, input_.cells ? input_.cells->polygon(face) : face, changed))
+      return false;
+    for (const Index y : changed)
+      has_changed_[y] = true;
+    ++number_;
+    return true;
+  }
+
+  void undo()
+  {
+    for (std::size_t f = 0; f < old_labels_.size(); ++f)
+      if (labels_[Index(f)] != old_labels_[f])
+        labels_.move(Index(f), old_labels_[f]);
+    has_changed_.assign(has_changed_.size(), false);
+    number_ = 0;
+  }
+
+private:
+  const Clustering_input& input_;
+  Cluster_labels& labels_;
+  const std::vector<Index> old_labels_;
+  Cluster_editing editing_;
+  std::vector<char> has_changed_;
+  std::size_t number_ = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_RELOCATION_H

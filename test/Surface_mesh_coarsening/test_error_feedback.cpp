@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Vertices that are exchanged between regions while all are fitted (parameter `error_feedback`): the distance falls, the number of
+// vertices and the topology stay, and the clusters that follow are valid.
+
+#define BOOST_TEST_MODULE error_feedback
+#include "support/face_graphs.h"
+#include "support/generate_meshes.h"
+
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/is_valid_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <string>
+#include <vector>
+
+namespace SMC = CGAL::Surface_mesh_coarsening;
+using test::Mesh;
+
+namespace {
+
+struct Outcome
+{
+  Mesh mesh;
+  SMC::Coarsening_report report;
+  std::vector<std::size_t> labels;
+};
+
+template <class ConcurrencyTag = CGAL::Sequential_tag, class NamedParameters>
+Outcome coarsened(const Mesh& input, std::size_t vertices, const NamedParameters& np)
+{
+  Outcome outcome;
+  outcome.labels.resize(input.number_of_faces());
+  const auto map = boost::make_function_property_map<Mesh::Face_index>(
+    [&](Mesh::Face_index f) -> std::size_t& { return outcome.labels[std::size_t(f)]; });
+  outcome.report = SMC::coarsen_mesh<ConcurrencyTag>(input, vertices, outcome.mesh, np.face_cluster_map(map));
+  return outcome;
+}
+
+auto parameters(std::size_t rounds)
+{
+  return SMC::parameters::cluster_weight(SMC::Weighted_area_weight())
+    .maximum_density(10.)
+    .vertex_placement(SMC::Fitted_placement())
+    .error_feedback(rounds);
+}
+
+void check_kept(const Mesh& input, const Outcome& outcome, std::size_t vertices)
+{
+  const Mesh& mesh = outcome.mesh;
+  BOOST_TEST(mesh.number_of_vertices() == vertices);
+  BOOST_TEST(CGAL::is_valid_polygon_mesh(mesh));
+  const auto euler = [](const Mesh& m) {
+    return long(m.number_of_vertices()) - long(m.number_of_edges()) + long(m.number_of_faces());
+  };
+  BOOST_TEST(euler(mesh) == euler(input));
+  BOOST_TEST(CGAL::is_closed(mesh) == CGAL::is_closed(input));
+  const auto map = boost::make_function_property_map<Mesh::Face_index>(
+    [&](Mesh::Face_index f) { return outcome.labels[std::size_t(f)]; });
+  BOOST_TEST(SMC::is_valid_clustering(input, map));
+}
+
+[[maybe_unused]] bool are_equal(const Mesh& a, const Mesh& b)
+{
+  if (a.number_of_vertices() != b.number_of_vertices() || a.number_of_faces() != b.number_of_faces())
+    return false;
+  for (const auto v : a.vertices())
+    if (a.point(v) != b.point(v))
+      return false;
+  for (const auto h : a.halfedges())
+    if (a.target(h) != b.target(h))
+      return false;
+  return true;
+}
+
+Mesh data_mesh(const std::string& name)
+{
+  Mesh mesh;
+  BOOST_REQUIRE(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name), mesh));
+  return mesh;
+}
+
+} // namespace
+
+// Models with sharp edges, smooth ones, and one with borders.
+BOOST_AUTO_TEST_CASE(distance_falls)
+{
+  const struct
+  {
+    std::string name;
+    std::size_t vertices;
+    double factor; // by which the distance falls
+  } cases[] = {{"fandisk.off", 527, 0.8}, {"elephant.off", 277, 0.97}, {"rotor.off", 300, 0.85}, {"blobby.off", 202, 0.97},
+               {"lion-head.off", 417, 1}};
+  for (const auto& c : cases) {
+    BOOST_TEST_CONTEXT(c.name)
+    {
+      const Mesh input = data_mesh(c.name);
+      const Outcome without = coarsened(input, c.vertices, parameters(0)), with = coarsened(input, c.vertices, parameters(7));
+      check_kept(input, with, c.vertices);
+      BOOST_TEST(without.report.exchanged_vertices == 0);
+      BOOST_TEST(with.report.exchanged_vertices > 0);
+      const auto before = SMC::measure_coarsening(input, without.mesh, 20000), after = SMC::measure_coarsening(input, with.mesh, 20000);
+      BOOST_TEST(after.rms_distance <= c.factor * before.rms_distance);
+      BOOST_TEST(after.mean_smallest_angle >= 40);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(default_depends_on_densities)
+{
+  const Mesh input = data_mesh("eight.off");
+  const auto np = SMC::parameters::vertex_placement(SMC::Fitted_placement());
+  BOOST_TEST(coarsened(input, 94, np).report.exchanged_vertices > 0);
+  const auto densities = boost::make_function_property_map<Mesh::Face_index>([](Mesh::Face_index) { return 1.; });
+  BOOST_TEST(coarsened(input, 94, np.face_density_map(densities)).report.exchanged_vertices == 0);
+  BOOST_TEST(coarsened(input, 94, np.face_density_map(densities).error_feedback(3)).report.exchanged_vertices > 0);
+  // Other placements look at one cluster at a time.
+  BOOST_TEST(coarsened(input, 94, SMC::parameters::error_feedback(7)).report.exchanged_vertices == 0);
+}
+
+BOOST_AUTO_TEST_CASE(same_on_any_number_of_threads)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const Mesh input = data_mesh("elephant.off");
+  const Outcome one = coarsened(input, 277, parameters(7)), many = coarsened<CGAL::Parallel_tag>(input, 277, parameters(7));
+  BOOST_TEST(are_equal(one.mesh, many.mesh));
+  BOOST_TEST(one.labels == many.labels);
+#endif
+}
+
+BOOST_AUTO_TEST_CASE(features_stay)
+{
+  const Mesh input = data_mesh("elephant.off");
+  const auto patches = boost::make_function_property_map<Mesh::Face_index>(
+    [&](Mesh::Face_index f) { return int(input.point(input.target(input.halfedge(f))).z() > 0); });
+  const auto np = parameters(7).face_patch_map(patches);
+  const Outcome with = coarsened(input, 277, np), without = coarsened(input, 277, np.error_feedback(0));
+  BOOST_TEST(with.mesh.number_of_vertices() == 277);
+  BOOST_TEST(CGAL::is_valid_polygon_mesh(with.mesh));
+  BOOST_TEST(with.report.exchanged_vertices > 0);
+  BOOST_TEST(with.report.feature_lines == without.report.feature_lines);
+  BOOST_TEST(with.report.feature_corners == without.report.feature_corners);
+  const auto before = SMC::measure_coarsening(input, without.mesh, 20000), after = SMC::measure_coarsening(input, with.mesh, 20000);
+  BOOST_TEST(after.rms_distance < before.rms_distance);
+}
+
+// Clusters given or frozen by hand stay what they are.
+BOOST_AUTO_TEST_CASE(clusters_by_hand_stay)
+{
+  const Mesh input = data_mesh("eight.off");
+  typedef SMC::Mwcvd_clustering<Mesh, SMC::Weighted_area_weight> Clustering;
+  const auto labels_after = [&](bool freezes) {
+    Clustering clustering(input, parameters(7));
+    clustering.seed(94);
+    clustering.grow();
+    clustering.minimize();
+    if (freezes)
+      clustering.freeze_cluster(0);
+    std::vector<std::size_t> before, after;
+    for (const auto f : input.faces())
+      before.push_back(clustering.cluster(f));
+    Mesh output;
+    clustering.extract_embedded_dual_mesh(output, SMC::Fitted_placement());
+    for (const auto f : input.faces())
+      after.push_back(clustering.cluster(f));
+    return before == after;
+  };
+  BOOST_TEST(labels_after(true));
+  BOOST_TEST(!labels_after(false));
+}
+
+// What follows the clustering goes on from the clusters as they are.
+BOOST_AUTO_TEST_CASE(levels_and_editing_go_on)
+{
+  const Mesh input = data_mesh("elephant.off");
+  SMC::Mwcvd_clustering<Mesh, SMC::Weighted_area_weight> clustering(input, parameters(7));
+  clustering.seed(277);
+  clustering.grow();
+  clustering.minimize();
+  Mesh output;
+  clustering.extract_embedded_dual_mesh(output, SMC::Fitted_placement());
+  BOOST_TEST(clustering.report().exchanged_vertices > 0);
+  const double energy = clustering.energy();
+  clustering.minimize();
+  BOOST_TEST(clustering.energy() < energy);
+  BOOST_TEST(clustering.split_cluster(0).has_value());
+  clustering.extract_dual_mesh(output);
+  BOOST_TEST(output.number_of_vertices() == 278);
+  BOOST_TEST(CGAL::is_valid_polygon_mesh(output));
+}
