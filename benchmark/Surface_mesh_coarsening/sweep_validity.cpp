@@ -5,6 +5,7 @@
 // border loops and the orientation of the input. Prints a line per mesh and ends with 1 if a run failed.
 
 #include "check/soup_fault.h"
+#include "io/file_type.h"
 #include "io/read_soup.h"
 #include "io/to_mesh.h"
 #include "support/Validity_checks.h"
