@@ -160,7 +160,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`7`; `0` if `face_density_map` is given}
 ///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, and where clusters are given, edited or
-///                     frozen}
+///                     frozen. Clusters on features and borders are not split, so where features are kept the distance may
+///                     rise by some per cent instead.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{feature_angle}
 ///     \cgalParamDescription{edges at which the normals of the two faces are so many degrees or more apart are kept as lines of
