@@ -226,7 +226,7 @@ public:
                    output, np, [](const auto&) {});
   }
 
-  /// does the same, and where triangles are left intersecting makes the clusters anew, with four times the densities in those
+  /// does the same, and where triangles are left intersecting reclusters the mesh, with four times the densities in those
   /// that the triangles belong to: with more clusters there, and fewer elsewhere. What has the fewest intersections is taken.
   ///
   /// Seeds, growth and minimization are run as they were before, 4 times at the most, and once more to come back to what is

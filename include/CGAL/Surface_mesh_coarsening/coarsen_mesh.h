@@ -148,7 +148,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{repair_output}
 ///     \cgalParamDescription{whether vertices are moved and edges flipped where triangles of the output intersect that do not in
-///                           the input, and where they look away from it, and clusters made anew where that is not enough (see
+///                           the input, and where they look away from it, and the mesh reclustered where that is not enough (see
 ///                           `Mwcvd_clustering::extract_embedded_dual_mesh()`); the report tells what was found and left}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
