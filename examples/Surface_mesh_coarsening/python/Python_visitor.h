@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SURFACE_MESH_COARSENING_PYTHON_PYTHON_VISITOR_H
+#define SURFACE_MESH_COARSENING_PYTHON_PYTHON_VISITOR_H
+
+#include <CGAL/Surface_mesh_coarsening/Coarsening_visitor_base.h>
+
+#include <pybind11/pybind11.h>
+
+#include <chrono>
+#include <cstddef>
+#include <exception>
+#include <string>
+
+namespace coarsening_python {
+
+// Reports progress to a Python function and looks for Ctrl-C. Both need the interpreter's lock, which another thread may hold for
+// some milliseconds: it is asked for a few times a second.
+class Python_visitor : public CGAL::Surface_mesh_coarsening::Coarsening_visitor_base
+{
+public:
+  // `progress` may be None.
+  explicit Python_visitor(const pybind11::object& progress) : progress_(progress) {}
+
+  void stage_begins(CGAL::Surface_mesh_coarsening::Coarsening_stage stage);
+  void round_done(std::size_t round, std::size_t moves, double energy);
+  bool go_further();
+
+  // Throws what the Python function, or the handler of a signal, has thrown.
+  void rethrow() const;
+
+private:
+  template <class Call>
+  void call_python(const Call& call);
+  void report(std::size_t round);
+
+  const pybind11::object& progress_;
+  std::string stage_;
+  std::exception_ptr failure_;
+  std::chrono::steady_clock::time_point asked_ = std::chrono::steady_clock::now();
+};
+
+} // namespace coarsening_python
+
+#endif // SURFACE_MESH_COARSENING_PYTHON_PYTHON_VISITOR_H

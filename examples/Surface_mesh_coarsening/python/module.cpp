@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The compiled part of the Python module surface_mesh_coarsening: arrays in, arrays out. Its Python part, which users import,
+// checks and documents the arguments.
+
+#include "Array_mesh.h"
+#include "coarsening.h"
+#include "transfer.h"
+
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
+#include <CGAL/Surface_mesh_coarsening/version.h>
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace coarsening_python {
+namespace {
+
+namespace SMC = CGAL::Surface_mesh_coarsening;
+using namespace py::literals;
+
+py::dict described(const Coarsening& result)
+{
+  const SMC::Coarsening_report& r = result.report;
+  return py::dict("clusters"_a = r.clusters, "rounds"_a = r.rounds, "moves"_a = r.moves, "initial_energy"_a = r.initial_energy,
+                  "final_energy"_a = r.final_energy, "converged"_a = r.converged,
+                  "subdivided_components"_a = r.subdivided_components, "dropped_components"_a = r.dropped_components,
+                  "exchanged_vertices"_a = r.exchanged_vertices, "intersections_found"_a = r.intersections_found,
+                  "intersections_left"_a = r.intersections_left, "reversals_found"_a = r.reversals_found,
+                  "reversals_left"_a = r.reversals_left, "feature_lines"_a = r.feature_lines,
+                  "feature_corners"_a = r.feature_corners, "distance_bound"_a = result.distance_bound);
+}
+
+py::list coarsen_arrays(const Number_array& points, const Index_array& sizes, const Index_array& indices, Options options,
+                        const std::optional<Number_array>& density, const std::optional<Integer_array>& patches,
+                        const py::object& progress)
+{
+  const Mesh input = to_mesh(points, sizes, indices);
+  options.density = density ? density->data() : nullptr;
+  options.patches = patches ? patches->data() : nullptr;
+  Python_visitor visitor(progress);
+  std::vector<Coarsening> results;
+  {
+    const py::gil_scoped_release unlock;
+    results = coarsen(input, options, visitor);
+  }
+  py::list list;
+  for (const Coarsening& result : results) {
+    Integer_array labels(py::ssize_t(result.labels.size()));
+    std::copy(result.labels.begin(), result.labels.end(), labels.mutable_data());
+    list.append(py::make_tuple(points_of(result.mesh), faces_of(result.mesh), labels, described(result)));
+  }
+  return list;
+}
+
+py::dict measure_arrays(const Number_array& points, const Index_array& sizes, const Index_array& indices,
+                        const Number_array& coarse_points, const Index_array& coarse_sizes, const Index_array& coarse_indices,
+                        std::size_t samples)
+{
+  const Mesh mesh = to_mesh(points, sizes, indices), coarse = to_mesh(coarse_points, coarse_sizes, coarse_indices);
+  SMC::Coarsening_quality q;
+  {
+    const py::gil_scoped_release unlock;
+    q = SMC::measure_coarsening(mesh, coarse, samples);
+  }
+  return py::dict("rms_distance"_a = q.rms_distance, "mean_distance"_a = q.mean_distance,
+                  "maximum_distance"_a = q.maximum_distance, "mean_normal_deviation"_a = q.mean_normal_deviation,
+                  "mean_smallest_angle"_a = q.mean_smallest_angle, "smallest_angle"_a = q.smallest_angle,
+                  "part_below_30_degrees"_a = q.part_below_30_degrees, "self_intersections"_a = q.self_intersections,
+                  "border_rms_distance"_a = q.border_rms_distance, "border_mean_distance"_a = q.border_mean_distance,
+                  "border_maximum_distance"_a = q.border_maximum_distance, "diagonal"_a = q.diagonal);
+}
+
+// Values of elements, and how they are to be carried over: numbers by a policy, labels by majority or from the nearest corner.
+struct Values
+{
+  Element element;
+  std::optional<SMC::Transfer_policy> policy; // none for labels
+  py::array array;
+};
+
+std::size_t rows_of(const Mesh& coarse, Element element)
+{
+  return element == Element::VERTEX ? coarse.number_of_vertices()
+         : element == Element::FACE ? coarse.number_of_faces()
+                                    : 3 * coarse.number_of_faces();
+}
+
+template <class Array>
+Array result_for(const Values& values, const Mesh& coarse)
+{
+  std::vector<py::ssize_t> shape = {py::ssize_t(rows_of(coarse, values.element))};
+  if (values.array.ndim() == 2)
+    shape.push_back(values.array.shape(1));
+  return Array(shape);
+}
+
+template <class Number, class Array>
+Rows<Number> rows_of(const Values& values, Array& result)
+{
+  const std::size_t columns = values.array.ndim() == 2 ? std::size_t(values.array.shape(1)) : 1;
+  return {values.element, columns, static_cast<const Number*>(values.array.data()), result.mutable_data()};
+}
+
+py::list transfer_arrays(const Number_array& points, const Index_array& sizes, const Index_array& indices,
+                         const Integer_array& labels, const Number_array& coarse_points, const Index_array& coarse_sizes,
+                         const Index_array& coarse_indices, const std::vector<Values>& all)
+{
+  const Mesh mesh = to_mesh(points, sizes, indices), coarse = to_mesh(coarse_points, coarse_sizes, coarse_indices);
+  std::optional<Transfer> transfer;
+  {
+    const py::gil_scoped_release unlock;
+    transfer.emplace(mesh, labels.data(), coarse);
+  }
+  py::list results;
+  for (const Values& values : all)
+    if (values.policy) {
+      Number_array result = result_for<Number_array>(values, coarse);
+      const Rows<double> rows = rows_of<double>(values, result);
+      {
+        const py::gil_scoped_release unlock;
+        transfer->interpolate(rows, *values.policy);
+      }
+      results.append(result);
+    } else {
+      Integer_array result = result_for<Integer_array>(values, coarse);
+      const Rows<std::int64_t> rows = rows_of<std::int64_t>(values, result);
+      {
+        const py::gil_scoped_release unlock;
+        transfer->vote(rows);
+      }
+      results.append(result);
+    }
+  return results;
+}
+
+void define_options(py::module_& m)
+{
+  py::class_<Options>(m, "Options")
+    .def(py::init<>())
+    .def_readwrite("vertices", &Options::vertices)
+    .def_readwrite("maximum_distance", &Options::maximum_distance)
+    .def_readwrite("weight", &Options::weight)
+    .def_readwrite("placement", &Options::placement)
+    .def_readwrite("maximum_density", &Options::maximum_density)
+    .def_readwrite("feature_angle", &Options::feature_angle)
+    .def_readwrite("error_feedback", &Options::error_feedback)
+    .def_readwrite("minimum_component_area", &Options::minimum_component_area)
+    .def_readwrite("subdivide", &Options::subdivide)
+    .def_readwrite("repair", &Options::repair)
+    .def_readwrite("iterations", &Options::iterations)
+    .def_readwrite("convergence_tolerance", &Options::convergence_tolerance)
+    .def_readwrite("threads", &Options::threads);
+}
+
+void define_values(py::module_& m)
+{
+  py::enum_<Element>(m, "Element").value("vertex", Element::VERTEX).value("face", Element::FACE).value("corner", Element::CORNER);
+  py::enum_<SMC::Transfer_policy>(m, "TransferPolicy")
+    .value("interpolated", SMC::Transfer_policy::INTERPOLATED)
+    .value("conservative", SMC::Transfer_policy::CONSERVATIVE);
+  py::class_<Values>(m, "Values")
+    .def(py::init([](Element element, SMC::Transfer_policy policy, const Number_array& array) {
+      return Values{element, policy, array};
+    }))
+    .def(py::init([](Element element, const Integer_array& array) { return Values{element, std::nullopt, array}; }));
+}
+
+// The Python part makes the exceptions, as they have an attribute.
+void translate_exceptions(py::module_& m)
+{
+  static py::handle unreachable_vertices, unreachable_distance; // which the module keeps alive
+  m.def("set_exceptions", [](py::object vertices, py::object distance) {
+    unreachable_vertices = vertices.release();
+    unreachable_distance = distance.release();
+  });
+  py::register_exception_translator([](std::exception_ptr p) {
+    try {
+      if (p)
+        std::rethrow_exception(p);
+    } catch (const SMC::Unreachable_number_of_vertices& e) {
+      PyErr_SetObject(unreachable_vertices.ptr(), py::make_tuple(e.what(), e.nearest()).ptr());
+    } catch (const SMC::Unreachable_distance& e) {
+      PyErr_SetObject(unreachable_distance.ptr(), py::make_tuple(e.what(), e.nearest()).ptr());
+    }
+  });
+}
+
+} // namespace
+
+PYBIND11_MODULE(_core, m)
+{
+  m.doc() = "The compiled part of surface_mesh_coarsening.";
+  m.attr("version") = CGAL_SURFACE_MESH_COARSENING_VERSION;
+  define_options(m);
+  define_values(m);
+  translate_exceptions(m);
+  m.def("coarsen", &coarsen_arrays);
+  m.def("measure", &measure_arrays);
+  m.def("transfer", &transfer_arrays);
+}
+
+} // namespace coarsening_python

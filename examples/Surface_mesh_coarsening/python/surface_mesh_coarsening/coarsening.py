@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Coarsening of meshes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, List, Optional, Sequence
+
+import numpy as np
+
+from . import _core
+from .arrays import Arrays, Faces, integers, mesh_arrays
+
+
+@dataclass(frozen=True)
+class Coarsening:
+    """A coarse mesh.
+
+    points: vertices, an array of shape (n, 3)
+    faces: triangles, an integer array of shape (m, 3)
+    labels: the vertex of `points` that stands for each face of the input; n for faces of components that were left out
+    report: what was done, in numbers: clusters, rounds and moves of the minimization, energies, and what the repair of
+        intersections found and left, among others
+    """
+
+    points: np.ndarray
+    faces: np.ndarray
+    labels: np.ndarray
+    report: Dict[str, Any]
+
+
+def _per_face(values: Any, dtype: type, name: str, mesh: Arrays) -> Optional[np.ndarray]:
+    if values is None:
+        return None
+    array = np.ascontiguousarray(values, dtype=dtype)
+    if array.shape != mesh.sizes.shape:
+        raise ValueError(f"{name} have shape {array.shape}, but there are {mesh.sizes.size} faces")
+    return array
+
+
+def _run(
+    points: Any,
+    faces: Faces,
+    options: "_core.Options",
+    *,
+    weight: str,
+    placement: str,
+    maximum_density: float,
+    density: Any,
+    features: Optional[float],
+    patches: Any,
+    error_feedback: Optional[int],
+    minimum_component_area: float,
+    subdivide: bool,
+    repair: bool,
+    iterations: Optional[int],
+    convergence_tolerance: float,
+    threads: Optional[int],
+    progress: Optional[Callable[[str, int], Any]],
+) -> List[Coarsening]:
+    for name, number, least in (
+        ("threads", threads, 1),
+        ("iterations", iterations, 0),
+        ("error_feedback", error_feedback, 0),
+    ):
+        if number is not None and number < least:
+            raise ValueError(f"{name} is {number}, and has to be at least {least}")
+    mesh = mesh_arrays(points, faces)
+    options.weight, options.placement = weight, placement
+    options.maximum_density = maximum_density
+    options.feature_angle = 180.0 if features is None else features
+    # Densities that were given say where vertices belong.
+    options.error_feedback = error_feedback if error_feedback is not None else 7 if density is None else 0
+    options.minimum_component_area = minimum_component_area
+    options.subdivide, options.repair = subdivide, repair
+    options.iterations, options.convergence_tolerance = iterations, convergence_tolerance
+    options.threads = threads or 0
+    if patches is not None:
+        patches = integers(patches, "patches")
+    results = _core.coarsen(
+        *mesh,
+        options,
+        _per_face(density, np.float64, "densities", mesh),
+        _per_face(patches, np.int64, "patches", mesh),
+        progress,
+    )
+    return [Coarsening(*result) for result in results]
+
+
+def _positive(n: Any, name: str) -> int:
+    number = int(n)
+    if number != n or number < 1:
+        raise ValueError(f"{name} is {n}")
+    return number
+
+
+def coarsen(
+    points: Any,
+    faces: Faces,
+    n: Optional[int] = None,
+    *,
+    maximum_distance: Optional[float] = None,
+    weight: str = "area",
+    placement: str = "fitted",
+    maximum_density: float = 10,
+    density: Any = None,
+    features: Optional[float] = None,
+    patches: Any = None,
+    error_feedback: Optional[int] = None,
+    minimum_component_area: float = 0,
+    subdivide: bool = False,
+    repair: bool = True,
+    iterations: Optional[int] = None,
+    convergence_tolerance: float = 1e-3,
+    threads: Optional[int] = None,
+    progress: Optional[Callable[[str, int], Any]] = None,
+) -> Coarsening:
+    """Coarsens a mesh to `n` vertices, or to as few as keep it within `maximum_distance`.
+
+    points: vertices, of shape (v, 3)
+    faces: triangles or polygons: an integer array of shape (f, k), or the sizes of the polygons and their indices in a tuple,
+        or one array in the layout of PyVista, in which the size of each polygon precedes its indices
+    n: the number of vertices of the result
+    maximum_distance: instead of `n`, a bound of the distance from the input, both ways, in its unit of length
+    weight: "uniform", "area", "maximum", "exact-maximum" or "variance"
+    placement: "centroid", "closest-vertex", "quadric" or "fitted"
+    maximum_density: densities run from 1 on flat parts to this on the sharpest
+    density: densities of the faces instead, in [1e-20, 1e20]
+    features: keeps edges at which normals are so many degrees or more apart
+    patches: integers of the faces; edges between faces of different ones are kept
+    error_feedback: with the placement "fitted", rounds in which vertices are moved to where the distance is large; 7 by
+        default, 0 with `density`
+    minimum_component_area: leaves out connected components of a smaller area
+    subdivide: subdivides faces internally until there are 20 for each vertex of the result
+    repair: moves vertices and flips edges where triangles of the result intersect or are reversed
+    iterations: the largest number of rounds of the minimization
+    convergence_tolerance: the minimization ends with the round that lowers the energy by no more than this part of it
+    threads: the largest number of threads of this call; all by default. The result does not depend on it
+    progress: is called with the name of the stage and the number of the round
+
+    Raises UnreachableNumberOfVertices or UnreachableDistance, both with `nearest`, and ValueError for other input that cannot be
+    coarsened; the message names the element. Ctrl-C ends it, and so does an exception of `progress`. Other threads of the
+    interpreter run meanwhile.
+    """
+    if (n is None) == (maximum_distance is None):
+        raise TypeError("coarsen() takes either n or maximum_distance")
+    options = _core.Options()
+    if n is not None:
+        options.vertices = [_positive(n, "the number of vertices")]
+    else:
+        options.maximum_distance = maximum_distance
+    return _run(
+        points,
+        faces,
+        options,
+        weight=weight,
+        placement=placement,
+        maximum_density=maximum_density,
+        density=density,
+        features=features,
+        patches=patches,
+        error_feedback=error_feedback,
+        minimum_component_area=minimum_component_area,
+        subdivide=subdivide,
+        repair=repair,
+        iterations=iterations,
+        convergence_tolerance=convergence_tolerance,
+        threads=threads,
+        progress=progress,
+    )[0]
+
+
+def coarsen_levels(
+    points: Any,
+    faces: Faces,
+    numbers: Sequence[int],
+    *,
+    weight: str = "area",
+    placement: str = "fitted",
+    maximum_density: float = 10,
+    density: Any = None,
+    error_feedback: Optional[int] = None,
+    minimum_component_area: float = 0,
+    subdivide: bool = False,
+    repair: bool = True,
+    iterations: Optional[int] = None,
+    convergence_tolerance: float = 1e-3,
+    threads: Optional[int] = None,
+    progress: Optional[Callable[[str, int], Any]] = None,
+) -> List[Coarsening]:
+    """Coarsens a mesh to levels of detail with `numbers` of vertices, from fine to coarse.
+
+    The first is that of `coarsen()`; the clusters of each level are unions of those of the level before, so that
+    `labels` nest. The other arguments are those of `coarsen()`.
+
+    Raises UnreachableNumberOfVertices if a level has too few vertices for the topology of the mesh.
+    """
+    options = _core.Options()
+    options.vertices = [_positive(n, f"the number of vertices of level {i}") for i, n in enumerate(numbers)]
+    if not options.vertices:
+        raise ValueError("there are no numbers of vertices")
+    if any(fine < coarse for fine, coarse in zip(options.vertices, options.vertices[1:])):
+        raise ValueError("the numbers of vertices do not fall")
+    return _run(
+        points,
+        faces,
+        options,
+        weight=weight,
+        placement=placement,
+        maximum_density=maximum_density,
+        density=density,
+        features=None,
+        patches=None,
+        error_feedback=error_feedback,
+        minimum_component_area=minimum_component_area,
+        subdivide=subdivide,
+        repair=repair,
+        iterations=iterations,
+        convergence_tolerance=convergence_tolerance,
+        threads=threads,
+        progress=progress,
+    )

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Values of a mesh for its coarse mesh."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
+
+import numpy as np
+
+from . import _core
+from .arrays import Arrays, Faces, mesh_arrays
+from .coarsening import Coarsening
+
+_POLICIES = ("interpolated", "conservative", "majority")
+
+
+@dataclass(frozen=True)
+class Transferred:
+    """Values of the vertices, faces and corners of a coarse mesh, by their names. Those of corners have shape (m, 3, ...)."""
+
+    vertex: Dict[str, np.ndarray]
+    face: Dict[str, np.ndarray]
+    corner: Dict[str, np.ndarray]
+
+
+def _rows(values: Any, element: str, name: str, mesh: Arrays) -> np.ndarray:
+    """The values with one row for each element; those of corners may be arranged by faces."""
+    array = np.asarray(values)
+    number = {"vertex": len(mesh.points), "face": len(mesh.sizes), "corner": len(mesh.indices)}[element]
+    if element == "corner" and array.ndim > 1 and len(array) != number and array.shape[0] * array.shape[1] == number:
+        array = array.reshape((number,) + array.shape[2:])
+    if array.ndim == 0 or len(array) != number:
+        raise ValueError(f"the values '{name}' have shape {array.shape}, but there are {number} of element {element}")
+    return array
+
+
+def _as_numbers(rows: np.ndarray, element: Any, policy: str) -> Tuple[Any, Callable[[np.ndarray], np.ndarray]]:
+    def back(result: np.ndarray) -> np.ndarray:
+        shaped = result.reshape((len(result),) + rows.shape[1:])
+        if np.issubdtype(rows.dtype, np.integer):
+            shaped = np.rint(shaped)
+        return shaped.astype(rows.dtype, copy=False)
+
+    flat = np.ascontiguousarray(rows.reshape(len(rows), -1), dtype=np.float64)
+    return _core.Values(element, getattr(_core.TransferPolicy, policy), flat), back
+
+
+def _as_labels(rows: np.ndarray, element: Any) -> Tuple[Any, Callable[[np.ndarray], np.ndarray]]:
+    """Values of any type, numbered in their order."""
+    distinct, labels = np.unique(rows, axis=0, return_inverse=True)
+    return _core.Values(element, labels.reshape(-1).astype(np.int64)), lambda result: distinct[result]
+
+
+def _check_policies(policy: Mapping[str, str], names: List[str]) -> None:
+    for name, value in policy.items():
+        if value not in _POLICIES:
+            raise ValueError(f"there is no policy '{value}' ({', '.join(_POLICIES)})")
+        if name not in names:
+            raise ValueError(f"there is a policy for '{name}', but no values")
+
+
+def transfer(
+    points: Any,
+    faces: Faces,
+    coarsening: Coarsening,
+    *,
+    vertex: Optional[Mapping[str, Any]] = None,
+    face: Optional[Mapping[str, Any]] = None,
+    corner: Optional[Mapping[str, Any]] = None,
+    policy: Optional[Mapping[str, str]] = None,
+) -> Transferred:
+    """Carries values of a mesh over to its coarse mesh.
+
+    points, faces: the mesh that `coarsening` was made of
+    vertex, face, corner: arrays by their names, with a row for each vertex, face or corner; those of corners, such as texture
+        coordinates, are in the order of the faces, or of shape (f, k, ...)
+    policy: how, by name. "interpolated": the value at the nearest point, the default for numbers with fractions.
+        "conservative": keeps integrals over the surface. "majority": the value with the largest area, the default for all
+        else, such as whole numbers and strings. Values of corners are interpolated within their face, never across a seam, or
+        taken from the nearest corner where they would go by majority.
+
+    The results have the types of the arrays given; whole numbers are rounded.
+    """
+    mesh = mesh_arrays(points, faces)
+    labels = np.ascontiguousarray(coarsening.labels, dtype=np.int64)
+    if labels.shape != mesh.sizes.shape:
+        raise ValueError(f"the coarsening is of {labels.size} faces, the mesh has {mesh.sizes.size}")
+    given = [(e, n, v) for e, all_of in (("vertex", vertex), ("face", face), ("corner", corner)) for n, v in (all_of or {}).items()]
+    policy = policy or {}
+    _check_policies(policy, [name for _, name, _ in given])
+    values, backs = [], []
+    for element, name, array in given:
+        rows = _rows(array, element, name, mesh)
+        how = policy.get(name, "interpolated" if np.issubdtype(rows.dtype, np.floating) else "majority")
+        if how != "majority" and not (np.issubdtype(rows.dtype, np.floating) or np.issubdtype(rows.dtype, np.integer)):
+            raise TypeError(f"the values '{name}' are of type {rows.dtype}, which has no means")
+        kind = getattr(_core.Element, element)
+        value, back = _as_labels(rows, kind) if how == "majority" else _as_numbers(rows, kind, how)
+        values.append(value)
+        backs.append(back)
+    results = _core.transfer(*mesh, labels, *mesh_arrays(coarsening.points, coarsening.faces), values)
+    transferred = Transferred({}, {}, {})
+    for (element, name, _), back, result in zip(given, backs, results):
+        array = back(result)
+        if element == "corner":
+            array = array.reshape((len(coarsening.faces), 3) + array.shape[1:])
+        getattr(transferred, element)[name] = array
+    return transferred

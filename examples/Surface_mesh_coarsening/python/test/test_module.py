@@ -1,0 +1,283 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+import inspect
+import os
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import surface_mesh_coarsening as smc
+
+
+def torus(rows=40, columns=60):
+    """A torus of quadrilaterals."""
+    i, j = np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij")
+    u, v = 2 * np.pi * i / rows, 2 * np.pi * j / columns
+    points = np.stack([(3 + np.cos(u)) * np.cos(v), (3 + np.cos(u)) * np.sin(v), np.sin(u)], axis=-1).reshape(-1, 3)
+
+    def at(a, b):
+        return (a % rows) * columns + b % columns
+
+    faces = np.stack([at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)], axis=-1).reshape(-1, 4)
+    return points, faces
+
+
+def folded_sheet(n=20):
+    """A unit square of quadrilaterals, folded along its middle."""
+    side = np.arange(n + 1) / n
+    x, y = np.meshgrid(side, side, indexing="ij")
+    points = np.stack([x, y, np.abs(y - 0.5)], axis=-1).reshape(-1, 3)
+    at = np.arange((n + 1) ** 2).reshape(n + 1, n + 1)
+    return points, np.stack([at[:-1, :-1], at[1:, :-1], at[1:, 1:], at[:-1, 1:]], axis=-1).reshape(-1, 4)
+
+
+def directed_edges(faces):
+    return {tuple(e) for e in np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])}
+
+
+def with_entry(array, index, value):
+    copy = array.copy()
+    copy[index] = value
+    return copy
+
+
+def test_points_of_single_precision_and_lists():
+    points, faces = torus()
+    single = points.astype(np.float32)
+    one, other = (smc.coarsen(p, faces, 50) for p in (single, single.tolist()))
+    assert np.array_equal(one.points, other.points)
+
+
+def test_exact_number_and_topology():
+    points, faces = torus()
+    result = smc.coarsen(points, faces, 200)
+    assert result.points.shape == (200, 3)
+    assert result.faces.shape == (400, 3)  # Euler characteristic 0
+    edges = directed_edges(result.faces)
+    assert len(edges) == 1200 and all((b, a) in edges for a, b in edges)
+    assert result.labels.shape == (len(faces),)
+    assert set(result.labels) == set(range(200))
+    assert result.report["clusters"] == 200
+
+
+def test_layouts_and_types_agree():
+    points, faces = torus()
+    sizes = np.full(len(faces), 4)
+    expected = smc.coarsen(points, faces, 100)
+    padded = np.concatenate([sizes[:, None], faces], axis=1).ravel()
+    split = (sizes, faces.ravel())
+    for other in [split, padded, padded.astype(np.int16), faces.astype(np.uint32), faces.tolist(), np.asfortranarray(faces)]:
+        result = smc.coarsen(np.asfortranarray(points), other, 100)
+        assert np.array_equal(result.points, expected.points)
+        assert np.array_equal(result.faces, expected.faces)
+        assert np.array_equal(result.labels, expected.labels)
+
+
+def test_polygons_of_several_sizes():
+    """A prism with hexagons at its ends."""
+    angle = np.arange(6) * np.pi / 3
+    ring = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=-1)
+    points = np.concatenate([ring, ring + [0, 0, 1]])
+    lists = [[5, 4, 3, 2, 1, 0], [6, 7, 8, 9, 10, 11]] + [[i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6] for i in range(6)]
+    padded = np.concatenate([[len(f)] + f for f in lists])
+    split = (np.array([len(f) for f in lists]), np.concatenate(lists))
+    one, other = (smc.coarsen(points, f, 6, subdivide=True) for f in (padded, split))
+    assert one.points.shape == (6, 3) and one.faces.shape == (8, 3)
+    assert np.array_equal(one.points, other.points) and np.array_equal(one.faces, other.faces)
+
+
+def test_threads_give_the_same_result():
+    points, faces = torus(100, 150)
+    one, two, all_of_them = (smc.coarsen(points, faces, 150, threads=t) for t in (1, 2, None))
+    for other in (two, all_of_them):
+        assert np.array_equal(one.points, other.points) and np.array_equal(one.faces, other.faces)
+
+
+@pytest.mark.parametrize("weight", ["uniform", "area", "maximum", "exact-maximum", "variance"])
+@pytest.mark.parametrize("placement", ["centroid", "closest-vertex", "quadric", "fitted"])
+def test_weights_and_placements(weight, placement):
+    points, faces = torus(16, 24)
+    result = smc.coarsen(points, faces, 60, weight=weight, placement=placement)
+    assert len(result.points) == 60 and len(result.faces) == 120
+    if placement == "closest-vertex":
+        assert {tuple(p) for p in result.points} <= {tuple(p) for p in points}
+
+
+def test_distance():
+    points, faces = torus()
+    result = smc.coarsen(points, faces, maximum_distance=0.2)
+    assert 0 < result.report["distance_bound"] <= 0.2
+    assert result.report["clusters"] == len(result.points)
+    quality = smc.measure(points, faces, result.points, result.faces)
+    assert 0 < quality["rms_distance"] <= quality["maximum_distance"] <= 0.2
+
+
+def test_measure_of_a_mesh_itself():
+    points, faces = torus()
+    quality = smc.measure(points, faces, points, np.concatenate([faces[:, [0, 1, 2]], faces[:, [2, 3, 0]]]), samples=1000)
+    assert quality["maximum_distance"] < 1e-12
+    assert quality["diagonal"] == pytest.approx(np.sqrt(8**2 + 8**2 + 2**2))
+
+
+def test_densities_steer_vertices():
+    points, faces = torus()
+    left = points[faces].mean(axis=1)[:, 0] < 0
+    result = smc.coarsen(points, faces, 200, density=np.where(left, 100.0, 1.0))
+    assert np.count_nonzero(result.points[:, 0] < 0) > 120
+
+
+def test_levels_nest():
+    points, faces = torus()
+    numbers = [300, 120, 50]
+    levels = smc.coarsen_levels(points, faces, numbers)
+    assert [len(level.points) for level in levels] == numbers
+    assert [len(level.faces) for level in levels] == [2 * n for n in numbers]
+    assert np.array_equal(levels[0].points, smc.coarsen(points, faces, 300).points)
+    for fine, coarse in zip(levels, levels[1:]):
+        pairs = {(a, b) for a, b in zip(fine.labels, coarse.labels)}
+        assert len(pairs) == len(fine.points)  # each cluster lies in one of the next level
+    with pytest.raises(smc.UnreachableNumberOfVertices):
+        smc.coarsen_levels(points, faces, [300, 3])
+    with pytest.raises(ValueError, match="fall"):
+        smc.coarsen_levels(points, faces, [50, 120])
+
+
+def test_features_patches_and_progress():
+    points, faces = folded_sheet()
+    calls = []
+    result = smc.coarsen(points, faces, 60, features=30, progress=lambda stage, round: calls.append((stage, round)))
+    assert result.report["feature_lines"] == 1
+    stages = [stage for stage, _ in calls]
+    assert stages[0] == "preparation" and stages.index("seeding") < stages.index("growth") < stages.index("minimization")
+    assert ("minimization", 1) in calls
+    flat = points * [1, 1, 0]
+    assert smc.coarsen(flat, faces, 60, features=30).report["feature_lines"] == 0
+    patches = (points[faces].mean(axis=1)[:, 0] < 0.5).astype(int)
+    assert smc.coarsen(flat, faces, 60, patches=patches).report["feature_lines"] == 1
+
+
+def test_values_are_carried_over():
+    points, faces = folded_sheet()
+    result = smc.coarsen(points, faces, 60)
+    centers = points[faces].mean(axis=1)
+    uv = points[:, :2][faces]  # of corners
+    carried = smc.transfer(
+        points,
+        faces,
+        result,
+        vertex={"xyz": points, "height": points[:, 2].astype(np.float32), "rounded": np.rint(100 * points[:, 0]).astype(np.int16)},
+        face={"half": np.where(centers[:, 0] < 0.5, "left", "right"), "one": np.ones(len(faces)), "label": centers[:, 0] < 0.5},
+        corner={"uv": uv, "flat_uv": uv.reshape(-1, 2), "id": np.repeat(np.arange(len(faces)) // 200, 4).reshape(-1, 4)},
+        policy={"one": "conservative", "rounded": "interpolated"},
+    )
+    assert np.abs(carried.vertex["xyz"] - result.points).max() < 0.05  # at the nearest point of the mesh
+    assert carried.vertex["height"].dtype == np.float32 and carried.vertex["height"].shape == (60,)
+    assert carried.vertex["rounded"].dtype == np.int16
+    assert np.abs(carried.vertex["rounded"] - 100 * carried.vertex["xyz"][:, 0]).max() <= 1
+    a, b, c = (result.points[result.faces[:, i]] for i in range(3))
+    coarse_x = (a + b + c)[:, 0] / 3
+    clear = np.abs(coarse_x - 0.5) > 0.15
+    assert np.array_equal(carried.face["half"][clear], np.where(coarse_x < 0.5, "left", "right")[clear])
+    assert carried.face["label"].dtype == bool
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+    assert (carried.face["one"] * area).sum() == pytest.approx(np.sqrt(2), rel=1e-9)  # the area of the sheet
+    assert carried.corner["uv"].shape == (len(result.faces), 3, 2)
+    assert np.array_equal(carried.corner["uv"], carried.corner["flat_uv"])
+    assert np.abs(carried.corner["uv"] - carried.vertex["xyz"][result.faces][:, :, :2]).max() < 0.05
+    assert carried.corner["id"].shape == (len(result.faces), 3) and set(carried.corner["id"].ravel()) == {0, 1}
+
+
+def test_errors_of_transfer():
+    points, faces = folded_sheet()
+    result = smc.coarsen(points, faces, 60)
+    with pytest.raises(ValueError, match="'x' have shape"):
+        smc.transfer(points, faces, result, vertex={"x": points[:-1]})
+    with pytest.raises(ValueError, match="no policy 'mean'"):
+        smc.transfer(points, faces, result, vertex={"x": points}, policy={"x": "mean"})
+    with pytest.raises(ValueError, match="policy for 'y'"):
+        smc.transfer(points, faces, result, vertex={"x": points}, policy={"y": "majority"})
+    with pytest.raises(TypeError, match="has no means"):
+        smc.transfer(points, faces, result, face={"x": np.full(len(faces), "a")}, policy={"x": "interpolated"})
+    with pytest.raises(ValueError, match="faces"):
+        smc.transfer(*torus(), result, vertex={})
+
+
+def test_errors():
+    points, faces = torus()
+    with pytest.raises(smc.UnreachableNumberOfVertices, match="nearest number that works") as e:
+        smc.coarsen(points, faces, 3)
+    assert len(smc.coarsen(points, faces, e.value.nearest).points) == e.value.nearest
+    with pytest.raises(ValueError, match="face 2 has vertex 99999 of 2400"):
+        smc.coarsen(points, with_entry(faces, (2, 1), 99999), 100)
+    with pytest.raises(ValueError, match="face 2 has vertex -1 of 2400"):
+        smc.coarsen(points, with_entry(faces, (2, 1), -1), 100)
+    with pytest.raises(ValueError, match="2-manifold"):
+        smc.coarsen(points, np.concatenate([faces, faces[:1]]), 100)
+    with pytest.raises(ValueError, match="face 0 uses vertex 0, which has a coordinate that is not finite"):
+        smc.coarsen(with_entry(points, (0, 0), np.nan), faces, 100)
+    with pytest.raises(ValueError, match="no faces"):
+        smc.coarsen(points, np.zeros((0, 3), dtype=int), 100)
+    with pytest.raises(ValueError, match="no weight 'heavy'"):
+        smc.coarsen(points, faces, 100, weight="heavy")
+    with pytest.raises(ValueError, match="no placement 'here'"):
+        smc.coarsen(points, faces, 100, placement="here")
+    with pytest.raises(ValueError, match=r"points have shape \(2400, 2\)"):
+        smc.coarsen(points[:, :2], faces, 100)
+    with pytest.raises(TypeError, match="integers"):
+        smc.coarsen(points, faces.astype(float), 100)
+    with pytest.raises(TypeError, match="either"):
+        smc.coarsen(points, faces)
+    with pytest.raises(TypeError, match="either"):
+        smc.coarsen(points, faces, 100, maximum_distance=1)
+    for number in (0, -5, 2.5):
+        with pytest.raises(ValueError, match="number of vertices"):
+            smc.coarsen(points, faces, number)
+    with pytest.raises(ValueError, match="threads"):
+        smc.coarsen(points, faces, 100, threads=0)
+    with pytest.raises(ValueError, match="entry 0"):
+        smc.coarsen(points, np.array([7, 1, 2]), 100)
+    with pytest.raises(ValueError, match="densities have shape"):
+        smc.coarsen(points, faces, 100, density=[1.0])
+
+
+def test_exception_of_the_callback_ends_the_call():
+    def fail(stage, round):
+        raise RuntimeError("stop at " + stage)
+
+    with pytest.raises(RuntimeError, match="stop at preparation"):
+        smc.coarsen(*torus(), 100, progress=fail)
+
+
+def test_interrupt_is_heeded_and_the_lock_is_released():
+    points, faces = torus(700, 900)
+    sent = []
+
+    def interrupt():  # runs only if the interpreter's lock is released
+        sent.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(0.5, interrupt)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        while True:
+            smc.coarsen(points, faces, 20000)
+    assert time.monotonic() - sent[0] < 2
+    timer.join()
+
+
+def test_input_is_not_modified():
+    points, faces = torus()
+    copies = points.copy(), faces.copy()
+    points.flags.writeable = faces.flags.writeable = False
+    smc.coarsen(points, faces, 100)
+    assert np.array_equal(points, copies[0]) and np.array_equal(faces, copies[1])
+
+
+def test_every_argument_is_described():
+    for function in (smc.coarsen, smc.transfer):
+        for name, parameter in inspect.signature(function).parameters.items():
+            assert name in function.__doc__
+            assert parameter.annotation is not inspect.Parameter.empty
