@@ -61,7 +61,7 @@ struct Labelled_grid
     Pairs_of_faces pairs;
     const Flat_mesh& m = input.mesh;
     for (Index f = 0; f < m.number_of_faces(); ++f)
-      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
+      for (const Index c : m.corners(f)) {
         const Index g = m.face_across[c];
         if (g != NONE && f < g && (*labels)[f] != (*labels)[g])
           pairs.push_back({{f, g}});

@@ -162,7 +162,7 @@ struct Prepared
 {
   SMC::internal::Numbering<Mesh> numbering;
   SMC::internal::Local_frame frame;
-  SMC::internal::Clustering_input input;
+  SMC::internal::Featured_input input;
   std::vector<long long> patches;
 
   explicit Prepared(const Model& model)
@@ -170,7 +170,7 @@ struct Prepared
     using namespace SMC::internal;
     const auto np = model.parameters();
     numbering = SMC::internal::numbering(model.mesh, np);
-    input = clustering_input(model.mesh, np, numbering, frame, Cancellation_point());
+    input.items = clustering_input(model.mesh, np, numbering, frame, Cancellation_point());
     read_features(model.mesh, np, numbering, input, frame, patches, Cancellation_point());
   }
 };
@@ -202,9 +202,9 @@ std::size_t number_of_regions(Mesh m, const IsLine& is_line)
 }
 
 // What the cells and the rest of the faces have of these together is what the faces are, and have.
-void check_sums_of_cells(const SMC::internal::Clustering_input& input)
+void check_sums_of_cells(const SMC::internal::Featured_input& featured)
 {
-  const SMC::internal::Clustering_input& base = input.cells->base();
+  const SMC::internal::Clustering_input &input = featured.items, &base = featured.cells->base();
   double faces = 0, area = 0, mass = 0, area_of_base = 0, mass_of_base = 0;
   for (Index f = 0; f < Index(input.area.size()); ++f) {
     faces += input.number_of_faces_in(f);
@@ -244,8 +244,8 @@ void check_rules(const Model& model, std::size_t number)
     std::set<std::pair<Index, Index> > crossings;
     for (Index i = 0; i < cells.graph().number_of_nodes(); ++i) {
       const Index v = cells.graph().vertex(i), x = label(v);
-      for (Index k = m.first_in_star[v]; k != m.first_in_star[v + 1]; ++k)
-        BOOST_TEST(pieces.labels()[m.star[k]] == x); // the star of a node, and the faces at each half of an edge
+      for (const Index f : m.faces_around(v))
+        BOOST_TEST(pieces.labels()[f] == x); // the star of a node, and the faces at each half of an edge
       ++trees[x];
       if (cells.graph().is_corner(i))
         BOOST_TEST(with_corner.insert(x).second);
@@ -264,7 +264,7 @@ void check_rules(const Model& model, std::size_t number)
           BOOST_TEST(crossings.insert(std::minmax(x, y)).second);
       }
     for (std::size_t f = 0; f < m.number_of_faces(); ++f)
-      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
+      for (const Index c : m.corners(f))
         if (m.face_across[c] == NONE)
           at_border.insert(pieces.labels()[Index(f)]);
     for (const auto& tree : trees) {

@@ -61,8 +61,7 @@ private:
   std::vector<Index> loop_from(Index v) const
   {
     std::vector<Index> loop(1, v);
-    for (Index w = internal::Flat_mesh_topology::next_on_border(mesh_, v); w != v;
-         w = internal::Flat_mesh_topology::next_on_border(mesh_, w))
+    for (Index w = mesh_.next_on_border(v); w != v; w = mesh_.next_on_border(w))
       loop.push_back(w);
     return loop;
   }

@@ -151,7 +151,7 @@ public:
                                               output_coordinates<Simple_cartesian<double> >(state.frame));
     const double distance = levels_.estimate(placed);
     state.visitor.throw_if_cancelled();
-    return std::ldexp(distance, state.frame.exponent);
+    return state.frame.length_to_mesh(distance);
   }
 
 private:

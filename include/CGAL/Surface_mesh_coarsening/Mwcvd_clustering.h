@@ -110,8 +110,8 @@ public:
   template <class FaceClusterMap>
   void set_clusters(const FaceClusterMap& clusters)
   {
-    const internal::Clustering_input& input = state_.input;
-    if (input.cells)
+    const internal::Clustering_input& input = state_.input.items;
+    if (state_.input.cells)
       throw Invalid_input("clusters cannot be taken over where features are kept");
     std::size_t number = 0;
     auto labels = std::make_unique<internal::Cluster_labels>(input.mesh);

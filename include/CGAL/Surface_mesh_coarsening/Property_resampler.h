@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Surface_location.h>
 #include <CGAL/Surface_mesh_coarsening/internal/transfer/Chart_sectors.h>
-#include <CGAL/Surface_mesh_coarsening/internal/transfer/Majority.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Majority.h>
 #include <CGAL/Surface_mesh_coarsening/internal/transfer/Surface_correspondence.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/transfer/make_surface_correspondence.h>
@@ -113,7 +113,7 @@ public:
     }
     tally_by_cluster<Type>(policy, to, [&](Index f, const auto& add) {
       const internal::Flat_mesh& m = surfaces_.mesh();
-      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
+      for (const Index c : m.corners(f))
         add(surfaces_.area(f) / m.degree(f), Type(get(from, numbering_.vertices[m.corner_vertex[c]])));
     }, [&](const internal::Nearest_point& p) { return Type(get(from, nearest_corner(location(p), mesh_))); });
   }

@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_PARALLEL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_PARALLEL_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/Index.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
 
 #include <CGAL/tags.h>
@@ -21,8 +22,6 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
-
-typedef std::uint32_t Index;
 
 enum class Execution { SEQUENTIAL, PARALLEL };
 

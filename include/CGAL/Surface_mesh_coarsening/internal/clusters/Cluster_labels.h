@@ -64,8 +64,8 @@ public:
   {
     if (is_hub(v))
       return faces_at_hub_.count(hub_key(v, label)) != 0;
-    for (Index i = mesh_.first_in_star[v]; i != mesh_.first_in_star[v + 1]; ++i)
-      if (label_[mesh_.star[i]] == label)
+    for (const Index f : mesh_.faces_around(v))
+      if (label_[f] == label)
         return true;
     return false;
   }
@@ -114,7 +114,7 @@ public:
   void move(Index f, Index to)
   {
     const Index from = label_[f];
-    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+    for (const Index c : mesh_.corners(f)) {
       const Index across = label_across(c);
       const Index before = across != from, after = across != to;
       boundary_count_[mesh_.corner_vertex[c]] += after - before;
@@ -128,7 +128,7 @@ public:
   {
     std::vector<Index> count(mesh_.number_of_vertices(), 0);
     for (std::size_t f = 0; f < label_.size(); ++f)
-      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+      for (const Index c : mesh_.corners(f))
         if (label_across(c) != label_[f]) {
           ++count[mesh_.corner_vertex[c]];
           // An inner edge is seen again from its other face, an edge of the border is not.
@@ -148,7 +148,7 @@ private:
 
   void count_at_hubs(Index f, Index label)
   {
-    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+    for (const Index c : mesh_.corners(f)) {
       const Index v = mesh_.corner_vertex[c];
       if (!is_hub(v))
         continue;

@@ -82,7 +82,7 @@ private:
     for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
       const Index x = labels_[Index(f)];
       ++euler_characteristic[x];
-      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+      for (const Index c : mesh_.corners(f))
         if (labels_.label_across(c) != x || mesh_.face_across[c] > f)
           --euler_characteristic[x];
     }
@@ -100,19 +100,14 @@ private:
 
   void reach(Index face, std::vector<bool>& reached) const
   {
-    std::vector<Index> stack(1, face);
     reached[face] = true;
-    while (!stack.empty()) {
-      const Index f = stack.back();
-      stack.pop_back();
-      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
-        const Index g = mesh_.face_across[c];
-        if (g != NONE && !reached[g] && labels_[g] == labels_[face]) {
-          reached[g] = true;
-          stack.push_back(g);
-        }
-      }
-    }
+    std::vector<Index> faces;
+    flood_fill(mesh_, face, faces, Cancellation_point(), [&](Index, Index g) {
+      if (reached[g] || labels_[g] != labels_[face])
+        return false;
+      reached[g] = true;
+      return true;
+    });
   }
 
   std::string fault_of_dual()

@@ -118,7 +118,7 @@ private:
       runs.clear();
       first.assign(1, 0);
       for (Iterator i = begin; i != end; ++i)
-        for (Index c = m.first_corner[*i]; c != m.first_corner[*i + 1]; ++c) {
+        for (const Index c : m.corners(*i)) {
           const Index v = m.corner_vertex[c];
           if (m.star[m.first_in_star[v]] != *i)
             continue;

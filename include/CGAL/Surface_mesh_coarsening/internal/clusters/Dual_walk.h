@@ -31,8 +31,8 @@ inline void clusters_around_vertex(const Cluster_labels& labels, Index v, std::v
 {
   const Flat_mesh& m = labels.mesh();
   runs.clear();
-  for (Index i = m.first_in_star[v]; i != m.first_in_star[v + 1]; ++i) {
-    const Index label = labels[m.star[i]];
+  for (const Index f : m.faces_around(v)) {
+    const Index label = labels[f];
     if (runs.empty() || runs.back() != label)
       runs.push_back(label);
   }
@@ -52,7 +52,7 @@ public:
   // An edge of face `f` on the boundary of its cluster; none if there is none.
   Directed_edge boundary_edge(Index f) const
   {
-    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+    for (const Index c : mesh_.corners(f))
       if (labels_.label_across(c) != labels_[f])
         return {f, c};
     return {};

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_FACES_IN_BFS_ORDER_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/flood_fill.h>
 
 #include <vector>
 
@@ -17,19 +18,17 @@ inline std::vector<Index> faces_in_bfs_order(Cluster_labels& labels, Index f)
 {
   const Flat_mesh& m = labels.mesh();
   const Index x = labels[f];
-  std::vector<Index> queue(1, f);
+  std::vector<Index> faces;
   labels.set(f, NONE);
-  for (std::size_t i = 0; i < queue.size(); ++i)
-    for (Index c = m.first_corner[queue[i]]; c != m.first_corner[queue[i] + 1]; ++c) {
-      const Index g = m.face_across[c];
-      if (g != NONE && labels[g] == x) {
-        labels.set(g, NONE);
-        queue.push_back(g);
-      }
-    }
-  for (const Index g : queue)
+  flood_fill(m, f, faces, Cancellation_point(), [&](Index, Index g) {
+    if (labels[g] != x)
+      return false;
+    labels.set(g, NONE);
+    return true;
+  });
+  for (const Index g : faces)
     labels.set(g, x);
-  return queue;
+  return faces;
 }
 
 } // namespace internal

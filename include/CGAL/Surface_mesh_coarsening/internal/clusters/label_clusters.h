@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_LABEL_CLUSTERS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/build_flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Numbering.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
 
 #include <algorithm>

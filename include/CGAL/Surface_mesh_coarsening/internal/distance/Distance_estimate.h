@@ -39,9 +39,9 @@ private:
     for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v) {
       cancellation_.poll(16);
       around.clear();
-      for (Index i = mesh_.first_in_star[v]; i != mesh_.first_in_star[v + 1]; ++i)
-        if (around.empty() || around.back() != labels_[mesh_.star[i]])
-          around.push_back(labels_[mesh_.star[i]]);
+      for (const Index f : mesh_.faces_around(v))
+        if (around.empty() || around.back() != labels_[f])
+          around.push_back(labels_[f]);
       if (around.empty())
         continue;
       double least = -1;

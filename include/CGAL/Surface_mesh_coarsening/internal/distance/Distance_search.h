@@ -35,7 +35,7 @@ public:
                   Distance_report& report)
     : state_(state), placement_(placement), quick_(quick), output_coordinates_(output_coordinates), minimization_end_(end),
       vertices_(vertices), number_((std::max)(vertices / 16, std::size_t(4))), report_(report), distance_(distance),
-      local_distance_((std::min)(std::ldexp(distance, -state.frame.exponent), farthest_needed(state.base_input())))
+      local_distance_((std::min)(state.frame.length_to_local(distance), farthest_needed(state.base_input())))
   {}
 
   void run()
@@ -206,7 +206,7 @@ private:
     for (;;) {
       const double bound = hausdorff_bound(surface, output_positions(), triangles(), error);
       ++report_.bounds;
-      const double external = std::ldexp(bound, state_.frame.exponent);
+      const double external = state_.frame.length_to_mesh(bound);
       if (bound <= local_distance_) {
         report_.vertices = result_->level;
         report_.distance_bound = external;
@@ -234,14 +234,9 @@ private:
   // The positions that the output has after rounding, in the coordinates of the arrays.
   std::vector<Vector> output_positions() const
   {
-    const Local_frame& frame = state_.frame;
     std::vector<Vector> result;
-    for (const Vector& p : positions()) {
-      Vector q = output_coordinates_(p);
-      for (int i = 0; i < 3; ++i)
-        q[i] = std::ldexp(q[i] - frame.origin[i], -frame.exponent);
-      result.push_back(q);
-    }
+    for (const Vector& p : positions())
+      result.push_back(state_.frame.to_local(output_coordinates_(p)));
     return result;
   }
 

@@ -14,7 +14,7 @@ namespace internal {
 
 inline const Clustering_input& input_without_features(const Clustering_state& state)
 {
-  if (state.working_input().cells)
+  if (state.featured_input().cells)
     throw Invalid_input("clusters cannot be edited, nor merged to levels, where features are kept");
   return state.working_input();
 }

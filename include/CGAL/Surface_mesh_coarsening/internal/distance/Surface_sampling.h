@@ -6,6 +6,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -41,7 +43,7 @@ template <class Primitive>
 using Aabb_tree = AABB_tree<AABB_traits<Measuring_kernel, Primitive> >;
 #endif
 
-constexpr double degrees_per_radian = 180 / 3.14159265358979323846;
+constexpr double degrees_per_radian = 180 / CGAL_PI;
 
 template <class FaceGraph, class NamedParameters>
 Triangle_mesh triangulated_copy(const FaceGraph& mesh, const NamedParameters& np)

@@ -3,9 +3,10 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_CELLS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_CELLS_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_graph.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Quad_subdivision.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Featured_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh_builder.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/cut_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/star_subdivision.h>
 
 #include <memory>
@@ -27,7 +28,7 @@ class Feature_cells
 {
 public:
   // Makes the mesh to be clustered; there must be features.
-  static Clustering_input run(const Clustering_input& base, const Feature_edges& edges, const Cancellation_point& cancellation)
+  static Featured_input run(const Clustering_input& base, const Feature_edges& edges, const Cancellation_point& cancellation)
   {
     auto cells = std::make_shared<Feature_cells>(base, edges);
     const std::vector<char> too_wide = cells->faces_at_bigons();
@@ -35,19 +36,17 @@ public:
       return cells->in_fans(too_wide, cancellation);
     if (!cells->graph_.has_room())
       return cells->subdivided(std::vector<bool>(base.mesh.components.size(), true), cancellation);
-    Clustering_input result = cells->make(cancellation);
-    result.cells = cells;
-    return result;
+    Clustering_input items = cells->make(cancellation);
+    return {std::move(items), std::move(cells)};
   }
 
   Feature_cells(const Clustering_input& base, const Feature_edges& edges)
     : base_(base), edges_(edges), graph_(base_.mesh, edges) {}
 
   // The same with the faces of the chosen components of the original mesh subdivided.
-  Clustering_input subdivided(const std::vector<bool>& chosen_component, const Cancellation_point& cancellation) const
+  Featured_input subdivided(const std::vector<bool>& chosen_component, const Cancellation_point& cancellation) const
   {
-    Clustering_input finer = base_;
-    finer.subdivide(chosen_component, cancellation);
+    const Clustering_input finer = subdivided_input(base_, chosen_component, cancellation);
     const Feature_edges edges = edges_.subdivided(base_.mesh, chosen_component, finer.mesh);
     return run(finer, edges, cancellation);
   }
@@ -82,8 +81,8 @@ public:
   {
     const Flat_mesh& m = base_.mesh;
     const Index v = graph_.vertex(node), w = graph_.vertex(next);
-    for (Index i = m.first_in_star[v]; i != m.first_in_star[v + 1]; ++i) {
-      const Index f = m.star[i], c = m.corner_of(f, v);
+    for (const Index f : m.faces_around(v)) {
+      const Index c = m.corner_of(f, v);
       if (m.corner_vertex[m.next_corner(f, c)] == w && edges_.is_feature[c])
         return middle_[c];
     }
@@ -102,19 +101,18 @@ private:
       if (m.is_on_border(v) || m.first_in_star[v + 1] - m.first_in_star[v] != 2)
         continue;
       result.resize(m.number_of_faces(), false);
-      for (Index k = m.first_in_star[v]; k != m.first_in_star[v + 1]; ++k)
-        result[m.star[k]] = true;
+      for (const Index f : m.faces_around(v))
+        result[f] = true;
     }
     return result;
   }
 
   // The same with chosen faces of the original mesh cut into fans.
-  Clustering_input in_fans(const std::vector<char>& is_cut, const Cancellation_point& cancellation) const
+  Featured_input in_fans(const std::vector<char>& is_cut, const Cancellation_point& cancellation) const
   {
-    Clustering_input fans;
     std::vector<Index> old_face;
-    fans.mesh = star_subdivision(base_.mesh, is_cut, old_face, cancellation);
-    fans.inherit(base_, old_face);
+    Flat_mesh triangles = star_subdivision(base_.mesh, is_cut, old_face, cancellation);
+    Clustering_input fans = cut_input(base_, std::move(triangles), old_face);
     for (std::size_t i = 0; i < fans.mesh.components.size(); ++i)
       fans.mesh.components[i].original_vertices = base_.mesh.components[i].max_clusters();
     return run(fans, edges_.in_fans(base_.mesh, is_cut, fans.mesh), cancellation);
@@ -125,18 +123,17 @@ private:
     const Flat_mesh& m = base_.mesh;
     std::vector<char> is_cut(m.number_of_faces(), false);
     for (Index i = 0; i < graph_.number_of_nodes(); ++i) {
-      const Index v = graph_.vertex(i);
-      for (Index k = m.first_in_star[v]; k != m.first_in_star[v + 1]; ++k)
-        is_cut[m.star[k]] = true;
+      for (const Index f : m.faces_around(graph_.vertex(i)))
+        is_cut[f] = true;
     }
     Quad_subdivision cutting(m, is_cut);
-    pieces_.mesh = cutting.run(cancellation);
-    pieces_.inherit(base_, cutting.old_face());
+    Flat_mesh cut_mesh = cutting.run(cancellation);
+    pieces_ = cut_input(base_, std::move(cut_mesh), cutting.old_face());
     face_of_piece_ = cutting.old_face();
     middle_ = cutting.middle();
     number_polygons(cutting);
     Clustering_input result;
-    join_pieces(result.mesh, cancellation);
+    result.mesh = join_pieces(cancellation);
     sum_up(result);
     count_in_components(result.mesh);
     find_border(result.mesh);
@@ -150,8 +147,8 @@ private:
     std::vector<Index> node_of_piece(pieces_.mesh.number_of_faces(), NONE);
     for (Index i = 0; i < graph_.number_of_nodes(); ++i) {
       const Index v = graph_.vertex(i);
-      for (Index k = m.first_in_star[v]; k != m.first_in_star[v + 1]; ++k)
-        node_of_piece[cutting.piece_at(m.star[k], v)] = i;
+      for (const Index f : m.faces_around(v))
+        node_of_piece[cutting.piece_at(f, v)] = i;
     }
     cell_of_node_.assign(graph_.number_of_nodes(), NONE);
     for (std::size_t p = 0; p < node_of_piece.size(); ++p) {
@@ -168,26 +165,24 @@ private:
     }
   }
 
-  void join_pieces(Flat_mesh& result, const Cancellation_point& cancellation) const
+  Flat_mesh join_pieces(const Cancellation_point& cancellation) const
   {
     const Flat_mesh& m = pieces_.mesh;
-    result.points = m.points;
-    result.first_corner.assign(1, 0);
+    Flat_mesh_builder builder(m.points);
     const auto push = [&](Index corner) {
       const Index across = m.face_across[corner];
-      result.corner_vertex.push_back(m.corner_vertex[corner]);
-      result.face_across.push_back(across == NONE ? NONE : polygon_of_piece_[across]);
+      builder.add_corner(m.corner_vertex[corner], across == NONE ? NONE : polygon_of_piece_[across]);
     };
     for (std::size_t polygon = 0; polygon < node_of_polygon_.size(); ++polygon) {
       const Index i = node_of_polygon_[polygon];
       if (i == NONE)
-        for (Index c = m.first_corner[first_piece_[polygon]]; c != m.first_corner[first_piece_[polygon] + 1]; ++c)
+        for (const Index c : m.corners(first_piece_[polygon]))
           push(c);
       else
         add_cell(graph_.vertex(i), push);
-      result.first_corner.push_back(Index(result.corner_vertex.size()));
+      builder.end_face();
     }
-    Flat_mesh_topology::complete(result, result.points.size(), cancellation);
+    return builder.finish(cancellation);
   }
 
   // Around the pieces at `v`: their corners are the vertex, the middle of an edge, that of the face, that of an edge.
@@ -215,7 +210,7 @@ private:
     std::vector<double> mass(n, 0), density(n, 0), number(n, 0);
     std::vector<Vector> moment(n, Vector{{0, 0, 0}}), sum(n, Vector{{0, 0, 0}});
     result.area.assign(n, 0);
-    result.joined_faces.assign(n, 0);
+    result.item_faces.assign(n, 0);
     for (std::size_t p = 0; p < polygon_of_piece_.size(); ++p) {
       const Index polygon = polygon_of_piece_[p];
       const double piece_mass = pieces_.mass(Index(p));
@@ -225,12 +220,12 @@ private:
       sum[polygon] = sum[polygon] + pieces_.centroid(Index(p));
       density[polygon] += pieces_.density[p];
       number[polygon] += 1;
-      result.joined_faces[polygon] += 1. / double(pieces_of_face[face_of_piece_[p]]);
+      result.item_faces[polygon] += 1. / double(pieces_of_face[face_of_piece_[p]]);
     }
     for (std::size_t polygon = 0; polygon < n; ++polygon) {
       result.parent.push_back(pieces_.parent[first_piece_[polygon]]);
       result.density.push_back(mass[polygon] > 0 ? mass[polygon] / result.area[polygon] : density[polygon] / number[polygon]);
-      result.joined_centroid.push_back(mass[polygon] > 0 ? (1 / mass[polygon]) * moment[polygon]
+      result.item_centroid.push_back(mass[polygon] > 0 ? (1 / mass[polygon]) * moment[polygon]
                                                          : (1 / number[polygon]) * sum[polygon]);
     }
   }
@@ -253,7 +248,7 @@ private:
   {
     is_at_border_.assign(m.number_of_faces(), false);
     for (std::size_t f = 0; f < m.number_of_faces(); ++f)
-      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
+      for (const Index c : m.corners(f))
         if (m.face_across[c] == NONE)
           is_at_border_[f] = true;
   }

@@ -5,6 +5,8 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -34,7 +36,7 @@ struct Feature_edges
   void for_each_edge(const Flat_mesh& m, const Visit& visit) const
   {
     for (std::size_t f = 0; f < m.number_of_faces(); ++f)
-      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
+      for (const Index c : m.corners(f))
         if (is_feature[c] && f < m.face_across[c])
           visit(m.corner_vertex[c], m.corner_vertex[m.next_corner(Index(f), c)], Index(f), c);
   }
@@ -69,7 +71,7 @@ struct Feature_edges
     std::copy(is_corner.begin(), is_corner.end(), result.is_corner.begin());
     std::size_t i = 0;
     for (std::size_t f = 0; f < m.number_of_faces(); ++f)
-      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
+      for (const Index c : m.corners(f)) {
         result.is_feature[i++] = is_feature[c];
         if (!chosen[m.component[f]])
           continue;
@@ -106,7 +108,7 @@ public:
   // apart: the rule of CGAL's detect_sharp_edges().
   void add_sharp_edges(double degrees)
   {
-    const double cosine = std::cos(degrees * 3.14159265358979323846 / 180);
+    const double cosine = std::cos(degrees * CGAL_PI / 180);
     for_each_inner_edge([&](Index f, Index c) {
       const Index g = m_.face_across[c], next = m_.next_corner(f, c);
       const Index o = m_.corner_of(g, m_.corner_vertex[next]);
@@ -159,7 +161,7 @@ private:
   void for_each_inner_edge(const Visit& visit)
   {
     for (std::size_t f = 0; f < m_.number_of_faces(); ++f)
-      for (Index c = m_.first_corner[f]; c != m_.first_corner[f + 1]; ++c)
+      for (const Index c : m_.corners(f))
         if (m_.face_across[c] != NONE && f < m_.face_across[c])
           visit(Index(f), c);
   }
@@ -170,9 +172,9 @@ private:
   // corner keeps the two apart.
   void add_halfway(Index begin, Index end, std::vector<Index>& halfway) const
   {
-    std::vector<Index> between(1, Flat_mesh_topology::next_on_border(m_, begin));
+    std::vector<Index> between(1, m_.next_on_border(begin));
     while (!result_.is_corner[between.back()])
-      between.push_back(Flat_mesh_topology::next_on_border(m_, between.back()));
+      between.push_back(m_.next_on_border(between.back()));
     if (between.back() == end && between.size() > 1)
       halfway.push_back(between[between.size() / 2 - 1]);
   }

@@ -146,9 +146,9 @@ private:
     std::vector<std::tuple<Index, Index, std::size_t, Index> > ends;
     for (Index i = 0; i < number_of_corners_; ++i)
       if (m.is_on_border(vertex_[i])) {
-        Index v = Flat_mesh_topology::next_on_border(m, vertex_[i]);
+        Index v = m.next_on_border(vertex_[i]);
         while (node_of_vertex_[v] == NONE)
-          v = Flat_mesh_topology::next_on_border(m, v);
+          v = m.next_on_border(v);
         ends.emplace_back((std::min)(i, node_of_vertex_[v]), (std::max)(i, node_of_vertex_[v]), 0, NONE);
       }
     for (std::size_t l = 0; l < lines_.size(); ++l) {

@@ -3,10 +3,10 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_LABELLED_PIECES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_LABELLED_PIECES_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/Majority.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 namespace CGAL {
@@ -18,8 +18,8 @@ namespace internal {
 class Labelled_pieces
 {
 public:
-  Labelled_pieces(const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters)
-    : input_(input.cells ? input.cells->pieces() : input), labels_(labels)
+  Labelled_pieces(const Featured_input& input, const Cluster_labels& labels, std::size_t clusters)
+    : input_(input.cells ? input.cells->pieces() : input.items), labels_(labels)
   {
     if (!input.cells)
       return;
@@ -46,27 +46,26 @@ private:
 // dropped. Where features are kept, it is that of a corner which the face has, before that; and that of a line, at the end
 // that comes first, if it has an edge of one. So the faces around a corner have the cluster of the corner, and two faces at a
 // feature edge the same, unless a face has several corners or edges.
-inline std::size_t cluster_of_face(const Clustering_input& input, const Cluster_labels& labels, std::size_t none, Index f)
+inline std::size_t cluster_of_face(const Featured_input& input, const Cluster_labels& labels, std::size_t none, Index f)
 {
   const Feature_cells* const cells = input.cells.get();
-  const Clustering_input& pieces = cells ? cells->pieces() : input;
+  const Clustering_input& pieces = cells ? cells->pieces() : input.items;
   if (pieces.parent.empty())
     return labels[f];
   // The pieces of a face follow each other in the order of the faces.
   const auto range = std::equal_range(pieces.parent.begin(), pieces.parent.end(), f);
   Index first_node = NONE;
-  std::map<Index, double> area;
+  Majority<Index> votes;
   for (auto i = range.first; i != range.second; ++i) {
     const Index piece = Index(i - pieces.parent.begin());
-    area[labels[cells ? cells->polygon(piece) : piece]] += pieces.area[piece];
+    votes.add(pieces.area[piece], labels[cells ? cells->polygon(piece) : piece]);
     const Index node = cells ? cells->node(cells->polygon(piece)) : NONE;
     if (node != NONE && (cells->graph().is_corner(node) || cells->has_line_at(piece)))
       first_node = (std::min)(first_node, node);
   }
   if (first_node != NONE)
     return labels[cells->cell(first_node)];
-  const auto smaller = [](const auto& a, const auto& b) { return a.second < b.second; };
-  return area.empty() ? none : std::max_element(area.begin(), area.end(), smaller)->first;
+  return votes.empty() ? none : votes.value();
 }
 
 } // namespace internal

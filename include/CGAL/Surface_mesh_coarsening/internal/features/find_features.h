@@ -3,7 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FIND_FEATURES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FIND_FEATURES_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Featured_input.h>
 
 #include <memory>
 #include <vector>
@@ -32,8 +33,8 @@ std::shared_ptr<const Feature_edges> find_features(const Clustering_input& input
 
 std::vector<Index> corners_of(const Feature_edges& edges);
 
-// Makes the input one of cells that keep the features.
-void make_cells(Clustering_input& input, const Feature_edges& edges, const Cancellation_point& cancellation);
+// Makes the items cells that keep the features.
+void make_cells(Featured_input& input, const Feature_edges& edges, const Cancellation_point& cancellation);
 
 
 } // namespace internal

@@ -83,7 +83,7 @@ void keep_exact_corners(const FaceGraph& mesh, const NamedParameters& np, const 
 
 // Prepares the input for the features that the parameters ask for, if there are any. `patches` receives those of the faces.
 template <class FaceGraph, class NamedParameters>
-void read_features(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n, Clustering_input& input,
+void read_features(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n, Featured_input& input,
                    Local_frame& frame, std::vector<long long>& patches, const Cancellation_point& cancellation)
 {
   Feature_request request;
@@ -94,12 +94,12 @@ void read_features(const FaceGraph& mesh, const NamedParameters& np, const Numbe
   if (request.angle == 180 && patches.empty() && !has_parameter<CGAL::internal_np::edge_is_constrained_t, NamedParameters> &&
       !has_parameter<CGAL::internal_np::vertex_is_constrained_t, NamedParameters>)
     return;
-  request.edges = read_edges(mesh, n, input, get_parameter(np, CGAL::internal_np::edge_is_constrained));
+  request.edges = read_edges(mesh, n, input.items, get_parameter(np, CGAL::internal_np::edge_is_constrained));
   request.corners = read_corners(n, get_parameter(np, CGAL::internal_np::vertex_is_constrained));
-  const std::shared_ptr<const Feature_edges> edges = find_features(input, request, patches);
+  const std::shared_ptr<const Feature_edges> edges = find_features(input.items, request, patches);
   if (!edges)
     return;
-  keep_exact_corners(mesh, np, n, corners_of(*edges), input.mesh, frame);
+  keep_exact_corners(mesh, np, n, corners_of(*edges), input.items.mesh, frame);
   make_cells(input, *edges, cancellation);
 }
 

@@ -54,7 +54,7 @@ public:
   {
     for (std::size_t x = 0; x < groups; ++x)
       for (const Index f : faces_[x])
-        for (Index c = mesh.first_corner[f]; c != mesh.first_corner[f + 1]; ++c)
+        for (const Index c : mesh.corners(f))
           box_[x] += box_of_point(mesh.points[mesh.corner_vertex[c]]);
     std::vector<Index> all;
     for (std::size_t x = 0; x < groups; ++x)

@@ -38,7 +38,7 @@ public:
     for (std::size_t f = 0; f < deviations.size(); ++f) {
       cancellation_.poll();
       double radius = std::numeric_limits<double>::infinity();
-      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+      for (const Index c : mesh_.corners(f))
         radius = (std::min)(radius, radius_[mesh_.corner_vertex[c]]);
       if (!(radius < std::numeric_limits<double>::infinity()))
         continue;
@@ -73,7 +73,7 @@ private:
         cancellation_.poll();
         done[w] = true;
         loop.push_back(w);
-        const Index next = Flat_mesh_topology::next_on_border(mesh_, w);
+        const Index next = mesh_.next_on_border(w);
         length += distance(w, next);
         w = next;
       }
@@ -114,8 +114,8 @@ private:
       if (entry.first > radius_[v])
         continue;
       cancellation_.poll(mesh_.first_in_star[v + 1] - mesh_.first_in_star[v]);
-      for (Index i = mesh_.first_in_star[v]; i != mesh_.first_in_star[v + 1]; ++i)
-        for_each_neighbor(mesh_.star[i], v, [&](Index w) {
+      for (const Index f : mesh_.faces_around(v))
+        for_each_neighbor(f, v, [&](Index w) {
           const double radius = entry.first + distance(v, w);
           if (radius <= reach_[v] && radius < radius_[w]) {
             radius_[w] = radius;

@@ -3,9 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_CORNER_TRUNCATION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_CORNER_TRUNCATION_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/build_flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh_builder.h>
 
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -18,23 +17,21 @@ class Corner_truncation
 {
 public:
   Corner_truncation(const Flat_mesh& mesh, const std::vector<bool>& is_cut)
-    : m_(mesh), is_cut_(is_cut), near_source_(mesh.corner_vertex.size(), NONE), near_target_(mesh.corner_vertex.size(), NONE)
+    : m_(mesh), is_cut_(is_cut), near_source_(mesh.corner_vertex.size(), NONE), near_target_(mesh.corner_vertex.size(), NONE),
+      builder_(mesh.points)
   {}
 
   Flat_mesh run()
   {
     number_faces();
     add_points();
-    result_.first_corner.assign(1, 0);
     for (Index f = 0; f < m_.number_of_faces(); ++f) {
       add_rest(f);
-      for (Index c = m_.first_corner[f]; c != m_.first_corner[f + 1]; ++c)
+      for (const Index c : m_.corners(f))
         if (is_cut_[c])
           add_corner(f, c);
     }
-    check_countable(result_.corner_vertex.size(), "face corners after subdivision");
-    Flat_mesh_topology::complete(result_, result_.points.size());
-    return std::move(result_);
+    return builder_.finish();
   }
 
   // The face that each new face is cut from, and the corner, NONE for what is left of a face.
@@ -50,7 +47,7 @@ private:
       rest_[f] = Index(old_face_.size());
       old_face_.push_back(f);
       old_corner_.push_back(NONE);
-      for (Index c = m_.first_corner[f]; c != m_.first_corner[f + 1]; ++c)
+      for (const Index c : m_.corners(f))
         if (is_cut_[c]) {
           cut_off_[c] = Index(old_face_.size());
           old_face_.push_back(f);
@@ -62,9 +59,8 @@ private:
   // The points on an edge are those of both its faces.
   void add_points()
   {
-    result_.points = m_.points;
     for (Index f = 0; f < m_.number_of_faces(); ++f)
-      for (Index c = m_.first_corner[f]; c != m_.first_corner[f + 1]; ++c) {
+      for (const Index c : m_.corners(f)) {
         if (is_cut_[c] && near_source_[c] == NONE)
           add_point_after(f, c);
         const Index previous = m_.previous_corner(f, c);
@@ -93,14 +89,7 @@ private:
 
   Index add_point(Index v, Index w)
   {
-    result_.points.push_back(m_.points[v] + (1. / 3) * (m_.points[w] - m_.points[v]));
-    return Index(result_.points.size() - 1);
-  }
-
-  void push(Index vertex, Index across)
-  {
-    result_.corner_vertex.push_back(vertex);
-    result_.face_across.push_back(across);
+    return builder_.add_point(m_.points[v] + (1. / 3) * (m_.points[w] - m_.points[v]));
   }
 
   // The new face across the end at `v` of the edge after corner `c`, and across the rest of that edge.
@@ -116,37 +105,37 @@ private:
 
   void add_rest(Index f)
   {
-    for (Index c = m_.first_corner[f]; c != m_.first_corner[f + 1]; ++c) {
+    for (const Index c : m_.corners(f)) {
       const Index next = m_.next_corner(f, c), v = m_.corner_vertex[c], w = m_.corner_vertex[next];
       if (!is_cut_[c]) {
-        push(v, near_source_[c] == NONE ? across(c) : across_near(c, v));
+        builder_.add_corner(v, near_source_[c] == NONE ? across(c) : across_near(c, v));
         if (near_source_[c] != NONE)
-          push(near_source_[c], across(c));
+          builder_.add_corner(near_source_[c], across(c));
       } else {
-        push(near_target_[m_.previous_corner(f, c)], cut_off_[c]);
-        push(near_source_[c], across(c));
+        builder_.add_corner(near_target_[m_.previous_corner(f, c)], cut_off_[c]);
+        builder_.add_corner(near_source_[c], across(c));
       }
       if (near_target_[c] != NONE && !is_cut_[next])
-        push(near_target_[c], across_near(c, w));
+        builder_.add_corner(near_target_[c], across_near(c, w));
     }
-    result_.first_corner.push_back(Index(result_.corner_vertex.size()));
+    builder_.end_face();
   }
 
   void add_corner(Index f, Index c)
   {
     const Index v = m_.corner_vertex[c], previous = m_.previous_corner(f, c);
-    push(v, across_near(c, v));
-    push(near_source_[c], rest_[f]);
-    push(near_target_[previous], across_near(previous, v));
-    result_.first_corner.push_back(Index(result_.corner_vertex.size()));
+    builder_.add_corner(v, across_near(c, v));
+    builder_.add_corner(near_source_[c], rest_[f]);
+    builder_.add_corner(near_target_[previous], across_near(previous, v));
+    builder_.end_face();
   }
 
   const Flat_mesh& m_;
   const std::vector<bool>& is_cut_; // of each corner
-  Flat_mesh result_;
   std::vector<Index> near_source_, near_target_; // points on the edge after each corner
   std::vector<Index> rest_, cut_off_;            // new faces: of each face, of each corner
   std::vector<Index> old_face_, old_corner_;
+  Flat_mesh_builder builder_;
 };
 
 } // namespace internal

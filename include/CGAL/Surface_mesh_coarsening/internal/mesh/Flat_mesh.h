@@ -3,34 +3,18 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_FLAT_MESH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_FLAT_MESH_H
 
-#include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/number_range.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
+
+#include <CGAL/Iterator_range.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
-#include <limits>
-#include <string>
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
-
-constexpr Index NONE = (std::numeric_limits<Index>::max)();
-
-typedef std::array<double, 3> Vector;
-
-inline Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-inline Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
-inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline Vector cross(const Vector& a, const Vector& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 // Where the corners of each face begin. As long as all faces are triangles, nothing is stored.
 class Corner_offsets
@@ -125,6 +109,11 @@ struct Flat_mesh
   }
   bool is_on_border(Index v) const { return loop[v] != NONE; }
   Index degree(Index f) const { return first_corner[f + 1] - first_corner[f]; }
+  Number_range corners(Index f) const { return number_range(first_corner[f], first_corner[f + 1]); }
+  Iterator_range<std::vector<Index>::const_iterator> faces_around(Index v) const
+  {
+    return {star.begin() + first_in_star[v], star.begin() + first_in_star[v + 1]};
+  }
 
   Index next_corner(Index f, Index c) const { return c + 1 == first_corner[f + 1] ? first_corner[f] : c + 1; }
   Index previous_corner(Index f, Index c) const
@@ -138,6 +127,12 @@ struct Flat_mesh
       ++c;
     return c;
   }
+  // The end of the border edge that begins at border vertex `v` and has its face on the left.
+  Index next_on_border(Index v) const
+  {
+    const Index f = star[first_in_star[v]];
+    return corner_vertex[next_corner(f, corner_of(f, v))];
+  }
   // Position of face `f` in the star of `v`, as an index into `star`.
   Index position_in_star(Index v, Index f) const
   {
@@ -148,180 +143,6 @@ struct Flat_mesh
   }
 };
 
-// Fills what follows from the corners and the faces across edges; throws where they do not form a 2-manifold.
-class Flat_mesh_topology
-{
-public:
-  static void complete(Flat_mesh& m, std::size_t number_of_vertices,
-                       const Cancellation_point& cancellation = Cancellation_point(), Execution execution = Execution::SEQUENTIAL)
-  {
-    check_faces(m, cancellation, execution);
-    count_stars(m, number_of_vertices);
-    std::vector<Index> start = first_corners_of_stars(m, number_of_vertices, cancellation);
-    const std::size_t wrong = first_of(execution, number_of_vertices, cancellation,
-                                       [&](Index v) { return !walk_star(m, v, start[v]); });
-    if (wrong < number_of_vertices)
-      throw Invalid_input("vertex " + std::to_string(wrong) +
-                          " is not a manifold vertex: the faces around it form more than one fan");
-    number_components(m, cancellation);
-    number_loops(m, cancellation);
-  }
-
-private:
-  static void check_faces(const Flat_mesh& m, const Cancellation_point& cancellation, Execution execution)
-  {
-    const std::size_t wrong = first_of(execution, m.number_of_faces(), cancellation, [&](Index f) {
-      return m.degree(f) < 3 || is_own_neighbor(m, f) || vertex_visited_twice(m, f) != NONE;
-    });
-    if (wrong == m.number_of_faces())
-      return;
-    const Index f = Index(wrong);
-    const std::string name = "face " + std::to_string(f);
-    if (m.degree(f) < 3)
-      throw Invalid_input(name + " has " + std::to_string(m.degree(f)) + " sides");
-    if (is_own_neighbor(m, f))
-      throw Invalid_input(name + " is its own neighbor across an edge");
-    throw Invalid_input(name + " visits vertex " + std::to_string(vertex_visited_twice(m, f)) + " twice");
-  }
-
-  static bool is_own_neighbor(const Flat_mesh& m, Index f)
-  {
-    for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
-      if (m.face_across[c] == f)
-        return true;
-    return false;
-  }
-
-  // NONE if there is none.
-  static Index vertex_visited_twice(const Flat_mesh& m, Index f)
-  {
-    const auto begin = m.corner_vertex.begin() + m.first_corner[f], end = m.corner_vertex.begin() + m.first_corner[f + 1];
-    auto twice = end;
-    if (end - begin <= 8) {
-      for (auto i = begin; i != end && twice == end; ++i)
-        if (std::find(i + 1, end, *i) != end)
-          twice = i;
-      return twice == end ? NONE : *twice;
-    } else {
-      std::vector<Index> sorted(begin, end);
-      std::sort(sorted.begin(), sorted.end());
-      const auto pair = std::adjacent_find(sorted.begin(), sorted.end());
-      return pair == sorted.end() ? NONE : *std::find(begin, end, *pair);
-    }
-  }
-
-  static void count_stars(Flat_mesh& m, std::size_t number_of_vertices)
-  {
-    m.first_in_star.assign(number_of_vertices + 1, 0);
-    for (Index v : m.corner_vertex)
-      ++m.first_in_star[v + 1];
-    for (std::size_t v = 0; v < number_of_vertices; ++v)
-      m.first_in_star[v + 1] += m.first_in_star[v];
-    m.star.resize(m.corner_vertex.size());
-  }
-
-  // The face where each star begins. Kept per vertex as a face index; NONE for isolated vertices.
-  static std::vector<Index> first_corners_of_stars(Flat_mesh& m, std::size_t number_of_vertices,
-                                                   const Cancellation_point& cancellation)
-  {
-    std::vector<Index> start(number_of_vertices, NONE);
-    m.loop.assign(number_of_vertices, NONE);
-    for (std::size_t f = m.number_of_faces(); f-- > 0;) {
-      cancellation.poll();
-      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
-        const Index v = m.corner_vertex[c];
-        if (m.face_across[c] == NONE) {
-          if (m.loop[v] != NONE)
-            throw Invalid_input("vertex " + std::to_string(v) + " lies on the border twice");
-          m.loop[v] = 0; // on some loop; numbered later
-          start[v] = Index(f);
-        } else if (m.loop[v] == NONE) {
-          start[v] = Index(f);
-        }
-      }
-    }
-    return start;
-  }
-
-  // Returns whether the faces around the vertex form one fan, closed or from border to border.
-  static bool walk_star(Flat_mesh& m, Index v, Index f)
-  {
-    const Index begin = m.first_in_star[v], end = m.first_in_star[v + 1];
-    if (begin == end)
-      return true;
-    const Index first = f;
-    Index i = begin;
-    do {
-      m.star[i++] = f;
-      f = m.face_across[m.previous_corner(f, m.corner_of(f, v))];
-    } while (f != NONE && f != first && i != end);
-    const bool closed = m.loop[v] == NONE;
-    return i == end && (closed ? f == first : f == NONE);
-  }
-
-  static void number_components(Flat_mesh& m, const Cancellation_point& cancellation)
-  {
-    std::vector<Index> number(m.number_of_faces(), NONE);
-    m.components.clear();
-    std::vector<Index> stack;
-    for (std::size_t seed = 0; seed < m.number_of_faces(); ++seed) {
-      if (number[seed] != NONE)
-        continue;
-      const Index id = Index(m.components.size());
-      Component component;
-      std::size_t border_edges = 0, corners = 0;
-      stack.assign(1, Index(seed));
-      number[seed] = id;
-      while (!stack.empty()) {
-        const Index f = stack.back();
-        stack.pop_back();
-        cancellation.poll();
-        ++component.faces;
-        for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
-          const Index g = m.face_across[c];
-          ++corners;
-          if (g == NONE)
-            ++border_edges;
-          else if (number[g] == NONE) {
-            number[g] = id;
-            stack.push_back(g);
-          }
-        }
-      }
-      component.edges = (corners + border_edges) / 2;
-      m.components.push_back(component);
-    }
-    m.component.set(std::move(number), m.components.size());
-    for (std::size_t v = 0; v < m.number_of_vertices(); ++v)
-      if (m.first_in_star[v] != m.first_in_star[v + 1])
-        ++m.components[m.component[m.star[m.first_in_star[v]]]].vertices;
-  }
-
-  static void number_loops(Flat_mesh& m, const Cancellation_point& cancellation)
-  {
-    std::vector<bool> done(m.number_of_vertices(), false);
-    Index loops = 0;
-    for (std::size_t v = 0; v < m.number_of_vertices(); ++v) {
-      if (m.loop[v] == NONE || done[v])
-        continue;
-      for (Index w = Index(v); !done[w]; w = next_on_border(m, w)) {
-        cancellation.poll();
-        done[w] = true;
-        m.loop[w] = loops;
-      }
-      ++m.components[m.component[m.star[m.first_in_star[v]]]].loops;
-      ++loops;
-    }
-  }
-
-public:
-  // The end of the border edge that begins at border vertex `v` and has its face on the left.
-  static Index next_on_border(const Flat_mesh& m, Index v)
-  {
-    const Index f = m.star[m.first_in_star[v]];
-    return m.corner_vertex[m.next_corner(f, m.corner_of(f, v))];
-  }
-};
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

@@ -3,10 +3,9 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_QUAD_SUBDIVISION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_QUAD_SUBDIVISION_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/build_flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh_builder.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
 
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -23,7 +22,7 @@ class Quad_subdivision
 {
 public:
   Quad_subdivision(const Flat_mesh& m, const std::vector<char>& is_cut)
-    : m_(m), is_cut_(is_cut), middle_(m.corner_vertex.size(), NONE), center_(m.number_of_faces(), NONE) {}
+    : m_(m), is_cut_(is_cut), builder_(m.points), middle_(m.corner_vertex.size(), NONE), center_(m.number_of_faces(), NONE) {}
 
   Flat_mesh run(const Cancellation_point& cancellation)
   {
@@ -32,8 +31,7 @@ public:
       cancellation.poll();
       is_cut_[f] ? cut(f) : copy(f);
     }
-    Flat_mesh_topology::complete(result_, result_.points.size(), cancellation);
-    return std::move(result_);
+    return builder_.finish(cancellation);
   }
 
   // The face that each new face is a piece of.
@@ -50,7 +48,6 @@ private:
   void number_new_elements(const Cancellation_point& cancellation)
   {
     std::size_t corners = 0;
-    result_.points = m_.points;
     first_piece_.reserve(m_.number_of_faces());
     for (Index f = 0; f < m_.number_of_faces(); ++f) {
       cancellation.poll();
@@ -61,30 +58,25 @@ private:
       if (is_cut_[f])
         add_points(f);
     }
-    result_.first_corner.assign(1, 0);
-    result_.first_corner.reserve(old_face_.size() + 1);
-    result_.corner_vertex.reserve(corners);
-    result_.face_across.reserve(corners);
+    builder_.reserve(old_face_.size(), corners);
   }
 
   Index number_of_cut_neighbors(Index f) const
   {
     Index n = 0;
-    for (Index c = m_.first_corner[f]; c != m_.first_corner[f + 1]; ++c)
+    for (const Index c : m_.corners(f))
       n += m_.face_across[c] != NONE && is_cut_[m_.face_across[c]];
     return n;
   }
 
   void add_points(Index f)
   {
-    center_[f] = Index(result_.points.size());
-    result_.points.push_back(mean_of_corners(m_, f));
-    for (Index c = m_.first_corner[f]; c != m_.first_corner[f + 1]; ++c) {
+    center_[f] = builder_.add_point(mean_of_corners(m_, f));
+    for (const Index c : m_.corners(f)) {
       if (middle_[c] != NONE)
         continue;
       const Index g = m_.face_across[c], end = m_.corner_vertex[m_.next_corner(f, c)];
-      middle_[c] = Index(result_.points.size());
-      result_.points.push_back(0.5 * (m_.points[m_.corner_vertex[c]] + m_.points[end]));
+      middle_[c] = builder_.add_point(0.5 * (m_.points[m_.corner_vertex[c]] + m_.points[end]));
       if (g != NONE)
         middle_[m_.corner_of(g, end)] = middle_[c];
     }
@@ -97,38 +89,32 @@ private:
     return g == NONE ? NONE : piece_at(g, v);
   }
 
-  void push(Index vertex, Index across)
-  {
-    result_.corner_vertex.push_back(vertex);
-    result_.face_across.push_back(across);
-  }
-
   void cut(Index f)
   {
-    for (Index c = m_.first_corner[f]; c != m_.first_corner[f + 1]; ++c) {
+    for (const Index c : m_.corners(f)) {
       const Index v = m_.corner_vertex[c], next = m_.next_corner(f, c), previous = m_.previous_corner(f, c);
-      push(v, piece_across(c, v));
-      push(middle_[c], first_piece_[f] + (next - m_.first_corner[f]));
-      push(center_[f], first_piece_[f] + (previous - m_.first_corner[f]));
-      push(middle_[previous], piece_across(previous, v));
-      result_.first_corner.push_back(Index(result_.corner_vertex.size()));
+      builder_.add_corner(v, piece_across(c, v));
+      builder_.add_corner(middle_[c], first_piece_[f] + (next - m_.first_corner[f]));
+      builder_.add_corner(center_[f], first_piece_[f] + (previous - m_.first_corner[f]));
+      builder_.add_corner(middle_[previous], piece_across(previous, v));
+      builder_.end_face();
     }
   }
 
   void copy(Index f)
   {
-    for (Index c = m_.first_corner[f]; c != m_.first_corner[f + 1]; ++c) {
+    for (const Index c : m_.corners(f)) {
       const Index v = m_.corner_vertex[c];
-      push(v, piece_across(c, v));
+      builder_.add_corner(v, piece_across(c, v));
       if (middle_[c] != NONE)
-        push(middle_[c], piece_across(c, m_.corner_vertex[m_.next_corner(f, c)]));
+        builder_.add_corner(middle_[c], piece_across(c, m_.corner_vertex[m_.next_corner(f, c)]));
     }
-    result_.first_corner.push_back(Index(result_.corner_vertex.size()));
+    builder_.end_face();
   }
 
   const Flat_mesh& m_;
   const std::vector<char>& is_cut_; // of each face
-  Flat_mesh result_;
+  Flat_mesh_builder builder_;
   std::vector<Index> middle_, center_, first_piece_, old_face_;
 };
 

@@ -3,6 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_COMPLETE_MESH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_COMPLETE_MESH_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 
 #include <cstddef>

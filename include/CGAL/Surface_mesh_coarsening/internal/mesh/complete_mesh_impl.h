@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Border_deviations.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh_topology.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
 

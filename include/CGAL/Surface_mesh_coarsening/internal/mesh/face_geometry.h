@@ -39,7 +39,7 @@ inline Vector vector_area(const Flat_mesh& m, Index f)
 inline Vector mean_of_corners(const Flat_mesh& m, Index f)
 {
   Vector sum{{0, 0, 0}};
-  for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
+  for (const Index c : m.corners(f))
     sum = sum + m.points[m.corner_vertex[c]];
   return (1. / m.degree(f)) * sum;
 }
@@ -54,7 +54,7 @@ inline double face_area(const Flat_mesh& m, Index f)
 inline Bbox_3 face_box(const Flat_mesh& m, Index f)
 {
   Bbox_3 box;
-  for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
+  for (const Index c : m.corners(f))
     box += box_of_point(m.points[m.corner_vertex[c]]);
   return box;
 }
@@ -67,7 +67,7 @@ inline Vector centroid_of_star(const Flat_mesh& m, Index f)
   Vector sum{{0, 0, 0}};
   double weight = 0;
   Vector a = m.points[m.corner_vertex[m.first_corner[f + 1] - 1]] - center;
-  for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
+  for (const Index c : m.corners(f)) {
     const Vector b = m.points[m.corner_vertex[c]] - center, n = cross(a, b);
     const double size = std::sqrt(dot(n, n));
     sum = sum + (size / 3) * (a + b);
@@ -134,7 +134,7 @@ public:
     const Vector& n = normals_[f];
     double sum = 0;
     std::size_t pairs = 0;
-    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+    for (const Index c : mesh_.corners(f)) {
       const Index v = mesh_.corner_vertex[c], begin = mesh_.first_in_star[v];
       const Index valence = mesh_.first_in_star[v + 1] - begin, compared = (std::min)(valence, max_compared);
       pairs += compared;

@@ -5,8 +5,9 @@
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/build_flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/cut_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Local_frame.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/copy_connectivity.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/parameters.h>
 
@@ -153,7 +154,7 @@ Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& 
     throw Invalid_input("the input has no faces");
   frame = copy_points(mesh, np, n, input.mesh, cancellation);
   input.density = densities_of(n, input.mesh, choice, get_parameter(np, internal_np::face_density), cancellation, execution);
-  input.measure(cancellation, execution);
+  compute_areas(input, cancellation, execution);
   return input;
 }
 
@@ -165,7 +166,7 @@ std::size_t drop_small_components(const NamedParameters& np, const Local_frame& 
   const double least = choose_parameter(get_parameter(np, internal_np::minimum_component_area_p), 0.);
   if (!(least >= 0))
     throw Invalid_input("the minimum component area is " + number_text(least));
-  const std::size_t dropped = input.drop_components_below(std::ldexp(least, -2 * frame.exponent), cancellation);
+  const std::size_t dropped = drop_components_below(input, frame.area_to_local(least), cancellation);
   if (input.mesh.number_of_faces() == 0)
     throw Invalid_input("no component of the input has an area of " + number_text(least));
   return dropped;

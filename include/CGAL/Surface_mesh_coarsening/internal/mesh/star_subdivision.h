@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_STAR_SUBDIVISION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_STAR_SUBDIVISION_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/build_flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh_builder.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
 
 #include <vector>
@@ -24,13 +24,7 @@ inline Flat_mesh star_subdivision(const Flat_mesh& m, const std::vector<char>& i
     first_piece.push_back(Index(old_face.size()));
     old_face.insert(old_face.end(), is_cut[f] ? m.degree(f) : 1, f);
   }
-  Flat_mesh result;
-  result.points = m.points;
-  result.first_corner.assign(1, 0);
-  const auto push = [&result](Index vertex, Index across) {
-    result.corner_vertex.push_back(vertex);
-    result.face_across.push_back(across);
-  };
+  Flat_mesh_builder builder(m.points);
   // The new face beyond the edge after corner `c` of face `f`.
   const auto across = [&](Index f, Index c) {
     const Index g = m.face_across[c];
@@ -41,23 +35,19 @@ inline Flat_mesh star_subdivision(const Flat_mesh& m, const std::vector<char>& i
   };
   for (Index f = 0; f < m.number_of_faces(); ++f) {
     cancellation.poll();
-    const Index middle = Index(result.points.size());
-    if (is_cut[f])
-      result.points.push_back(mean_of_corners(m, f));
-    for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
-      push(m.corner_vertex[c], across(f, c));
+    const Index middle = is_cut[f] ? builder.add_point(mean_of_corners(m, f)) : NONE;
+    for (const Index c : m.corners(f)) {
+      builder.add_corner(m.corner_vertex[c], across(f, c));
       if (!is_cut[f])
         continue;
-      push(m.corner_vertex[m.next_corner(f, c)], first_piece[f] + m.next_corner(f, c) - m.first_corner[f]);
-      push(middle, first_piece[f] + m.previous_corner(f, c) - m.first_corner[f]);
-      result.first_corner.push_back(Index(result.corner_vertex.size()));
+      builder.add_corner(m.corner_vertex[m.next_corner(f, c)], first_piece[f] + m.next_corner(f, c) - m.first_corner[f]);
+      builder.add_corner(middle, first_piece[f] + m.previous_corner(f, c) - m.first_corner[f]);
+      builder.end_face();
     }
     if (!is_cut[f])
-      result.first_corner.push_back(Index(result.corner_vertex.size()));
+      builder.end_face();
   }
-  check_countable(result.corner_vertex.size(), "face corners after faces were cut");
-  Flat_mesh_topology::complete(result, result.points.size(), cancellation);
-  return result;
+  return builder.finish(cancellation);
 }
 
 } // namespace internal

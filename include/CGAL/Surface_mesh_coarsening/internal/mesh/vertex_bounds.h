@@ -19,7 +19,7 @@ Bbox_3 vertex_bounds(const Flat_mesh& mesh, const FaceRange& faces)
 {
   Bbox_3 box;
   for (const Index f : faces)
-    for (Index c = mesh.first_corner[f]; c != mesh.first_corner[f + 1]; ++c)
+    for (const Index c : mesh.corners(f))
       box += box_of_point(mesh.points[mesh.corner_vertex[c]]);
   // Computed positions may be off by as much as they are rounded.
   double largest = 0;

@@ -89,7 +89,7 @@ public:
   // Notes the edges of a face that has joined cluster `to`: they may lie between clusters now.
   void note_edges(Index f, Index to)
   {
-    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+    for (const Index c : mesh_.corners(f)) {
       const Index g = mesh_.face_across[c];
       if (g == NONE || labels_[g] == to)
         continue;
@@ -153,7 +153,7 @@ private:
   {
     edges.clear();
     for (Index f = begin; f != end; ++f)
-      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+      for (const Index c : mesh_.corners(f)) {
         const Index g = mesh_.face_across[c];
         if (g != NONE && g > f && labels_[g] != labels_[f])
           edges.push_back({{{f, g}}, c});
@@ -269,7 +269,7 @@ private:
   BOOST_FORCEINLINE void prefetch_points(const Edge& e) const
   {
     for (const Index f : e.face)
-      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+      for (const Index c : mesh_.corners(f))
         prefetch(&mesh_.points[mesh_.corner_vertex[c]]);
   }
 

@@ -39,11 +39,11 @@ class Energy_minimization : public Minimization
   typedef Boundary_edges<Weight> Edges;
 
 public:
-  Energy_minimization(const Clustering_input& input, Cluster_labels& labels, std::size_t number_of_clusters,
+  Energy_minimization(const Featured_input& input, Cluster_labels& labels, std::size_t number_of_clusters,
                       const Weight& weight, const Cancellation_point& cancellation, Execution execution)
-    : input_(input), labels_(labels), energy_(weight), cancellation_(cancellation),
+    : input_(input.items), labels_(labels), energy_(weight), cancellation_(cancellation),
       execution_(execution), moves_(labels, number_of_clusters), clusters_(number_of_clusters),
-      edges_(input, labels, energy_, number_of_clusters)
+      edges_(input.items, labels, energy_, number_of_clusters)
   {
     if (input.cells)
       moves_.keep_features(*input.cells);

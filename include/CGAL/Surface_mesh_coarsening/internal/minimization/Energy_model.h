@@ -19,7 +19,7 @@ class Energy_model
 {
 public:
   virtual ~Energy_model() = default;
-  virtual std::unique_ptr<Minimization> minimization(const Clustering_input& input, Cluster_labels& labels,
+  virtual std::unique_ptr<Minimization> minimization(const Featured_input& input, Cluster_labels& labels,
                                                      std::size_t clusters, const Cancellation_point& cancellation,
                                                      Execution execution) const = 0;
   virtual double energy(const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters) const = 0;

@@ -46,7 +46,7 @@ public:
   }
   BOOST_FORCEINLINE void prefetch_labels(Index f) const
   {
-    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+    for (const Index c : mesh_.corners(f)) {
       const Index v = mesh_.corner_vertex[c], g = mesh_.face_across[c];
       if (g != NONE)
         prefetch(&labels_.labels()[g]);
@@ -56,7 +56,7 @@ public:
   }
   BOOST_FORCEINLINE void prefetch_stars(Index f) const
   {
-    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+    for (const Index c : mesh_.corners(f))
       prefetch(&mesh_.star[mesh_.first_in_star[mesh_.corner_vertex[c]]]);
   }
 
@@ -118,7 +118,7 @@ private:
   // neighbors of that cluster still form a simple cycle.
   bool dual_stays_simplicial(Index f, Index from)
   {
-    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+    for (const Index c : mesh_.corners(f))
       if (labels_.label_across(c) == from)
         return walk_.first_link_defect({f, c}, stamp_of_cluster_, stamp_) == NONE;
     return false;

@@ -32,7 +32,7 @@ class Weighted_energy_model : public Energy_model
 public:
   explicit Weighted_energy_model(const Weight& weight) : weight_(weight) {}
 
-  std::unique_ptr<Minimization> minimization(const Clustering_input& input, Cluster_labels& labels, std::size_t clusters,
+  std::unique_ptr<Minimization> minimization(const Featured_input& input, Cluster_labels& labels, std::size_t clusters,
                                              const Cancellation_point& cancellation, Execution execution) const override
   {
     return std::make_unique<Energy_minimization<Weight> >(input, labels, clusters, weight_, cancellation, execution);

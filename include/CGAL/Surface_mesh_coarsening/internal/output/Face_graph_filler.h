@@ -21,25 +21,6 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A position in the arrays in the coordinates of the mesh. Near the end of the range of double, positions beyond those of the
-// mesh may have none; they get the largest number.
-inline Vector to_mesh_coordinates(const Local_frame& frame, const Vector& p)
-{
-  if (frame.exact) {
-    const auto is_before = [](const Exact_points::value_type& known, const Vector& v) { return known.first < v; };
-    const auto known = std::lower_bound(frame.exact->begin(), frame.exact->end(), p, is_before);
-    if (known != frame.exact->end() && known->first == p)
-      return known->second;
-  }
-  constexpr double largest = (std::numeric_limits<double>::max)();
-  Vector q;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double x = frame.origin[i] + (frame.exponent == 0 ? p[i] : std::ldexp(p[i], frame.exponent));
-    q[i] = (std::min)((std::max)(x, -largest), largest);
-  }
-  return q;
-}
-
 template <class GeomTraits>
 std::vector<typename GeomTraits::Point_3> to_points(const std::vector<Vector>& positions, const Local_frame& frame,
                                                     const GeomTraits& traits)
@@ -49,7 +30,7 @@ std::vector<typename GeomTraits::Point_3> to_points(const std::vector<Vector>& p
   std::vector<typename GeomTraits::Point_3> points;
   points.reserve(positions.size());
   for (const Vector& position : positions) {
-    const Vector p = to_mesh_coordinates(frame, position);
+    const Vector p = frame.to_mesh(position);
     points.push_back(construct(FT(p[0]), FT(p[1]), FT(p[2])));
   }
   return points;
@@ -60,7 +41,7 @@ template <class GeomTraits>
 auto output_coordinates(const Local_frame& frame)
 {
   return [frame](const Vector& p) {
-    Vector q = to_mesh_coordinates(frame, p);
+    Vector q = frame.to_mesh(p);
     for (double& x : q)
       x = CGAL::to_double(typename GeomTraits::FT(x));
     return q;

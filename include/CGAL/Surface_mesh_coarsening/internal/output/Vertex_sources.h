@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_VERTEX_SOURCES_H
 
 #include <CGAL/Surface_mesh_coarsening/Surface_location.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/build_flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Numbering.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
@@ -25,8 +25,8 @@ inline std::vector<Index> clusters_of_vertices(const Flat_mesh& m, const std::ve
   std::vector<std::pair<Index, double> > around;
   for (std::size_t v = 0; v < result.size(); ++v) {
     around.clear();
-    for (Index i = m.first_in_star[v]; i != m.first_in_star[v + 1]; ++i)
-      around.emplace_back(cluster_of_face[m.star[i]], area[m.star[i]]);
+    for (const Index f : m.faces_around(v))
+      around.emplace_back(cluster_of_face[f], area[f]);
     std::sort(around.begin(), around.end());
     double largest = -1;
     for (std::size_t i = 0; i < around.size();) {

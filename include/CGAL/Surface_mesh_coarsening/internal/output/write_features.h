@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/flood_fill.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 #include <vector>
@@ -17,24 +18,18 @@ namespace internal {
 inline std::vector<long long> regions(const Flat_mesh& m, const Feature_edges& edges)
 {
   std::vector<long long> region(m.number_of_faces(), -1);
-  std::vector<Index> stack;
+  std::vector<Index> reached;
   long long number = 0;
   for (std::size_t seed = 0; seed < region.size(); ++seed) {
     if (region[seed] >= 0)
       continue;
     region[seed] = number;
-    stack.assign(1, Index(seed));
-    while (!stack.empty()) {
-      const Index f = stack.back();
-      stack.pop_back();
-      for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
-        const Index g = m.face_across[c];
-        if (g != NONE && !edges.is_feature[c] && region[g] < 0) {
-          region[g] = number;
-          stack.push_back(g);
-        }
-      }
-    }
+    flood_fill(m, Index(seed), reached, Cancellation_point(), [&](Index c, Index g) {
+      if (edges.is_feature[c] || region[g] >= 0)
+        return false;
+      region[g] = number;
+      return true;
+    });
     ++number;
   }
   return region;
@@ -43,10 +38,10 @@ inline std::vector<long long> regions(const Flat_mesh& m, const Feature_edges& e
 // The patches of the triangles of the dual, in their order: that of the face around the vertex they stand at. Such a vertex
 // is never on a line, and all faces around belong to one patch. `labels` are those of the mesh that was clustered, `patches`
 // those of the faces of the caller's mesh, or none, for regions to be numbered.
-inline std::vector<long long> patches_of_triangles(const Clustering_input& input, const Cluster_labels& labels,
+inline std::vector<long long> patches_of_triangles(const Featured_input& input, const Cluster_labels& labels,
                                                    const std::vector<long long>& patches)
 {
-  const Clustering_input& pieces = input.cells ? input.cells->pieces() : input;
+  const Clustering_input& pieces = input.cells ? input.cells->pieces() : input.items;
   const std::vector<long long> numbered =
     patches.empty() && input.cells ? regions(input.cells->base().mesh, input.cells->edges()) : std::vector<long long>();
   const auto patch_of = [&](Index face) -> long long {
@@ -75,7 +70,7 @@ auto halfedge_between(const Output& output, const Vertices& vertices, Index x, I
 
 template <class Output, class Map>
 void write_patches(const Output& output, const Map& map, const std::vector<Triangle>& triangles,
-                   const Clustering_input& input, const Cluster_labels& labels, const std::vector<long long>& patches)
+                   const Featured_input& input, const Cluster_labels& labels, const std::vector<long long>& patches)
 {
   typedef typename boost::property_traits<Map>::value_type Value;
   const auto v = vertices_of(output);
@@ -85,7 +80,7 @@ void write_patches(const Output& output, const Map& map, const std::vector<Trian
 }
 template <class Output>
 void write_patches(const Output&, const CGAL::internal_np::Param_not_found&, const std::vector<Triangle>&,
-                   const Clustering_input&, const Cluster_labels&, const std::vector<long long>&)
+                   const Featured_input&, const Cluster_labels&, const std::vector<long long>&)
 {}
 
 template <class Output, class Map>
@@ -120,7 +115,7 @@ void write_corners(const Output&, const CGAL::internal_np::Param_not_found&, con
 // Writes what the output's parameters ask for. `triangles` are those of `output`, in their order.
 template <class Output, class NamedParameters>
 void write_features(const Output& output, const NamedParameters& np, const std::vector<Triangle>& triangles,
-                    const Coarse_features* features, const Clustering_input& input, const Cluster_labels& labels,
+                    const Coarse_features* features, const Featured_input& input, const Cluster_labels& labels,
                     const std::vector<long long>& patches)
 {
   write_patches(output, get_parameter(np, CGAL::internal_np::face_patch), triangles, input, labels, patches);

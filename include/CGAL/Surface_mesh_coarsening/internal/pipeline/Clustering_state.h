@@ -5,8 +5,8 @@
 
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/build_flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Featured_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Local_frame.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
 
 #include <cstddef>
@@ -46,7 +46,7 @@ struct Clustering_state
   bool subdivides_input = false, repairs_output = true;
   std::size_t exchange_rounds = 0; // in which vertices are taken to where the error is
   Local_frame frame;
-  Clustering_input input; // the faces, or cells of them where features are kept
+  Featured_input input;
   std::vector<long long> patches; // of the faces of the caller's mesh, where they are given
   std::size_t dropped_components = 0;
   std::shared_ptr<const Energy_model> energy;
@@ -67,7 +67,8 @@ struct Clustering_state
   // The faces of the mesh, without the components that were left out.
   const Clustering_input& base_input() const;
   // The faces that the labels belong to: the input, or pieces of its faces.
-  const Clustering_input& working_input() const;
+  const Featured_input& featured_input() const;
+  const Clustering_input& working_input() const { return featured_input().items; }
   std::size_t number_of_clusters() const { return report.clusters; }
 };
 

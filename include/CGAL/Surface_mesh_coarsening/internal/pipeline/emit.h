@@ -22,7 +22,7 @@ void emit(Clustering_state& state, const Placed_dual& dual, Output& output, cons
   state.visitor.throw_if_cancelled();
   before(dual.positions);
   filler.commit();
-  write_features(output, np, dual.triangles, dual.pieces->features(), state.working_input(), labels(state), state.patches);
+  write_features(output, np, dual.triangles, dual.pieces->features(), state.featured_input(), labels(state), state.patches);
 }
 
 } // namespace internal

@@ -21,12 +21,12 @@ void prepare(const FaceGraph& mesh, const NamedParameters& np, Execution executi
   state.visitor.stage_begins(Coarsening_stage::PREPARATION);
   const Cancellation_point cancellation = state.cancellation();
   elements = numbering(mesh, np, cancellation);
-  state.input = clustering_input(mesh, np, elements, state.frame, cancellation, execution);
+  state.input.items = clustering_input(mesh, np, elements, state.frame, cancellation, execution);
   state.subdivides_input = choose_parameter(get_parameter(np, internal_np::subdivide_input_p), false);
   state.repairs_output = choose_parameter(get_parameter(np, internal_np::repair_output_p), true);
   state.exchange_rounds = choose_parameter(get_parameter(np, internal_np::error_feedback_p),
                                            has_parameter<internal_np::face_density_t, NamedParameters> ? std::size_t(0) : default_exchange_rounds);
-  state.dropped_components = drop_small_components(np, state.frame, state.input, cancellation);
+  state.dropped_components = drop_small_components(np, state.frame, state.input.items, cancellation);
   read_features(mesh, np, elements, state.input, state.frame, state.patches, cancellation);
   state.visitor.stage_ends(Coarsening_stage::PREPARATION);
 }

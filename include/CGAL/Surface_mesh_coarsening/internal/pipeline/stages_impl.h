@@ -26,10 +26,10 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Clustering_state::~Clustering_state() = defa
 
 CGAL_SURFACE_MESH_COARSENING_INLINE const Clustering_input& Clustering_state::base_input() const
 {
-  return input.cells ? input.cells->base() : input;
+  return input.cells ? input.cells->base() : input.items;
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE const Clustering_input& Clustering_state::working_input() const
+CGAL_SURFACE_MESH_COARSENING_INLINE const Featured_input& Clustering_state::featured_input() const
 {
   return initial ? initial->input() : input;
 }
@@ -70,7 +70,7 @@ inline void begin_minimization(Clustering_state& state)
   labels(state);
   if (state.minimization)
     return;
-  state.minimization = state.energy->minimization(state.working_input(), *state.labels, state.number_of_clusters(),
+  state.minimization = state.energy->minimization(state.featured_input(), *state.labels, state.number_of_clusters(),
                                                   state.cancellation(), state.execution);
   state.report.initial_energy = state.report.final_energy = state.minimization->energy();
 }
@@ -183,7 +183,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> seeds(const Clustering_st
 
 CGAL_SURFACE_MESH_COARSENING_INLINE std::size_t cluster_of_face(const Clustering_state& state, Index face)
 {
-  return cluster_of_face(state.working_input(), labels(state), state.number_of_clusters(), face);
+  return cluster_of_face(state.featured_input(), labels(state), state.number_of_clusters(), face);
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> clusters_of_base_faces(const Clustering_state& state)
@@ -221,11 +221,11 @@ inline bool edit_cluster(Clustering_state& state, std::size_t cluster, bool (Clu
 {
   if (is_frozen(state, cluster))
     return false;
-  if (state.working_input().cells)
+  if (state.featured_input().cells)
     throw Invalid_input("clusters cannot be edited, nor merged to levels, where features are kept");
   state.seeding = Seeding(); // to recluster would not repeat the change
   if (!state.editing)
-    state.editing = std::make_unique<Cluster_editing>(state.working_input(), *state.labels, Index(state.number_of_clusters()));
+    state.editing = std::make_unique<Cluster_editing>(state.featured_input(), *state.labels, Index(state.number_of_clusters()));
   bool is_possible = false;
   all_or_nothing(state, [&] { is_possible = ((*state.editing).*change)(Index(cluster)); });
   if (is_possible) {
@@ -253,7 +253,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place(const Clustering_state& st
   state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
   const Cancellation_point cancellation = state.cancellation();
   Placed_dual dual;
-  dual.pieces = std::make_unique<Labelled_pieces>(state.working_input(), current, state.number_of_clusters());
+  dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), current, state.number_of_clusters());
   const Clustered_surface surface(dual.pieces->input(), dual.pieces->labels(), state.number_of_clusters(), state.execution,
                                   dual.pieces->features(), cancellation);
   dual.triangles = dual_triangles(current, cancellation, state.execution);
@@ -267,7 +267,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place(const Clustering_state& st
 // The surface as its clusters are now.
 inline std::unique_ptr<Clustered_surface> clustered_surface(const Clustering_state& state, Placed_dual& dual)
 {
-  dual.pieces = std::make_unique<Labelled_pieces>(state.working_input(), labels(state), state.number_of_clusters());
+  dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
   return std::make_unique<Clustered_surface>(dual.pieces->input(), dual.pieces->labels(), state.number_of_clusters(),
                                              state.execution, dual.pieces->features(), state.cancellation());
 }
@@ -299,7 +299,7 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
   std::unique_ptr<Clustered_surface> surface = clustered_surface(state, dual);
   dual.triangles = dual_triangles(labels(state), state.cancellation(), state.execution);
   dual.positions.resize(state.number_of_clusters());
-  Cluster_relocation clusters(state.working_input(), *state.labels, Index(state.number_of_clusters()));
+  Cluster_relocation clusters(state.featured_input(), *state.labels, Index(state.number_of_clusters()));
   try {
     const Border_arcs border(*surface);
     border.place(dual.positions);
@@ -344,7 +344,7 @@ inline void recluster(Clustering_state& state, const std::vector<double>& densit
     base.density = densities;
     state.input = Feature_cells::run(base, state.input.cells->edges(), state.cancellation());
   } else {
-    state.input.density = densities;
+    state.input.items.density = densities;
   }
   seed(state, seeding);
   grow(state);

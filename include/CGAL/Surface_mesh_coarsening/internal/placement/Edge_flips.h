@@ -5,6 +5,8 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -102,7 +104,7 @@ private:
   // may be no such rate. `unit` is a typical squared distance.
   static double rate_for(const std::vector<Flip>& flips, double budget, double unit)
   {
-    constexpr double degrees_per_radian = 180 / 3.14159265358979323846;
+    constexpr double degrees_per_radian = 180 / CGAL_PI;
     double low = -30, high = 0;
     for (int i = 0; i < 40; ++i) {
       const double middle = 0.5 * (low + high), rate = unit * std::exp(middle) * degrees_per_radian;

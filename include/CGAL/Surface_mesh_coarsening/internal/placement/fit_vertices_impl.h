@@ -10,6 +10,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Vertex_exchange.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
 
+#include <CGAL/number_type_config.h>
+
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
@@ -35,7 +37,7 @@ public:
   // Returns the number of vertices exchanged.
   std::size_t advance(bool exchanges)
   {
-    constexpr double degrees_per_radian = 180 / 3.14159265358979323846;
+    constexpr double degrees_per_radian = 180 / CGAL_PI;
     // The movements after the last flips take a little from the angles.
     constexpr double reserve = 0.4;
     constexpr double min_angle = 7;

@@ -24,8 +24,8 @@ namespace internal {
 class Cluster_editing
 {
 public:
-  Cluster_editing(const Clustering_input& input, Cluster_labels& labels, Index clusters)
-    : input_(input), mesh_(input.mesh), labels_(labels), walk_(labels), face_of_(clusters, NONE)
+  Cluster_editing(const Featured_input& input, Cluster_labels& labels, Index clusters)
+    : input_(input.items), cells_(input.cells.get()), mesh_(input.items.mesh), labels_(labels), walk_(labels), face_of_(clusters, NONE)
   {
     for (std::size_t f = mesh_.number_of_faces(); f-- > 0;)
       face_of_[labels_[Index(f)]] = Index(f);
@@ -85,7 +85,7 @@ private:
   template <class Visit>
   void for_each_side(Index f, const Visit& visit) const
   {
-    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+    for (const Index c : mesh_.corners(f))
       visit(c);
   }
 
@@ -95,9 +95,9 @@ private:
     if (labels_.is_frozen(x))
       return false;
     for (const Index f : outward(face_of_[x])) {
-      if (input_.cells && (input_.cells->node(f) != NONE || input_.cells->is_at_border(f)))
+      if (cells_ && (cells_->node(f) != NONE || cells_->is_at_border(f)))
         return false;
-      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+      for (const Index c : mesh_.corners(f))
         if (mesh_.is_on_border(mesh_.corner_vertex[c]))
           return false;
     }
@@ -268,6 +268,7 @@ private:
   }
 
   const Clustering_input& input_;
+  const Feature_cells* cells_; // null without features
   const Flat_mesh& mesh_;
   Cluster_labels& labels_;
   Dual_walk walk_;

@@ -18,8 +18,8 @@ namespace internal {
 class Cluster_relocation
 {
 public:
-  Cluster_relocation(const Clustering_input& input, Cluster_labels& labels, Index clusters)
-    : input_(input), labels_(labels), old_labels_(labels.labels()), editing_(input, labels, clusters),
+  Cluster_relocation(const Featured_input& input, Cluster_labels& labels, Index clusters)
+    : cells_(input.cells.get()), labels_(labels), old_labels_(labels.labels()), editing_(input, labels, clusters),
       has_changed_(clusters, false) {}
 
   // The number of clusters that were moved.
@@ -33,7 +33,7 @@ public:
   bool relocate(Index x, Index into, Index face)
   {
     std::vector<Index> changed;
-    if (!editing_.relocate(x, into, input_.cells ? input_.cells->polygon(face) : face, changed))
+    if (!editing_.relocate(x, into, cells_ ? cells_->polygon(face) : face, changed))
       return false;
     for (const Index y : changed)
       has_changed_[y] = true;
@@ -51,7 +51,7 @@ public:
   }
 
 private:
-  const Clustering_input& input_;
+  const Feature_cells* cells_; // null without features
   Cluster_labels& labels_;
   const std::vector<Index> old_labels_;
   Cluster_editing editing_;

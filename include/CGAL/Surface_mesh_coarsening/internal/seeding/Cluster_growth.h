@@ -38,7 +38,7 @@ public:
       next_layer_.clear();
       for (const Index f : layer_) {
         cancellation_.poll();
-        for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+        for (const Index c : mesh_.corners(f)) {
           const Index g = mesh_.face_across[c];
           if (g != NONE && labels_[g] == NONE && labels_.stays_disc_with(g, labels_[f]) &&
               (!rules_ || rules_->may_take(g, labels_[f])))

@@ -33,8 +33,9 @@ struct Component_seeds
 class Component_clustering
 {
 public:
-  Component_clustering(const Clustering_input& input, const Cancellation_point& cancellation, Execution execution)
-    : input_(input), cancellation_(cancellation), execution_(execution), walk_(input.mesh, cancellation) {}
+  Component_clustering(const Featured_input& input, const Cancellation_point& cancellation, Execution execution)
+    : input_(input.items), cells_(input.cells.get()), cancellation_(cancellation), execution_(execution),
+      walk_(input.items.mesh, cancellation) {}
 
   Component_seeds seeds(const Face_range& faces, const Component_plan& plan)
   {
@@ -55,8 +56,8 @@ public:
     if (faces.size() == input_.mesh.number_of_faces())
       walk_.release();
     std::optional<Feature_rules> rules;
-    if (input_.cells) {
-      rules.emplace(*input_.cells, labels);
+    if (cells_) {
+      rules.emplace(*cells_, labels);
       rules->begin(faces);
     }
     Feature_rules* const rules_or_none = rules ? &*rules : nullptr;
@@ -78,9 +79,9 @@ public:
     if (splitting.number_of_clusters() <= plan.wanted())
       return splitting.number_of_clusters();
     Cluster_merging merging(input_, labels, faces, splitting.number_of_clusters(), !plan.is_on_schedule(),
-                            plan.from_pieces() && plan.is_on_schedule() && !input_.cells, cancellation_, execution_);
-    if (input_.cells)
-      merging.keep_features(*input_.cells, labels, faces);
+                            plan.from_pieces() && plan.is_on_schedule() && !cells_, cancellation_, execution_);
+    if (cells_)
+      merging.keep_features(*cells_, labels, faces);
     merges_ = merging.run(plan.wanted());
     is_pinched_ = merging.has_pinches();
     merging.relabel(labels, faces);
@@ -99,7 +100,7 @@ private:
     Component_seeds seeds;
     seeds.level = level;
     walk_.forget(faces);
-    if (input_.cells)
+    if (cells_)
       take_seeds_on_features(faces, seeds);
     walk_.run(faces, level, seeds.faces);
     return seeds;
@@ -110,10 +111,10 @@ private:
   {
     std::vector<Index> on_lines;
     for (const Index f : faces) {
-      const Index node = input_.cells->node(f);
+      const Index node = cells_->node(f);
       if (node == NONE)
         continue;
-      if (input_.cells->graph().is_corner(node))
+      if (cells_->graph().is_corner(node))
         walk_.take(f, seeds.level, seeds.faces);
       else
         on_lines.push_back(f);
@@ -145,6 +146,7 @@ private:
   }
 
   const Clustering_input& input_;
+  const Feature_cells* cells_; // null without features
   Cancellation_point cancellation_;
   Execution execution_;
   Seed_walk walk_;

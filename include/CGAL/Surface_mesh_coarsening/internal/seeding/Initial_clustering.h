@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_INITIAL_CLUSTERING_H
 
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/cut_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Component_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Pinch_resolution.h>
@@ -29,7 +29,7 @@ namespace internal {
 class Initial_clustering
 {
 public:
-  Initial_clustering(const Clustering_input& input, Coarsening_report& report, const Cancellation_point& cancellation,
+  Initial_clustering(const Featured_input& input, Coarsening_report& report, const Cancellation_point& cancellation,
                      Execution execution)
     : uncut_input_(&input),
       input_(&input),
@@ -37,14 +37,14 @@ public:
       cancellation_(cancellation),
       execution_(execution)
   {
-    const std::vector<Component>& components = input.mesh.components;
+    const std::vector<Component>& components = input.items.mesh.components;
     for (const Component& c : components)
       min_.push_back(fewest_vertices(c));
     bound_by_vertices();
     share_.assign(components.size(), 0);
-    for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f) {
+    for (std::size_t f = 0; f < input.items.mesh.number_of_faces(); ++f) {
       cancellation_.poll();
-      share_[input.mesh.component[f]] += input.mass(Index(f));
+      share_[input.items.mesh.component[f]] += input.items.mass(Index(f));
     }
     cut_.assign(components.size(), false);
     plan_.resize(components.size());
@@ -62,10 +62,8 @@ public:
     if (clusters >= NONE / 2 / 16 / faces_per_cluster)
       throw Invalid_input("faces subdivided for " + std::to_string(clusters) + " vertices are more than can be numbered");
     const std::size_t faces = clusters * faces_per_cluster;
-    while (uncut_input_->mesh.number_of_faces() < faces) {
-      if (!subdivided_input_)
-        subdivided_input_ = *uncut_input_;
-      cut_faces(*subdivided_input_, std::vector<bool>(cut_.size(), true));
+    while (uncut_input_->items.mesh.number_of_faces() < faces) {
+      subdivided_input_ = subdivided(*uncut_input_, std::vector<bool>(cut_.size(), true));
       input_ = uncut_input_ = &*subdivided_input_;
     }
     bound_by_vertices();
@@ -91,18 +89,18 @@ public:
     may_exceed_number_ = true;
     wanted_.assign(min_.size(), 0);
     for (std::size_t i = 0; i < wanted_.size(); ++i)
-      plan_[i].begin(input_->mesh.components[i], 0, level);
+      plan_[i].begin(input_->items.mesh.components[i], 0, level);
     prepare();
     find_seeds();
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
       wanted_[i] = (std::min)((std::max)(seeds_[i].faces.size(), min_[i]), max_[i]);
-      plan_[i].begin(input_->mesh.components[i], wanted_[i], level);
+      plan_[i].begin(input_->items.mesh.components[i], wanted_[i], level);
     }
     number_ = sum(wanted_);
   }
 
   // The faces that the seeds and the clusters are made of: those given, or pieces of them.
-  const Clustering_input& input() const { return resolved_input_ ? *resolved_input_ : *input_; }
+  const Featured_input& input() const { return resolved_input_ ? *resolved_input_ : *input_; }
 
   // The seeds, and after growth a face of each cluster.
   std::vector<Index> seeds() const
@@ -153,18 +151,17 @@ private:
     faces_.reset();
   }
 
-  void cut_faces(Clustering_input& input, const std::vector<bool>& chosen_component) const
+  Featured_input subdivided(const Featured_input& input, const std::vector<bool>& chosen_component) const
   {
     if (input.cells)
-      input = input.cells->subdivided(chosen_component, cancellation_);
-    else
-      input.subdivide(chosen_component, cancellation_);
+      return input.cells->subdivided(chosen_component, cancellation_);
+    return {subdivided_input(input.items, chosen_component, cancellation_), nullptr};
   }
 
   void grow_again()
   {
     resolved_input_.reset();
-    labels_.emplace(input_->mesh);
+    labels_.emplace(input_->items.mesh);
     std::fill(state_.begin(), state_.end(), State::SEEDED);
   }
 
@@ -172,7 +169,7 @@ private:
   {
     max_.clear();
     for (std::size_t i = 0; i < min_.size(); ++i)
-      max_.push_back((std::max)(uncut_input_->mesh.components[i].max_clusters(), min_[i]));
+      max_.push_back((std::max)(uncut_input_->items.mesh.components[i].max_clusters(), min_[i]));
   }
 
   void apportion_number()
@@ -190,14 +187,14 @@ private:
     for (std::size_t i = 0; i < wanted.size(); ++i)
       if (wanted_[i] != wanted[i]) {
         wanted_[i] = wanted[i];
-        plan_[i].begin(uncut_input_->mesh.components[i], wanted[i]);
+        plan_[i].begin(uncut_input_->items.mesh.components[i], wanted[i]);
         state_[i] = State::NEW;
       }
   }
 
   bool some_component_may_need_more_clusters_than_vertices() const
   {
-    const std::vector<Component>& components = uncut_input_->mesh.components;
+    const std::vector<Component>& components = uncut_input_->items.mesh.components;
     return std::any_of(components.begin(), components.end(), [](const Component& c) {
       return c.max_clusters() < Component_plan::always_enough(c);
     });
@@ -243,11 +240,10 @@ private:
     if (cut > 0) {
       labels_.reset();
       clustering_.reset();
-      cut_input_ = *uncut_input_;
-      cut_faces(*cut_input_, cut_);
+      cut_input_ = subdivided(*uncut_input_, cut_);
       input_ = &*cut_input_;
     }
-    const Flat_mesh& m = input_->mesh;
+    const Flat_mesh& m = input_->items.mesh;
     faces_.reset();
     faces_.emplace(numbers_below(Index(m.number_of_faces())), m.components.size(), [&](Index f) { return m.component[f]; },
                    cancellation_);
@@ -337,8 +333,8 @@ private:
   void resolve_pinches()
   {
     std::vector<Index> new_labels;
-    resolved_input_ = Pinch_resolution(*input_, *labels_).run(new_labels);
-    labels_.emplace(resolved_input_->mesh);
+    resolved_input_ = Featured_input{Pinch_resolution(input_->items, *labels_).run(new_labels), nullptr};
+    labels_.emplace(resolved_input_->items.mesh);
     for (std::size_t f = 0; f < new_labels.size(); ++f)
       labels_->set(Index(f), new_labels[f]);
   }
@@ -363,10 +359,10 @@ private:
 
   enum class State { NEW, SEEDED, DONE };
 
-  const Clustering_input* uncut_input_; // the one given, or a subdivision of it
-  const Clustering_input* input_;       // the same, or with components cut into pieces
-  std::optional<Clustering_input> subdivided_input_, cut_input_;
-  std::optional<Clustering_input> resolved_input_; // after growth, where clusters are joined at vertices
+  const Featured_input* uncut_input_; // the one given, or a subdivision of it
+  const Featured_input* input_;       // the same, or with components cut into pieces
+  std::optional<Featured_input> subdivided_input_, cut_input_;
+  std::optional<Featured_input> resolved_input_; // after growth, where clusters are joined at vertices
   Coarsening_report& report_;
   Cancellation_point cancellation_;
   Execution execution_;

@@ -3,10 +3,11 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_PINCH_RESOLUTION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_PINCH_RESOLUTION_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/cut_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Corner_truncation.h>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,16 +32,14 @@ public:
     is_cut_.assign(m.corner_vertex.size(), false);
     for (Index v = 0; v < m.number_of_vertices(); ++v)
       choose_corners(v);
-    Clustering_input result;
     Corner_truncation cutting(m, is_cut_);
-    result.mesh = cutting.run();
+    Flat_mesh cut_mesh = cutting.run();
     new_labels.clear();
     for (std::size_t i = 0; i < cutting.old_face().size(); ++i) {
       const Index f = cutting.old_face()[i], c = cutting.old_corner()[i];
       new_labels.push_back(c == NONE ? labels_[f] : label_of_first(m.corner_vertex[c]));
     }
-    result.inherit(input_, cutting.old_face());
-    return result;
+    return cut_input(input_, std::move(cut_mesh), cutting.old_face());
   }
 
 private:

@@ -71,7 +71,7 @@ private:
       if (next > reach)
         break;
       cancellation_.poll();
-      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+      for (const Index c : mesh_.corners(f)) {
         const Index g = mesh_.face_across[c];
         if (g != NONE && next < steps_[g]) {
           steps_[g] = next;

@@ -80,7 +80,7 @@ private:
       while (!stack_.empty()) {
         const Index f = stack_.back();
         stack_.pop_back();
-        for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c) {
+        for (const Index c : mesh_.corners(f)) {
           const Index g = mesh_.face_across[c];
           if (g != NONE && !is_seam_[c] && stamp_[g] == x && sector_[g] == NONE) {
             sector_[g] = sectors;

@@ -43,14 +43,12 @@ std::vector<Vector> points_in_frame(const FaceGraph& mesh, const NamedParameters
   std::vector<Vector> positions;
   positions.reserve(n.vertices.size());
   for (const auto v : n.vertices) {
-    Vector q = coordinates(v);
-    for (int i = 0; i < 3; ++i) {
+    const Vector q = coordinates(v);
+    for (std::size_t i = 0; i < 3; ++i)
       if (!std::isfinite(q[i]))
         throw Invalid_input("coordinate " + std::to_string(i) + " of vertex " + std::to_string(positions.size()) +
                             " of the coarse mesh is " + std::to_string(q[i]));
-      q[i] = std::ldexp(q[i] - frame.origin[i], -frame.exponent);
-    }
-    positions.push_back(q);
+    positions.push_back(frame.to_local(q));
   }
   return positions;
 }

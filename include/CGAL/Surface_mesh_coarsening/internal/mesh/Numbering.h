@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_BUILD_FLAT_MESH_H
-#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_BUILD_FLAT_MESH_H
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NUMBERING_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NUMBERING_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Index.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
 
-#include <cmath>
 #include <cstddef>
-#include <memory>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -188,113 +185,9 @@ Numbering<CGAL::Surface_mesh<Point> > number_elements(const CGAL::Surface_mesh<P
   return n;
 }
 
-// Faces one after the other.
-struct Face_list
-{
-  std::vector<Index> degree;
-  std::vector<Index> corner_vertex, face_across; // of each corner
-};
-
-// Lists the faces from `begin` to `end`. The first corner of each face is the one of its vertex of the smallest number, so that
-// the arrays do not depend on which halfedge a face graph keeps for a face.
-template <class FaceGraph>
-void list_faces(const FaceGraph& mesh, const Numbering<FaceGraph>& n, std::size_t begin, std::size_t end, Face_list& list)
-{
-  list.degree.clear();
-  list.corner_vertex.clear();
-  list.face_across.clear();
-  for (std::size_t f = begin; f != end; ++f) {
-    const std::size_t first = list.corner_vertex.size();
-    for (const auto h : halfedges_around_face(halfedge(n.faces[f], mesh), mesh)) {
-      const auto beyond = face(opposite(h, mesh), mesh);
-      list.corner_vertex.push_back(n.number_of(source(h, mesh)));
-      list.face_across.push_back(beyond == boost::graph_traits<FaceGraph>::null_face() ? NONE : n.number_of(beyond));
-    }
-    const auto corner = list.corner_vertex.begin() + std::ptrdiff_t(first), across = list.face_across.begin() + std::ptrdiff_t(first);
-    const std::ptrdiff_t shift = std::min_element(corner, list.corner_vertex.end()) - corner;
-    std::rotate(corner, corner + shift, list.corner_vertex.end());
-    std::rotate(across, across + shift, list.face_across.end());
-    list.degree.push_back(Index(list.corner_vertex.size() - first));
-  }
-}
-
-// Copies the connectivity.
-template <class FaceGraph>
-void copy_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, Flat_mesh& m, const Cancellation_point& cancellation,
-                       Execution execution)
-{
-  m.first_corner.reserve(n.faces.size() + 1);
-  m.first_corner.push_back(0);
-  m.corner_vertex.reserve(3 * n.faces.size());
-  m.face_across.reserve(3 * n.faces.size());
-  for_each_part<Face_list>(
-    execution, n.faces.size(), 1024, cancellation,
-    [&](Face_list& list, std::size_t begin, std::size_t end) { list_faces(mesh, n, begin, end, list); },
-    [&](const Face_list& list) {
-      std::size_t corners = m.corner_vertex.size();
-      m.corner_vertex.insert(m.corner_vertex.end(), list.corner_vertex.begin(), list.corner_vertex.end());
-      m.face_across.insert(m.face_across.end(), list.face_across.begin(), list.face_across.end());
-      for (const Index degree : list.degree)
-        m.first_corner.push_back(Index(corners += degree));
-    });
-  check_countable(m.corner_vertex.size(), "face corners");
-}
-
-// Points in the coordinates of the arrays, in order, and in those of the mesh.
-typedef std::vector<std::pair<Vector, Vector> > Exact_points;
-
-// The place of the arrays' coordinates in those of the mesh: point = origin + 2^exponent * coordinates, without rounding for
-// the points in the list.
-struct Local_frame
-{
-  Vector origin{{0, 0, 0}};
-  int exponent = 0;
-  std::shared_ptr<const Exact_points> exact;
-};
-
-// Moves the coordinates to the center of their bounding box, where energies keep their digits however far away the
-// mesh lies. Sizes near the ends of the range of double, whose sixth powers would leave it, are brought to about 1 by
-// a power of two, which rounds nothing.
-inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector<Index>& first_in_star,
-                            const Cancellation_point& cancellation)
-{
-  Local_frame frame;
-  const double inf = std::numeric_limits<double>::infinity();
-  Vector low{{inf, inf, inf}}, high{{-inf, -inf, -inf}};
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    cancellation.poll();
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (first_in_star[v] == first_in_star[v + 1])
-        continue;
-      if (!std::isfinite(points[v][i]))
-        throw Invalid_input("coordinate " + std::to_string(i) + " of vertex " + std::to_string(v) + " is " +
-                            number_text(points[v][i]));
-      low[i] = (std::min)(low[i], points[v][i]);
-      high[i] = (std::max)(high[i], points[v][i]);
-    }
-  }
-  double extent = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (low[i] <= high[i]) {
-      frame.origin[i] = 0.5 * low[i] + 0.5 * high[i];
-      extent = (std::max)(extent, 0.5 * high[i] - 0.5 * low[i]);
-    }
-  const int exponent = extent > 0 ? std::ilogb(extent) : 0;
-  if (exponent > 128 || exponent < -128)
-    frame.exponent = exponent;
-  for (Vector& p : points) {
-    cancellation.poll();
-    for (std::size_t i = 0; i < 3; ++i) {
-      p[i] -= frame.origin[i];
-      if (frame.exponent != 0)
-        p[i] = std::ldexp(p[i], -frame.exponent);
-    }
-  }
-  return frame;
-}
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_BUILD_FLAT_MESH_H
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NUMBERING_H
