@@ -7,7 +7,10 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
 
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
+
 #include <boost/mpl/list.hpp>
+#include <boost/mpl/push_back.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
@@ -20,9 +23,67 @@ namespace SMC = CGAL::Surface_mesh_coarsening;
 
 namespace {
 
+// A user's weight, twice the mass, which judges moves by their moments.
+struct Judging_weight : SMC::Additive_cluster_weight<Judging_weight>
+{
+  struct Face_data {};
+  struct Cluster_data {};
+  Face_data face_data(double, double) const { return {}; }
+  void add(Cluster_data&, const Face_data&) const {}
+  void remove(Cluster_data&, const Face_data&) const {}
+  double weight(const Cluster_data&, double mass, std::size_t) const { return 2 * mass; }
+  bool cannot_gain(const SMC::Trial_move& t) const
+  {
+    ++number_of_judgements;
+    return t.source_inertia + t.source_mass * t.source_squared_distance <=
+           t.target_inertia + t.target_mass * t.target_squared_distance;
+  }
+  static std::size_t number_of_judgements;
+};
+std::size_t Judging_weight::number_of_judgements = 0;
+
+// The same weight without a judgement, and with bounds.
+struct Silent_weight : SMC::Additive_cluster_weight<Silent_weight>
+{
+  struct Face_data
+  {
+    double mass;
+  };
+  struct Cluster_data {};
+  Face_data face_data(double density, double area) const { return {density * area}; }
+  void add(Cluster_data&, const Face_data&) const {}
+  void remove(Cluster_data&, const Face_data&) const {}
+  double weight(const Cluster_data&, double mass, std::size_t) const { return 2 * mass; }
+};
+struct Bounding_weight : Silent_weight
+{
+  double min_weight_with(const Cluster_data&, const Face_data& face, double weight) const
+  {
+    ++number_of_bounds;
+    return (weight + 2 * face.mass) * (1 - 1e-12);
+  }
+  double min_weight_without(const Cluster_data&, const Face_data& face, double weight) const
+  {
+    return (weight - 2 * face.mass) * (1 - 1e-12);
+  }
+  double weight_with(const Cluster_data& data, const Face_data&, double mass, std::size_t faces) const
+  {
+    return weight(data, mass, faces);
+  }
+  double weight_without(const Cluster_data& data, const Face_data&, double mass, std::size_t faces) const
+  {
+    return weight(data, mass, faces);
+  }
+  static std::size_t number_of_bounds;
+};
+std::size_t Bounding_weight::number_of_bounds = 0;
+
 typedef boost::mpl::list<SMC::Uniform_weight, SMC::Weighted_area_weight, SMC::Maximum_density_weight,
                          SMC::Exact_maximum_density_weight, SMC::Density_variance_weight>
   Weights;
+
+typedef boost::mpl::push_back<boost::mpl::push_back<boost::mpl::push_back<Weights, Judging_weight>::type, Silent_weight>::type,
+                              Bounding_weight>::type Weights_and_own;
 
 struct Cluster_face
 {
@@ -189,11 +250,11 @@ BOOST_AUTO_TEST_CASE(values_by_hand)
 
 // Two clusters of faces in the plane next to each other, from one of which a face moves to the other: a quick answer that this
 // gains nothing is right, and weights for which there is one exactly do not miss it.
-BOOST_AUTO_TEST_CASE_TEMPLATE(moves_that_cannot_gain, Weight, Weights)
+BOOST_AUTO_TEST_CASE_TEMPLATE(moves_that_cannot_gain, Weight, Weights_and_own)
 {
   namespace internal = SMC::internal;
   typedef internal::Cluster_energy<Weight> Energy;
-  constexpr bool is_exact = std::is_same_v<Weight, SMC::Uniform_weight> || std::is_same_v<Weight, SMC::Weighted_area_weight>;
+  constexpr bool is_exact = internal::judges_moves<Weight>;
   const Weight weight{};
   const Energy energy(weight);
   std::mt19937 engine(2);
@@ -240,4 +301,26 @@ BOOST_AUTO_TEST_CASE(exponents_that_are_refused)
   for (const double p : {0.999, 0., -10., infinity, -infinity, std::numeric_limits<double>::quiet_NaN()})
     BOOST_CHECK_THROW(SMC::Maximum_density_weight weight(p), SMC::Invalid_input);
   BOOST_CHECK_NO_THROW(SMC::Maximum_density_weight(1.));
+}
+
+// The optional members spare work and change nothing else: three weights of equal values give the same clusters.
+BOOST_AUTO_TEST_CASE(own_weights_with_optional_members)
+{
+  const test::Mesh mesh = test::to_mesh(generated::with_noise(generated::triangulated(generated::torus(30, 20)), 0.1, 1));
+  const auto labels_with = [&](const auto& weight) {
+    SMC::Mwcvd_clustering<test::Mesh, std::decay_t<decltype(weight)> > clustering(
+      mesh, SMC::parameters::cluster_weight(weight).convergence_tolerance(0));
+    clustering.seed(60);
+    clustering.grow();
+    clustering.minimize();
+    std::vector<std::size_t> labels;
+    for (const auto f : mesh.faces())
+      labels.push_back(clustering.cluster(f));
+    return labels;
+  };
+  const std::vector<std::size_t> labels = labels_with(Silent_weight());
+  BOOST_TEST(labels_with(Judging_weight()) == labels, boost::test_tools::per_element());
+  BOOST_TEST(labels_with(Bounding_weight()) == labels, boost::test_tools::per_element());
+  BOOST_TEST(Judging_weight::number_of_judgements > 1000u);
+  BOOST_TEST(Bounding_weight::number_of_bounds > 1000u);
 }

@@ -220,6 +220,58 @@ BOOST_AUTO_TEST_CASE(repair_keeps_to_input_vertices)
     BOOST_TEST(points.count(output.point(v)) == 1);
 }
 
+// A user's placement at the first corner of the first face, with and without the optional member.
+struct First_corner_placement
+{
+  typedef SMC::Clustered_surface::Point Point;
+  Point operator()(const SMC::Clustered_surface& surface, std::size_t cluster) const
+  {
+    return surface.point(*surface.vertices(*surface.faces(cluster).begin()).begin());
+  }
+};
+struct Staying_placement : First_corner_placement
+{
+  static constexpr bool is_at_input_vertices = true;
+};
+
+BOOST_AUTO_TEST_CASE(own_placement_at_input_vertices)
+{
+  const Mesh mesh = test::to_mesh(generated::thin_plate(30, 0.08));
+  std::set<test::Mesh::Point> points;
+  for (const auto v : mesh.vertices())
+    points.insert(mesh.point(v));
+  const auto number_beside = [&](const auto& placement) {
+    Mesh output;
+    const SMC::Coarsening_report report =
+      SMC::coarsen_mesh(mesh, 100, output, SMC::parameters::vertex_placement(placement));
+    BOOST_TEST(report.intersections_found > 0);
+    return std::count_if(output.vertices().begin(), output.vertices().end(),
+                         [&](const auto v) { return points.count(output.point(v)) == 0; });
+  };
+  BOOST_TEST(number_beside(Staying_placement()) == 0);
+  BOOST_TEST(number_beside(First_corner_placement()) > 0);
+}
+
+// A user's weight of equal values, with and without the optional member.
+struct Own_weight : SMC::Weighted_area_weight
+{};
+struct Indifferent_weight : SMC::Weighted_area_weight
+{
+  static constexpr bool depends_on_densities = false;
+};
+
+BOOST_AUTO_TEST_CASE(own_weight_that_does_not_depend_on_densities)
+{
+  const Mesh mesh = test::to_mesh(generated::thin_plate(30, 0.008));
+  const auto np = SMC::parameters::maximum_density(10).feature_angle(180).vertex_placement(SMC::Quadric_placement());
+  Mesh output;
+  const SMC::Coarsening_report own = SMC::coarsen_mesh(mesh, 50, output, np.cluster_weight(Own_weight()));
+  const SMC::Coarsening_report indifferent = SMC::coarsen_mesh(mesh, 50, output, np.cluster_weight(Indifferent_weight()));
+  BOOST_TEST(own.clusterings > 1);
+  BOOST_TEST(indifferent.clusterings == 1);
+  BOOST_TEST(indifferent.intersections_left.size() > 0);
+}
+
 // Where triangles are left intersecting, more clusters there bring them apart; what has fewest is taken, whichever it was.
 BOOST_AUTO_TEST_CASE(reclusters_where_triangles_intersect)
 {

@@ -21,8 +21,14 @@
 #include <boost/mpl/list.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <thread>
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
@@ -92,6 +98,47 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(same_result, Weight, Weights)
     }
 #endif
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+// A user's placement that waits a while for a second thread to come, with and without the optional member.
+struct Waiting_placement
+{
+  struct Visits
+  {
+    std::mutex mutex;
+    std::condition_variable has_changed;
+    std::set<std::thread::id> threads;
+  };
+  std::shared_ptr<Visits> visits = std::make_shared<Visits>();
+
+  SMC::Clustered_surface::Point operator()(const SMC::Clustered_surface& surface, std::size_t cluster) const
+  {
+    std::unique_lock<std::mutex> lock(visits->mutex);
+    if (visits->threads.insert(std::this_thread::get_id()).second) {
+      visits->has_changed.notify_all();
+      visits->has_changed.wait_for(lock, std::chrono::seconds(2), [this] { return visits->threads.size() > 1; });
+    }
+    return surface.cluster_centroid(cluster);
+  }
+};
+struct Waiting_parallel_placement : Waiting_placement
+{
+  static constexpr bool may_run_in_parallel = true;
+};
+
+BOOST_AUTO_TEST_CASE(own_placement_on_many_threads)
+{
+  const Mesh mesh = test::to_mesh(generated::triangle_sphere(4));
+  const tbb::global_control two(tbb::global_control::max_allowed_parallelism, 2);
+  Mesh output;
+  const Waiting_placement sequential;
+  SMC::coarsen_mesh<CGAL::Parallel_tag>(mesh, 200, output, SMC::parameters::vertex_placement(sequential));
+  BOOST_TEST(sequential.visits->threads.size() == 1u);
+  const Waiting_parallel_placement parallel;
+  SMC::coarsen_mesh<CGAL::Parallel_tag>(mesh, 200, output, SMC::parameters::vertex_placement(parallel));
+  BOOST_TEST(parallel.visits->threads.size() == 2u);
+}
+#endif
 
 BOOST_AUTO_TEST_CASE(same_result_of_another_face_graph)
 {

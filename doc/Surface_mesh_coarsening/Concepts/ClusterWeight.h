@@ -16,7 +16,12 @@
 /// A weight that is a function of a few sums is best derived from
 /// `CGAL::Surface_mesh_coarsening::Additive_cluster_weight`, which adds `weight_with()` and `weight_without()`.
 ///
-/// If a weight takes long to compute, bounds of it can spare most of the work, as most trial moves gain nothing. A weight may
+/// Most trial moves gain nothing. A weight may have a member
+/// `bool cannot_gain(const CGAL::Surface_mesh_coarsening::Trial_move& move) const` that says so from the moments of the two
+/// clusters, before any weight is computed. It returns `true` only if the energy does not fall. `Uniform_weight` and
+/// `Weighted_area_weight` have it.
+///
+/// If a weight takes long to compute, bounds of it can spare most of the work. A weight may
 /// have two more members for this, `double min_weight_with(const Cluster_data& data, const Face_data& face, double weight) const`
 /// and `double min_weight_without(const Cluster_data& data, const Face_data& face, double weight) const`, where `weight` is that
 /// of the cluster now. They return numbers that are not larger than the weights with and without the face, also after

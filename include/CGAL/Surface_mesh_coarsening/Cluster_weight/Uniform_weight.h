@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_UNIFORM_WEIGHT_H
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Additive_cluster_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Trial_move.h>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -33,6 +34,12 @@ public:
   void remove(Cluster_data&, const Face_data&) const {}
   /// returns 1.
   double weight(const Cluster_data&, double /* mass */, std::size_t /* faces */) const { return 1; }
+  /// returns whether the sum of the two inertias does not fall, which a comparison of products shows.
+  bool cannot_gain(const Trial_move& t) const
+  {
+    return (t.target_mass + t.face_mass) * t.source_mass * t.source_squared_distance <=
+           (t.source_mass - t.face_mass) * t.target_mass * t.target_squared_distance;
+  }
 };
 
 } // namespace Surface_mesh_coarsening

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_WEIGHTED_AREA_WEIGHT_H
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Additive_cluster_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Trial_move.h>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -30,6 +31,13 @@ public:
   void remove(Cluster_data&, const Face_data&) const {}
   /// returns the mass of the cluster.
   double weight(const Cluster_data&, double mass, std::size_t /* faces */) const { return mass; }
+  /// returns whether the energy does not fall. With \f$ M \f$ as the weight it falls if and only if
+  /// \f$ I + M d^2 > I' + M' d'^2 \f$.
+  bool cannot_gain(const Trial_move& t) const
+  {
+    return t.source_inertia + t.source_mass * t.source_squared_distance <=
+           t.target_inertia + t.target_mass * t.target_squared_distance;
+  }
 };
 
 } // namespace Surface_mesh_coarsening

@@ -3,8 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_CLUSTER_ENERGY_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_CLUSTER_ENERGY_H
 
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Trial_move.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
 
 #include <algorithm>
@@ -34,6 +33,13 @@ struct Cluster_sums : Moments
   Index faces = 0;
   typename Weight::Cluster_data data;
 };
+
+// The optional members of the concept `ClusterWeight`: whether a weight judges moves by moments, `cannot_gain(trial_move)`.
+template <class Weight, class = void>
+constexpr bool judges_moves = false;
+template <class Weight>
+constexpr bool judges_moves<
+  Weight, std::void_t<decltype(std::declval<const Weight&>().cannot_gain(std::declval<const Trial_move&>()))> > = true;
 
 // Whether a weight tells bounds of what it will be after a move: `min_weight_with(data, face, weight)` and
 // `min_weight_without(data, face, weight)`, both no larger than the weight then, which is `weight` now.
@@ -140,21 +146,16 @@ public:
     set(x, outcome);
   }
 
-  // Whether it shows quickly that a face that leaves cluster `source` for cluster `target` gains nothing. At distances d and d'
-  // from their centroids, a face of mass m takes m M / (M - m) d^2 from the inertia I of the one, of mass M, and adds
-  // m M' / (M' + m) d'^2 to that of the other. So with weights 1 the energy falls if and only if
-  // M d^2 / (M - m) > M' d'^2 / (M' + m), and with the masses for weights if and only if I + M d^2 > I' + M' d'^2. Bounds of the
-  // weights do where the weights themselves take long to compute.
+  // Whether it shows quickly that a face that leaves cluster `source` for cluster `target` gains nothing: by moments, or by
+  // bounds of the weights.
   bool cannot_gain(const Sums& source, const Sums& target, const Face& face) const
   {
     const double rest = source.mass - face.mass, sum = target.mass + face.mass;
     if (!(rest > 0))
       return false;
-    if constexpr (std::is_same_v<Weight, Uniform_weight>)
-      return sum * source.mass * squared_distance(face, source) <= rest * target.mass * squared_distance(face, target);
-    else if constexpr (std::is_same_v<Weight, Weighted_area_weight>)
-      return source.inertia + source.mass * squared_distance(face, source) <=
-             target.inertia + target.mass * squared_distance(face, target);
+    if constexpr (judges_moves<Weight>)
+      return weight_.cannot_gain(Trial_move{face.mass, source.mass, source.inertia, squared_distance(face, source), target.mass,
+                                            target.inertia, squared_distance(face, target)});
     else if constexpr (has_bounds<Weight>)
       return source.energy + target.energy <
              weight_.min_weight_without(source.data, face.data, source.weight) *
