@@ -3,7 +3,9 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_CLUSTERING_CHECK_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_CLUSTERING_CHECK_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/flood_fill.h>
 
 #include <functional>
 #include <string>

@@ -3,6 +3,9 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_TRIANGLES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_TRIANGLES_H
 
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_walk.h>
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_ENERGY_MODEL_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Featured_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization.h>
 
