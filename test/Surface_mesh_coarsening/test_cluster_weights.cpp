@@ -3,6 +3,8 @@
 // The weights, held against formulas (9) to (13) of the paper while faces come and go at random.
 
 #define BOOST_TEST_MODULE cluster_weights
+#include "support/face_graphs.h"
+#include "support/generate_meshes.h"
 #include "support/reference_energy.h"
 
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
@@ -10,7 +12,7 @@
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 
 #include <boost/mpl/list.hpp>
-#include <boost/mpl/push_back.hpp>
+#include <boost/mpl/push_front.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
@@ -82,8 +84,8 @@ typedef boost::mpl::list<SMC::Uniform_weight, SMC::Weighted_area_weight, SMC::Ma
                          SMC::Exact_maximum_density_weight, SMC::Density_variance_weight>
   Weights;
 
-typedef boost::mpl::push_back<boost::mpl::push_back<boost::mpl::push_back<Weights, Judging_weight>::type, Silent_weight>::type,
-                              Bounding_weight>::type Weights_and_own;
+typedef boost::mpl::push_front<boost::mpl::push_front<boost::mpl::push_front<Weights, Judging_weight>::type, Silent_weight>::type,
+                               Bounding_weight>::type Weights_and_own;
 
 struct Cluster_face
 {
