@@ -17,21 +17,22 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The numbers from 0, as many as `n`.
+// Returns the numbers below `n`.
 template <class Number>
 Iterator_range<boost::counting_iterator<Number> > numbers_below(Number n)
 {
   return {boost::counting_iterator<Number>(0), boost::counting_iterator<Number>(n)};
 }
 
-// Items group by group, in the order in which they come, in two arrays; made in linear time.
+// The items of several groups in two arrays, group by group; items keep their order within a group. Built in linear
+// time.
 template <class Item>
 class Bucketed_items
 {
 public:
   typedef Iterator_range<const Item*> Range;
 
-  // Items for which `group_of()` is not below the number of groups are left out.
+  // Omits items for which `group_of()` is not below the number of groups.
   template <class Items, class Group_of>
   Bucketed_items(const Items& items, std::size_t groups, const Group_of& group_of,
                  const Cancellation_point& cancellation = Cancellation_point())
@@ -57,10 +58,9 @@ public:
     return {items_.data() + first_[group], items_.data() + first_[group + 1]};
   }
 
-  // The items of all groups, group after group.
   const std::vector<Item>& items() const { return items_; }
 
-  // Brings each group into an order of its own.
+  // Sorts the items of each group.
   template <class Less>
   void sort_groups(const Less& less)
   {
@@ -69,7 +69,7 @@ public:
   }
 
 private:
-  std::vector<std::size_t> first_; // where each group begins
+  std::vector<std::size_t> first_; // first item of each group
   std::vector<Item> items_;
 };
 

@@ -11,18 +11,18 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A list in chunks of a fixed size. Unlike a vector it takes no more memory than one chunk beyond its elements, also while it
-// grows.
+// A list in chunks of fixed size. In contrast to a growing vector, it takes no more memory than one chunk beyond its
+// elements.
 template <class T>
 class Chunked_list
 {
 public:
-  static constexpr std::size_t chunk = 1024; // elements that follow each other in memory
+  static constexpr std::size_t chunk = 1024; // elements contiguous in memory
 
   std::size_t size() const { return size_; }
   const T& operator[](std::size_t i) const { return chunks_[i / chunk][i % chunk]; }
   T& operator[](std::size_t i) { return chunks_[i / chunk][i % chunk]; }
-  // How many elements follow each other in memory from element `i` on, or would if the chunk were full.
+  // Returns the number of contiguous elements from element `i` on, as if its chunk were full.
   std::size_t number_in_chunk_from(std::size_t i) const { return chunk - i % chunk; }
 
   void push_back(const T& x)
@@ -35,7 +35,7 @@ public:
     ++size_;
   }
 
-  // Takes the elements of these numbers, in ascending order, out; the others keep their order.
+  // Removes the elements of these numbers, which ascend; the others keep their order.
   template <class Numbers>
   void remove(const Numbers& gone)
   {
@@ -51,7 +51,7 @@ public:
   }
 
 private:
-  // Moves the elements from `begin` to `end` to where they begin with number `to`, below `begin`. Returns where they end then.
+  // Moves the elements from `begin` to `end` down to number `to` < `begin`. Returns their new end.
   std::size_t move_down(std::size_t begin, std::size_t end, std::size_t to)
   {
     while (begin != end) {

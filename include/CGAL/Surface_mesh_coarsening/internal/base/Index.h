@@ -10,7 +10,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The numbers of faces, corners, vertices and clusters in the arrays.
+// The number of a face, corner, vertex or cluster in the arrays.
 typedef std::uint32_t Index;
 
 constexpr Index NONE = (std::numeric_limits<Index>::max)();

@@ -21,7 +21,7 @@ struct Is_ordered<Value, std::void_t<decltype(std::declval<const Value&>() < std
   : std::true_type
 {};
 
-// Counts areas of values.
+// Sums areas per value.
 template <class Value>
 class Majority
 {
@@ -29,7 +29,7 @@ public:
   void add(double area, const Value& value) { votes_.emplace_back(value, area); }
   bool empty() const { return votes_.empty(); }
 
-  // The value of the largest area; of several, the smallest if there is an order, and otherwise the first.
+  // Returns the value of largest area. Among several, the smallest wins if values are ordered, otherwise the first.
   Value value()
   {
     if constexpr (Is_ordered<Value>::value)

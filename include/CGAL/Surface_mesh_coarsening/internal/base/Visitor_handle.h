@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The caller's visitor without its type: a copy, or, of a `std::reference_wrapper`, the visitor itself.
+// The caller's visitor with its type erased: a copy, or the visitor itself if passed as `std::reference_wrapper`.
 class Visitor_handle
 {
 public:
@@ -83,8 +83,8 @@ private:
   mutable std::size_t steps_ = 0;
 };
 
-// Asks the visitor from time to time whether to continue; the steps between two questions take about a millisecond. Copies count
-// together, so that many short loops are covered, too. Loops on several threads have none.
+// Asks the visitor about once a millisecond whether to continue. Copies share the count of steps, so sequences of short
+// loops are covered, too. Loops on several threads have none.
 class Cancellation_point
 {
 public:

@@ -15,7 +15,7 @@ namespace internal {
 
 typedef Iterator_range<boost::counting_iterator<Index> > Number_range;
 
-// The numbers from `begin` up to, but without, `end`.
+// Returns the numbers from `begin` to `end`, without `end`.
 inline Number_range number_range(Index begin, Index end)
 {
   return {boost::counting_iterator<Index>(begin), boost::counting_iterator<Index>(end)};

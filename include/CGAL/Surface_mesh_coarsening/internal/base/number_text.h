@@ -10,7 +10,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// For messages, whatever the size of the number: `std::to_string()` has six digits after the point.
+// Returns the number as text of any magnitude; `std::to_string()` prints only six digits after the point.
 inline std::string number_text(double x)
 {
   char text[32];

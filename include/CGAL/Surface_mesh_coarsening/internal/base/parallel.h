@@ -35,8 +35,8 @@ constexpr Execution execution()
   return is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL;
 }
 
-// Calls `work(i, begin, end)` for the i-th of the chunks of `size` numbers from 0 to `n`. The chunks do not depend on the
-// number of threads, so neither does what is put together from them in their order.
+// Calls `work(i, begin, end)` for the i-th of the chunks of `size` numbers from 0 to `n`. Chunks, and hence results
+// combined in order, do not depend on the number of threads.
 template <class Work>
 void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const Work& work)
 {
@@ -53,7 +53,7 @@ void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const 
     run(i);
 }
 
-// The same, asking a cancellation now and then.
+// The same with cancellation.
 template <class Work>
 void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const Cancellation_point& cancellation,
                     const Work& work)
@@ -68,8 +68,8 @@ void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const 
   }
 }
 
-// Calls `make(part, begin, end)` for the chunks of `size` numbers from 0 to `n`, some at a time, and then `take(part)` for these
-// in their order. Parts are used again.
+// Calls `make(part, begin, end)` for the chunks of `size` numbers from 0 to `n`, several at a time, and then
+// `take(part)` for each of them in order. Parts are reused.
 template <class Part, class Make, class Take>
 void for_each_part(Execution execution, std::size_t n, std::size_t size, const Cancellation_point& cancellation, const Make& make,
                    const Take& take)
@@ -97,12 +97,12 @@ void for_each_number(Execution execution, std::size_t n, const Cancellation_poin
   });
 }
 
-// Calls `work(i)` for the numbers of the groups, in their order in each group: one thread at a time goes through a group.
+// Calls `work(i)` for the numbers of each group in order. One thread at a time processes a group.
 template <class Work>
 void for_each_in_groups(Execution execution, const std::vector<Index>& group, std::size_t number_of_groups,
                         const Cancellation_point& cancellation, const Work& work)
 {
-  constexpr std::size_t few = 4096; // threads would take longer to begin
+  constexpr std::size_t few = 4096; // starting threads would take longer
   if (execution == Execution::SEQUENTIAL || group.size() < few) {
     for (std::size_t i = 0; i < group.size(); ++i) {
       cancellation.poll();
@@ -110,7 +110,7 @@ void for_each_in_groups(Execution execution, const std::vector<Index>& group, st
     }
     return;
   }
-  constexpr std::size_t at_a_time = 1 << 16, parts = 4; // each part looks at the groups of all numbers
+  constexpr std::size_t at_a_time = 1 << 16, parts = 4; // each part scans the groups of all numbers
   for (std::size_t first = 0; first < group.size(); first += at_a_time) {
     const std::size_t last = (std::min)(group.size(), first + at_a_time);
     cancellation.poll(last - first);
@@ -123,7 +123,7 @@ void for_each_in_groups(Execution execution, const std::vector<Index>& group, st
   }
 }
 
-// The smallest of the numbers from 0 to `n` of which `is_found` holds; `n` if there is none.
+// Returns the smallest number from 0 to `n` that satisfies `is_found`; `n` if there is none.
 template <class Predicate>
 std::size_t first_of(Execution execution, std::size_t n, const Cancellation_point& cancellation, const Predicate& is_found)
 {

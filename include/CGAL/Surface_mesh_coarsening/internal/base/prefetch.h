@@ -9,10 +9,10 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Asks the caches for what is read soon. On a large mesh, faces at the edges between clusters lie far from each other in memory;
-// loops that ask for several of them before they read the first wait once instead of each time.
+// Prefetches memory. On a large mesh, faces along cluster boundaries lie far apart in memory; loops that prefetch
+// several of them before reading the first wait once for all.
 //
-// What does nothing else has to be inlined by force, too: g++ takes calls of it for calls without effect and drops them.
+// Inlining is forced because g++ drops calls of functions without side effects.
 BOOST_FORCEINLINE void prefetch(const void* address)
 {
 #ifdef __GNUC__

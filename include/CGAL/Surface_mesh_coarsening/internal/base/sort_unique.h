@@ -10,7 +10,6 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Sorts values and leaves one of each.
 template <class Value>
 void sort_unique(std::vector<Value>& values)
 {

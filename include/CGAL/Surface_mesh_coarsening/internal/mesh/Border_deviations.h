@@ -17,11 +17,11 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Raises the deviations of faces near the border to what the turn of the border asks for, and no higher than four times the
-// largest of the deviations, on which the scale of the densities depends and which stays what it was.
+// Raises the deviations of faces near the border in proportion to the turn of the border, at most to four times the
+// largest deviation. The largest deviation scales the densities and does not change.
 //
-// Where the border has radius of curvature R, its parallel at distance s, on the outer side, has R + s. What is asked for is
-// in proportion to the angle by which that parallel turns on the way to the faces around.
+// Where the border has radius of curvature R, its parallel at distance s on the outer side has radius R + s. The raised
+// deviation is proportional to the angle by which that parallel turns between neighboring faces.
 class Border_deviations
 {
 public:
@@ -50,14 +50,15 @@ public:
   }
 
 private:
-  // Border edges on each side of a vertex that its turn is measured between; fewer let the zigzag of triangles count.
+  // Border edges on each side of a vertex between which its turn is measured; with fewer, the zigzag of triangles
+  // counts.
   static constexpr std::size_t edges_aside = 3;
-  // How far the border is felt, as a part of the length of the loop: a small hole needs few vertices, however it turns.
+  // The reach of a border relative to the length of its loop: a small hole needs few vertices, however it turns.
   static constexpr double far = 0.1;
-  // In a regular mesh of triangles of area 1, the way between two faces around a vertex is 1.09 on average, and a circle is
-  // sqrt(6) times as far from an inscribed polygon as from the best one. That makes 2.7. But what is left of the border's
-  // distance lies across all of it, and that of the surface mostly where the densities are low: these two, with which both come
-  // out much the same, have been measured on open meshes.
+  // In a regular mesh of triangles of area 1, the distance between two faces around a vertex is 1.09 on average, and
+  // the distance of a circle from an inscribed polygon is sqrt(6) times the distance from the best polygon. This gives
+  // 2.7. But the remaining distance of the border extends across all of it, and the distance of the surface occurs
+  // mostly where densities are low. With these two constants, measured on open meshes, both distances are about equal.
   static constexpr double strength = 32;
   static constexpr double max_raised = 4;
 
@@ -98,8 +99,8 @@ private:
     }
   }
 
-  // Gives each vertex near the border the smallest radius of parallels that pass through it, as Dijkstra's algorithm does
-  // with the lengths of edges and of diagonals of faces.
+  // Computes for each vertex near the border the smallest radius of the parallels through it: Dijkstra's algorithm with
+  // the lengths of edges and of face diagonals.
   void spread()
   {
     typedef std::pair<double, Index> Entry;
@@ -126,7 +127,8 @@ private:
     }
   }
 
-  // The vertices of a triangle or quadrilateral; of larger faces, those before and after, which keeps the work linear.
+  // Visits all vertices of a triangle or quadrilateral, and the two adjacent vertices of a larger face, which keeps the
+  // work linear.
   template <class Visit>
   void for_each_neighbor(Index f, Index v, const Visit& visit) const
   {
@@ -146,7 +148,7 @@ private:
   static constexpr double straight = 1e-6;
   const Flat_mesh& mesh_;
   Cancellation_point cancellation_;
-  std::vector<double> radius_, reach_; // of each vertex; the largest radius to be passed on
+  std::vector<double> radius_, reach_; // per vertex; the largest radius to propagate
 };
 
 } // namespace internal

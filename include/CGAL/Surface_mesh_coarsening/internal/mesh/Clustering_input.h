@@ -14,16 +14,16 @@ namespace internal {
 
 constexpr double largest_density = 1e20; // its inverse is the smallest
 
-// What is clustered: items with additive sums, as neighbors and corners have them in `mesh`. The items are faces, pieces of
-// faces, or cells of several. Of each item: its area A, its mass r A, with the density r, its centroid g.
+// The input of the clustering: items with additive sums; `mesh` holds their neighbors and corners. Items are faces,
+// pieces of faces, or cells of several faces. An item has an area A, a mass r A with density r, and a centroid g.
 struct Clustering_input
 {
   Flat_mesh mesh;
   std::vector<double> area;
   std::vector<double> density;
-  std::vector<Vector> item_centroid; // empty where the items are polygons: to compute centroids takes less time than memory
-  std::vector<double> item_faces;    // of how many faces an item consists, parts included; empty where that is 1
-  std::vector<Index> parent;         // a face of the caller's mesh; empty where the items are these faces
+  std::vector<Vector> item_centroid; // empty if items are polygons, whose centroids are computed faster than read
+  std::vector<double> item_faces;    // faces per item, fractions included; empty if 1
+  std::vector<Index> parent;         // face of the caller's mesh; empty if items are these faces
 
   double mass(Index f) const { return density[f] * area[f]; }
   Vector centroid(Index f) const

@@ -11,8 +11,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Cuts the chosen corners off their faces, as triangles between the corner and a third of the two edges there; the surface
-// does not change. A face is followed by the triangles cut off it.
+// Cuts chosen corners off their faces, as triangles between the corner and a third of its two edges. The surface does
+// not change. The triangles cut off a face follow the face.
 class Corner_truncation
 {
 public:
@@ -34,7 +34,7 @@ public:
     return builder_.finish();
   }
 
-  // The face that each new face is cut from, and the corner, NONE for what is left of a face.
+  // The original face of each new face, and its corner if the face is cut off, otherwise NONE.
   const std::vector<Index>& old_face() const { return old_face_; }
   const std::vector<Index>& old_corner() const { return old_corner_; }
 
@@ -56,7 +56,7 @@ private:
     }
   }
 
-  // The points on an edge are those of both its faces.
+  // Both faces of an edge share the points on it.
   void add_points()
   {
     for (Index f = 0; f < m_.number_of_faces(); ++f)
@@ -69,7 +69,7 @@ private:
       }
   }
 
-  // On the edge after corner `c`, near it.
+  // Adds the point near corner `c` on the edge after it.
   void add_point_after(Index f, Index c)
   {
     const Index v = m_.corner_vertex[c], w = m_.corner_vertex[m_.next_corner(f, c)], g = m_.face_across[c];
@@ -78,7 +78,7 @@ private:
       near_target_[m_.corner_of(g, w)] = near_source_[c];
   }
 
-  // On the edge before corner `c`, near it.
+  // Adds the point near corner `c` on the edge before it.
   void add_point_before(Index c, Index previous)
   {
     const Index v = m_.corner_vertex[c], w = m_.corner_vertex[previous], g = m_.face_across[previous];
@@ -92,7 +92,7 @@ private:
     return builder_.add_point(m_.points[v] + (1. / 3) * (m_.points[w] - m_.points[v]));
   }
 
-  // The new face across the end at `v` of the edge after corner `c`, and across the rest of that edge.
+  // Returns the new face across the end at `v` of the edge after corner `c`, and across the rest of that edge.
   Index across_near(Index c, Index v) const
   {
     const Index g = m_.face_across[c];
@@ -131,9 +131,9 @@ private:
   }
 
   const Flat_mesh& m_;
-  const std::vector<bool>& is_cut_; // of each corner
+  const std::vector<bool>& is_cut_; // per corner
   std::vector<Index> near_source_, near_target_; // points on the edge after each corner
-  std::vector<Index> rest_, cut_off_;            // new faces: of each face, of each corner
+  std::vector<Index> rest_, cut_off_;            // new faces: per face, per corner
   std::vector<Index> old_face_, old_corner_;
   Flat_mesh_builder builder_;
 };

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Where the corners of each face begin. As long as all faces are triangles, nothing is stored.
+// The first corner of each face. Stores nothing while all faces are triangles.
 class Corner_offsets
 {
 public:
@@ -52,7 +52,7 @@ private:
   bool is_listed_ = false;
 };
 
-// The component of each face. Nothing is stored if there is only one.
+// The component of each face. Stores nothing if there is only one.
 class Component_numbers
 {
 public:
@@ -68,14 +68,14 @@ private:
   std::vector<Index> numbers_;
 };
 
-// What topology says of one connected component.
+// The topology of one connected component.
 struct Component
 {
   std::size_t faces = 0;
   std::size_t vertices = 0;
   std::size_t edges = 0;
   std::size_t loops = 0;
-  // Where there are features: the vertices before faces were cut at them, the clusters that they need, and their corners.
+  // With features: the number of vertices before subdivision, the clusters that the features need, and their corners.
   std::size_t original_vertices = 0, feature_clusters = 0, feature_corners = 0;
 
   std::size_t max_clusters() const { return original_vertices > 0 ? original_vertices : vertices; }
@@ -83,18 +83,18 @@ struct Component
   std::size_t genus() const { return std::size_t(2 - euler_characteristic() - long(loops)) / 2; }
 };
 
-// A polygon mesh in arrays: the corners of each face in counterclockwise order, the face across the edge that follows
-// each corner, and the faces around each vertex in counterclockwise order. The star of a vertex on the border begins
-// at its clockwise end, that of an inner vertex at its face of the smallest index.
+// A polygon mesh in arrays: the corners of each face in counterclockwise order, the face across the edge after each
+// corner, and the faces around each vertex in counterclockwise order. The star of a border vertex begins at its
+// clockwise end, the star of an inner vertex at its face of smallest index.
 struct Flat_mesh
 {
-  Corner_offsets first_corner;       // of each face, and one past the last
-  std::vector<Index> corner_vertex;  // of each corner
+  Corner_offsets first_corner;       // per face, and the total
+  std::vector<Index> corner_vertex;  // per corner
   std::vector<Index> face_across;    // the edge from each corner to the next; NONE beyond the border
-  std::vector<Index> first_in_star;  // of each vertex, and one past the last
+  std::vector<Index> first_in_star;  // per vertex, and the total
   std::vector<Index> star;
   std::vector<Index> loop;           // border loop of each vertex; NONE inside
-  Component_numbers component;       // of each face
+  Component_numbers component;       // per face
   std::vector<Component> components;
   std::vector<Vector> points;        // relative to a local origin
 
@@ -127,13 +127,13 @@ struct Flat_mesh
       ++c;
     return c;
   }
-  // The end of the border edge that begins at border vertex `v` and has its face on the left.
+  // Returns the end of the border edge that begins at border vertex `v` and has its face on the left.
   Index next_on_border(Index v) const
   {
     const Index f = star[first_in_star[v]];
     return corner_vertex[next_corner(f, corner_of(f, v))];
   }
-  // Position of face `f` in the star of `v`, as an index into `star`.
+  // Returns the position of face `f` in the star of `v`, as an index into `star`.
   Index position_in_star(Index v, Index f) const
   {
     Index i = first_in_star[v];

@@ -14,7 +14,6 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Builds a mesh face by face.
 class Flat_mesh_builder
 {
 public:
@@ -37,7 +36,7 @@ public:
     return Index(mesh_.points.size() - 1);
   }
 
-  // The next corner of the face, and the face across the edge that follows; NONE on the border.
+  // Adds a corner to the face, and the face across the edge after it; NONE on the border.
   void add_corner(Index vertex, Index face_across)
   {
     mesh_.corner_vertex.push_back(vertex);
@@ -46,7 +45,7 @@ public:
 
   void end_face() { mesh_.first_corner.push_back(Index(mesh_.corner_vertex.size())); }
 
-  // Throws where the faces do not form a 2-manifold.
+  // Throws if the faces do not form a 2-manifold.
   Flat_mesh finish(const Cancellation_point& cancellation = Cancellation_point())
   {
     check_countable(mesh_.corner_vertex.size(), "face corners after faces were cut");

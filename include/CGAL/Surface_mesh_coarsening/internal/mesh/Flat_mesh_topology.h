@@ -19,7 +19,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Fills what follows from the corners and the faces across edges; throws where they do not form a 2-manifold.
+// Computes stars, components and loops from the corners and the faces across edges; throws if they do not form a
+// 2-manifold.
 class Flat_mesh_topology
 {
 public:
@@ -63,7 +64,7 @@ private:
     return false;
   }
 
-  // NONE if there is none.
+  // Returns NONE if there is none.
   static Index vertex_visited_twice(const Flat_mesh& m, Index f)
   {
     const auto begin = m.corner_vertex.begin() + m.first_corner[f], end = m.corner_vertex.begin() + m.first_corner[f + 1];
@@ -91,7 +92,7 @@ private:
     m.star.resize(m.corner_vertex.size());
   }
 
-  // The face where each star begins. Kept per vertex as a face index; NONE for isolated vertices.
+  // Computes the face where each star begins: one face index per vertex, NONE for isolated vertices.
   static std::vector<Index> first_corners_of_stars(Flat_mesh& m, std::size_t number_of_vertices,
                                                    const Cancellation_point& cancellation)
   {
@@ -104,7 +105,7 @@ private:
         if (m.face_across[c] == NONE) {
           if (m.loop[v] != NONE)
             throw Invalid_input("vertex " + std::to_string(v) + " lies on the border twice");
-          m.loop[v] = 0; // on some loop; numbered later
+          m.loop[v] = 0; // on a loop, numbered later
           start[v] = Index(f);
         } else if (m.loop[v] == NONE) {
           start[v] = Index(f);
@@ -152,7 +153,7 @@ private:
         ++m.components[m.component[m.star[m.first_in_star[v]]]].vertices;
   }
 
-  // The counts of faces and edges.
+  // Counts faces and edges.
   static Component component_of(const Flat_mesh& m, const std::vector<Index>& faces)
   {
     Component component;

@@ -22,18 +22,17 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Points in the coordinates of the arrays, in order, and in those of the mesh.
+// Pairs of points in coordinates of the arrays, sorted, and in coordinates of the mesh.
 typedef std::vector<std::pair<Vector, Vector> > Exact_points;
 
-// The place of the arrays' coordinates in those of the mesh: point = origin + 2^exponent * coordinates, without rounding for
-// the points in the list.
+// The frame of the arrays: point of the mesh = origin + 2^exponent * coordinates, exact for the listed points.
 struct Local_frame
 {
   Vector origin{{0, 0, 0}};
   int exponent = 0;
   std::shared_ptr<const Exact_points> exact;
 
-  // From the coordinates of the mesh to those of the arrays.
+  // Converts from coordinates of the mesh to coordinates of the arrays.
   Vector to_local(const Vector& p) const
   {
     Vector q;
@@ -42,7 +41,7 @@ struct Local_frame
     return q;
   }
 
-  // The inverse. Near the end of the range of double, positions beyond those of the mesh may have no coordinates; they get the
+  // The inverse. Near the end of the range of double, positions outside the mesh may overflow; they are clamped to the
   // largest number.
   Vector to_mesh(const Vector& p) const
   {
@@ -61,15 +60,15 @@ struct Local_frame
     return q;
   }
 
-  // Lengths and areas.
+  // Convert lengths and areas.
   double length_to_local(double length) const { return std::ldexp(length, -exponent); }
   double length_to_mesh(double length) const { return std::ldexp(length, exponent); }
   double area_to_local(double area) const { return std::ldexp(area, -2 * exponent); }
 };
 
-// Moves the coordinates to the center of their bounding box, where energies keep their digits however far away the
-// mesh lies. Sizes near the ends of the range of double, whose sixth powers would leave it, are brought to about 1 by
-// a power of two, which rounds nothing.
+// Translates the points to the center of their bounding box, where energies keep their digits however far away the mesh
+// lies. If the sixth power of the size would leave the range of double, the points are scaled to size about 1 by a
+// power of two, which rounds nothing.
 inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector<Index>& first_in_star,
                             const Cancellation_point& cancellation)
 {

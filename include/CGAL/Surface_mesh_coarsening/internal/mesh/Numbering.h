@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The numbers that stand in the arrays for the faces and vertices of a face graph. Vertices are numbered in the order
-// of iteration; faces likewise, or as the caller's face index map says.
+// The numbers of the faces and vertices of a face graph in the arrays. Vertices are numbered in the order of iteration;
+// faces likewise, or by the caller's face index map.
 template <class FaceGraph>
 struct Numbering
 {
@@ -38,7 +38,7 @@ struct Numbering
   Index number_of(vertex_descriptor v) const { return get(vertex_number, v); }
 };
 
-// The elements of a `Surface_mesh` that has none marked as removed are numbered already.
+// The elements of a `Surface_mesh` without removed elements are numbered already.
 template <class Descriptor>
 class Descriptor_list
 {
@@ -92,7 +92,7 @@ struct Numbering<CGAL::Surface_mesh<Point> >
 
   Descriptor_list<face_descriptor> faces;
   Descriptor_list<vertex_descriptor> vertices;
-  std::vector<Index> face_number, vertex_number; // empty where they are those of the mesh
+  std::vector<Index> face_number, vertex_number; // empty if numbered by the mesh
 
   Index number_of(face_descriptor f) const { return face_number.empty() ? Index(f) : face_number[f]; }
   Index number_of(vertex_descriptor v) const { return vertex_number.empty() ? Index(v) : vertex_number[v]; }
@@ -100,7 +100,7 @@ struct Numbering<CGAL::Surface_mesh<Point> >
 
 inline void check_countable(std::size_t n, const char* what)
 {
-  // The upper half of the range stands for border loops where labels are concerned.
+  // Labels use the upper half of the range for border loops.
   if (n >= NONE / 2)
     throw Invalid_input("the mesh has " + std::to_string(n) + " " + what + ", more than the " +
                         std::to_string(NONE / 2 - 1) + " that can be numbered");

@@ -12,12 +12,13 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Cuts chosen faces into one quadrilateral per corner, from the corner to the middles of its two edges and the middle of the
-// face; the surface does not change. Faces beside them get the middles of the common edges as further corners. The pieces of a
-// face follow each other in the order of its corners; vertices keep their numbers, and those added follow.
+// Subdivides chosen faces into one quadrilateral per corner, spanned by the corner, the midpoints of its two edges and
+// the center of the face. The surface does not change. Adjacent faces get the midpoints of common edges as additional
+// corners. The pieces of a face are consecutive, in the order of its corners; vertices keep their numbers, and new
+// vertices follow.
 //
-// Where the faces of whole components are cut, any two of these quadrilaterals meet in a vertex, in an arc, or not at all, even
-// if the faces themselves meet twice: each of them can be a cluster of its own.
+// If whole components are subdivided, any two of these quadrilaterals meet in a vertex, in an arc, or not at all, even
+// if the faces meet twice. Hence each quadrilateral can be a cluster.
 class Quad_subdivision
 {
 public:
@@ -34,14 +35,14 @@ public:
     return builder_.finish(cancellation);
   }
 
-  // The face that each new face is a piece of.
+  // The original face of each new face.
   const std::vector<Index>& old_face() const { return old_face_; }
-  // The piece of face `f` at its vertex `v`.
+  // Returns the piece of face `f` at its vertex `v`.
   Index piece_at(Index f, Index v) const
   {
     return is_cut_[f] ? first_piece_[f] + (m_.corner_of(f, v) - m_.first_corner[f]) : first_piece_[f];
   }
-  // The vertex in the middle of the edge after each corner; NONE if neither of its faces is cut.
+  // The midpoint of the edge after each corner; NONE if neither of its faces is subdivided.
   const std::vector<Index>& middle() const { return middle_; }
 
 private:
@@ -82,7 +83,7 @@ private:
     }
   }
 
-  // The piece at `v` of the face across the edge after corner `c`.
+  // Returns the piece at `v` of the face across the edge after corner `c`.
   Index piece_across(Index c, Index v) const
   {
     const Index g = m_.face_across[c];
@@ -113,7 +114,7 @@ private:
   }
 
   const Flat_mesh& m_;
-  const std::vector<char>& is_cut_; // of each face
+  const std::vector<char>& is_cut_; // per face
   Flat_mesh_builder builder_;
   std::vector<Index> middle_, center_, first_piece_, old_face_;
 };

@@ -24,7 +24,7 @@ inline double squared_diagonal(const Bbox_3& box)
   return dot(d, d);
 }
 
-// Zero inside.
+// Returns zero inside.
 inline double squared_distance_from_box(const Vector& p, const Bbox_3& box)
 {
   const Vector low = low_corner(box), high = high_corner(box);
@@ -47,7 +47,7 @@ inline Vector closest_in_box(const Vector& p, const Bbox_3& box)
   return result;
 }
 
-// The box with all sides moved outwards.
+// Returns the box with all sides moved outwards by `width`.
 inline Bbox_3 grown(const Bbox_3& box, double width)
 {
   return Bbox_3(box.xmin() - width, box.ymin() - width, box.zmin() - width, box.xmax() + width, box.ymax() + width,

@@ -14,11 +14,11 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Fills the stars, components and loops of a mesh that has its faces; throws where they do not form a 2-manifold.
+// Computes the stars, components and loops of a mesh from its faces; throws if these do not form a 2-manifold.
 void complete_topology(Flat_mesh& mesh, std::size_t number_of_vertices, const Cancellation_point& cancellation,
                        Execution execution);
 
-// The densities of section 5.2, raised near borders on request.
+// Computes the densities of section 5.2, raised near borders on request.
 std::vector<double> compute_densities(const Flat_mesh& mesh, double maximum, bool at_borders,
                                       const Cancellation_point& cancellation, Execution execution);
 

@@ -17,15 +17,15 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Faces one after the other.
+// A sequence of faces.
 struct Face_list
 {
   std::vector<Index> degree;
-  std::vector<Index> corner_vertex, face_across; // of each corner
+  std::vector<Index> corner_vertex, face_across; // per corner
 };
 
-// Lists the faces from `begin` to `end`. The first corner of each face is the one of its vertex of the smallest number, so that
-// the arrays do not depend on which halfedge a face graph keeps for a face.
+// Lists the faces from `begin` to `end`. Each face begins with its vertex of smallest number, so that the arrays do not
+// depend on the halfedge that the face graph stores for a face.
 template <class FaceGraph>
 void list_faces(const FaceGraph& mesh, const Numbering<FaceGraph>& n, std::size_t begin, std::size_t end, Face_list& list)
 {
@@ -47,7 +47,6 @@ void list_faces(const FaceGraph& mesh, const Numbering<FaceGraph>& n, std::size_
   }
 }
 
-// Copies the connectivity.
 template <class FaceGraph>
 void copy_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, Flat_mesh& m, const Cancellation_point& cancellation,
                        Execution execution)

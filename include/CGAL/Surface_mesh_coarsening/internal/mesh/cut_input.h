@@ -18,7 +18,6 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Computes the areas of polygons.
 inline void compute_areas(Clustering_input& input, const Cancellation_point& cancellation = Cancellation_point(),
                           Execution execution = Execution::SEQUENTIAL)
 {
@@ -26,7 +25,8 @@ inline void compute_areas(Clustering_input& input, const Cancellation_point& can
   for_each_number(execution, input.area.size(), cancellation, [&](Index f) { input.area[f] = face_area(input.mesh, f); });
 }
 
-// The input whose polygons are pieces of polygons of another one, or some of them: they inherit densities and parents.
+// Returns the input for pieces of the polygons of `whole`, or for some of these polygons; densities and parents are
+// inherited.
 inline Clustering_input cut_input(const Clustering_input& whole, Flat_mesh pieces, const std::vector<Index>& whole_face,
                                   const Cancellation_point& cancellation = Cancellation_point())
 {
@@ -42,7 +42,7 @@ inline Clustering_input cut_input(const Clustering_input& whole, Flat_mesh piece
   return result;
 }
 
-// The input with the faces of the chosen components cut into one piece per corner.
+// Returns the input with the faces of the chosen components subdivided into one piece per corner.
 inline Clustering_input subdivided_input(const Clustering_input& input, const std::vector<bool>& chosen_component,
                                          const Cancellation_point& cancellation)
 {
@@ -54,7 +54,7 @@ inline Clustering_input subdivided_input(const Clustering_input& input, const st
   return cut_input(input, std::move(pieces), cutting.old_face(), cancellation);
 }
 
-// Leaves out the components whose area is smaller. Returns their number.
+// Removes components of smaller area. Returns their number.
 inline std::size_t drop_components_below(Clustering_input& input, double min_area, const Cancellation_point& cancellation)
 {
   const Flat_mesh& m = input.mesh;

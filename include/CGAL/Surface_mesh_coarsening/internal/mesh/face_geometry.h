@@ -21,7 +21,8 @@ struct Face_geometry
   Vector centroid;
 };
 
-// Half the sum of the cross products of a fan: its length is the area of a planar polygon, its direction the normal.
+// Returns half the sum of the cross products of a fan: its length is the area of a planar polygon, its direction the
+// normal.
 inline Vector vector_area(const Flat_mesh& m, Index f)
 {
   const Index begin = m.first_corner[f], end = m.first_corner[f + 1];
@@ -50,7 +51,7 @@ inline double face_area(const Flat_mesh& m, Index f)
   return std::sqrt(dot(normal, normal));
 }
 
-// The bounding box of the corners of a face.
+// Returns the bounding box of the corners of a face.
 inline Bbox_3 face_box(const Flat_mesh& m, Index f)
 {
   Bbox_3 box;
@@ -59,8 +60,8 @@ inline Bbox_3 face_box(const Flat_mesh& m, Index f)
   return box;
 }
 
-// The centroid of the triangles between the edges of a face and the mean of its corners, all of them counted positive. It lies
-// in the convex hull of the corners whatever the shape of the face.
+// Returns the centroid of the triangles between the edges of a face and the mean of its corners, with positive areas.
+// It lies in the convex hull of the corners for any shape of face.
 inline Vector centroid_of_star(const Flat_mesh& m, Index f)
 {
   const Vector center = mean_of_corners(m, f);
@@ -77,8 +78,8 @@ inline Vector centroid_of_star(const Flat_mesh& m, Index f)
   return weight > 0 ? closest_in_box(center + (1 / weight) * sum, face_box(m, f)) : center;
 }
 
-// The area and the centroid of a planar simple polygon; of other faces, the length of the vector area, and a point in their
-// bounding box.
+// Returns the area and centroid of a planar simple polygon; for other faces, the length of the vector area, and a point
+// in their bounding box.
 inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
 {
   const Vector normal = vector_area(m, f);
@@ -88,7 +89,7 @@ inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
     return {area, mean_of_corners(m, f)};
   if (!(area > 0))
     return {area, centroid_of_star(m, f)};
-  // Triangles of the fan that lie on the other side of the polygon's boundary count negative.
+  // Fan triangles on the other side of the boundary count negative.
   const Vector& p = m.points[m.corner_vertex[begin]];
   Vector sum{{0, 0, 0}};
   double absolute_weight = 0;
@@ -99,15 +100,15 @@ inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
     absolute_weight += std::abs(weight);
   }
   const Vector centroid = p + sum;
-  // Weights sum to a third. If some are negative, the sum is a centroid only if the polygon does not cross itself and is nearly
-  // planar, and then lies in the bounding box; if they nearly cancel, it consists of rounding errors.
+  // Weights sum to a third. With negative weights, the sum is a centroid only if the polygon is simple and nearly
+  // planar; it then lies in the bounding box. If weights nearly cancel, the sum consists of rounding errors.
   constexpr double convex = (1 + 1e-6) / 3, cancelling = 1e9;
   if (absolute_weight < convex || (absolute_weight < cancelling && is_in_box(centroid, face_box(m, f))))
     return {area, centroid};
   return {area, centroid_of_star(m, f)};
 }
 
-// The unit normal of each face, zero where a face has no area.
+// Computes the unit normal of each face; zero for faces without area.
 inline std::vector<Vector> unit_normals(const Flat_mesh& m, const Cancellation_point& cancellation = Cancellation_point(),
                                         Execution execution = Execution::SEQUENTIAL)
 {
@@ -120,10 +121,10 @@ inline std::vector<Vector> unit_normals(const Flat_mesh& m, const Cancellation_p
   return normals;
 }
 
-// Section 5.2 of the paper before the mapping: for each face the mean length of the difference of its normal and the
-// normals of the faces around its vertices. A pair counts once for each vertex that its faces share; faces without a
-// normal deviate from nothing. Around a vertex of very many faces every one is compared with a fixed number of faces,
-// evenly spread, which keeps the work linear.
+// The deviation of section 5.2 before the mapping: for each face, the mean length of the difference of its normal and
+// the normals of the faces around its vertices. A pair of faces counts once for each shared vertex; faces without a
+// normal have no deviation. At a vertex of very high degree, each face is compared with a fixed number of evenly spread
+// faces, which keeps the work linear.
 class Normal_deviation
 {
 public:
@@ -180,8 +181,8 @@ inline double largest_of(const std::vector<double>& deviations)
   return deviations.empty() ? 0 : *std::max_element(deviations.begin(), deviations.end());
 }
 
-// The linear mapping of section 5.2 from [0, maximum] to [1, maximum_density]. Where no normal deviates by more than the
-// rounding of coordinates may make it, the mesh is flat.
+// Maps [0, maximum] linearly to [1, maximum_density] (section 5.2). The mesh counts as flat if no deviation exceeds the
+// rounding errors of the coordinates.
 inline void map_to_densities(std::vector<double>& deviations, double maximum, double maximum_density)
 {
   constexpr double flat = 1e-6;

@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Walks breadth first over the faces from `seed`, which is marked by the caller: over the edge after corner `c` to face `g` if
-// `enter(c, g)`, which marks `g`. `reached` receives the faces in the order of the walk.
+// Traverses the faces breadth first from `seed`, which the caller has marked. The edge after corner `c` is crossed to
+// face `g` if `enter(c, g)`, which marks `g`. Appends the faces to `reached` in the order of traversal.
 template <class Enter>
 void flood_fill(const Flat_mesh& m, Index seed, std::vector<Index>& reached, const Cancellation_point& cancellation,
                 const Enter& enter)

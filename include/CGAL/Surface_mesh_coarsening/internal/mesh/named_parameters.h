@@ -97,7 +97,6 @@ Local_frame copy_points(const FaceGraph& mesh, const NamedParameters& np, const 
   return to_local_frame(m.points, m.first_in_star, cancellation);
 }
 
-// Which densities to compute.
 struct Density_choice
 {
   double maximum;
@@ -113,7 +112,7 @@ Density_choice density_choice(const NamedParameters& np)
   return {r, choose_parameter(get_parameter(np, internal_np::border_densities_p), true)};
 }
 
-// The caller's densities, checked.
+// Checks and returns the caller's densities.
 template <class FaceGraph, class DensityMap>
 std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&, const Density_choice&,
                                  const DensityMap& map, const Cancellation_point& cancellation = Cancellation_point(),
@@ -132,7 +131,7 @@ std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&
   return densities;
 }
 
-// The densities of section 5.2, raised near borders.
+// Computes the densities of section 5.2, raised near borders.
 template <class FaceGraph>
 std::vector<double> densities_of(const Numbering<FaceGraph>&, const Flat_mesh& m, const Density_choice& choice,
                                  const CGAL::internal_np::Param_not_found&,
@@ -158,7 +157,7 @@ Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& 
   return input;
 }
 
-// Leaves out the components of less than the area asked for, which is in the units of the mesh.
+// Removes the components below the minimal area, which is given in units of the mesh.
 template <class NamedParameters>
 std::size_t drop_small_components(const NamedParameters& np, const Local_frame& frame, Clustering_input& input,
                                   const Cancellation_point& cancellation)

@@ -12,10 +12,10 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// What differs by roundings alone, as of programs with fused operations and without, becomes the same, but for the rare values
-// in the middle between two.
+// These functions make values equal that differ by rounding only, for example between programs with and without fused
+// operations; exceptions are the rare values halfway between two results.
 
-// Rounds to a multiple of what the last of the first `digits` binary digits of `largest` stands for.
+// Rounds to a multiple of the last of the first `digits` binary digits of `largest`.
 inline double rounded_like(double x, double largest, int digits)
 {
   int exponent = 0;
@@ -23,11 +23,11 @@ inline double rounded_like(double x, double largest, int digits)
   return std::ldexp(std::nearbyint(std::ldexp(x, digits - exponent)), exponent - digits) + 0.; // no negative zero
 }
 
-// A sum, rounded so far that only sums which differ noticeably are compared as different.
+// Rounds a sum so coarsely that only noticeable differences count.
 inline double rounded_for_comparison(double sum) { return rounded_like(sum, sum, 16); }
 
-// A computed position, whose coordinates are rounded to 43 binary digits of the largest. Exact tests of whether triangles
-// intersect would tell the differences apart where these just touch, as on symmetric meshes.
+// Rounds the coordinates of a computed position to 43 binary digits of the largest. Exact intersection tests would
+// otherwise distinguish rounding errors where triangles just touch, as on symmetric meshes.
 inline Vector without_last_digits(const Vector& p)
 {
   const double largest = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});

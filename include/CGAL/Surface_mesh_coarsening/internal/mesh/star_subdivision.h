@@ -12,9 +12,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Cuts chosen faces into the triangles between their edges and their middle; the surface does not change. The triangles of a face
-// follow each other in the order of its corners; vertices keep their numbers, and the middles follow. `old_face` receives the
-// face that each new one is a piece of.
+// Subdivides chosen faces into the triangles between their edges and their center. The surface does not change. The
+// triangles of a face are consecutive, in the order of its corners; vertices keep their numbers, and the centers
+// follow. `old_face` receives the original face of each new face.
 inline Flat_mesh star_subdivision(const Flat_mesh& m, const std::vector<char>& is_cut, std::vector<Index>& old_face,
                                const Cancellation_point& cancellation)
 {
@@ -25,7 +25,7 @@ inline Flat_mesh star_subdivision(const Flat_mesh& m, const std::vector<char>& i
     old_face.insert(old_face.end(), is_cut[f] ? m.degree(f) : 1, f);
   }
   Flat_mesh_builder builder(m.points);
-  // The new face beyond the edge after corner `c` of face `f`.
+  // Returns the new face beyond the edge after corner `c` of face `f`.
   const auto across = [&](Index f, Index c) {
     const Index g = m.face_across[c];
     if (g == NONE)

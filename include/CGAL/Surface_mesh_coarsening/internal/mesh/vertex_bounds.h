@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The bounding box of the faces of a cluster, grown by half its diagonal.
+// Returns the bounding box of the faces of a cluster, enlarged by half its diagonal.
 template <class FaceRange>
 Bbox_3 vertex_bounds(const Flat_mesh& mesh, const FaceRange& faces)
 {
@@ -21,7 +21,7 @@ Bbox_3 vertex_bounds(const Flat_mesh& mesh, const FaceRange& faces)
   for (const Index f : faces)
     for (const Index c : mesh.corners(f))
       box += box_of_point(mesh.points[mesh.corner_vertex[c]]);
-  // Computed positions may be off by as much as they are rounded.
+  // Computed positions may differ by their rounding.
   double largest = 0;
   for (int i = 0; i < 3; ++i)
     largest = (std::max)({largest, std::abs((box.min)(i)), std::abs((box.max)(i))});
