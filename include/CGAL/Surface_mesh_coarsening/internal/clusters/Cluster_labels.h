@@ -16,9 +16,9 @@ namespace internal {
 // The labels of the faces, the paper's boundary-edge count of each vertex (section 7), and the tests that keep every
 // cluster a closed disc.
 //
-// What lies beyond the border counts as one more cluster per border loop. Its label, which no face carries, is
-// `cap` plus the number of the loop. So an edge of the border is an edge between two clusters, and the count
-// of a vertex is the number of runs of equal labels around it whenever it is not zero.
+// Each border loop is capped by one more cluster, labelled `cap` plus the number of the loop; no face has this label.
+// So a border edge is an edge between two clusters, and the count of a vertex is the number of runs of equal labels
+// around it unless it is zero.
 class Cluster_labels
 {
 public:
@@ -41,7 +41,7 @@ public:
     label_[f] = label;
   }
   const std::vector<Index>& labels() const { return label_; }
-  // Whether no face may join or leave a cluster.
+  // Returns whether faces may neither join nor leave a cluster.
   bool is_frozen(Index label) const { return label < is_frozen_.size() && is_frozen_[label]; }
   void freeze(Index label, bool is_frozen)
   {
@@ -53,7 +53,7 @@ public:
   Index boundary_count(Index v) const { return boundary_count_[v]; }
   const std::vector<Index>& boundary_counts() const { return boundary_count_; }
 
-  // The label on the other side of the edge after corner `c`.
+  // Returns the label on the other side of the edge after corner `c`.
   Index label_across(Index c) const
   {
     const Index g = mesh_.face_across[c];
@@ -70,8 +70,8 @@ public:
     return false;
   }
 
-  // Whether cluster `to` with face `f` is a closed disc, given that it is one without: the part of the face's
-  // boundary that touches it has to be one arc that contains an edge and is not all of it.
+  // Returns whether cluster `to`, a closed disc, is one with face `f`, too: the part of the face's boundary that
+  // touches the cluster has to be one arc that contains an edge and is not the whole boundary.
   bool stays_disc_with(Index f, Index to) const
   {
     const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1];
@@ -80,7 +80,7 @@ public:
     for (Index c = begin; c != end; ++c) {
       const bool across = label_across(c) == to;
       edges += across;
-      // A vertex between two edges: touched if one of them is, and otherwise if a face around it has the label.
+      // A vertex between two edges is touched if one of them is, or if a face around it has the label.
       if (!previous && (across || touches(mesh_.corner_vertex[c], to)))
         ++arcs_begun;
       if (arcs_begun > 1)
@@ -90,8 +90,8 @@ public:
     return edges > 0 && edges < end - begin && arcs_begun == 1;
   }
 
-  // Whether the cluster of face `f` is a closed disc without it, given that it is one with it: the part of the face's
-  // boundary that is boundary of the cluster has to be one arc and not all of it.
+  // Returns whether the cluster of face `f`, a closed disc, is one without the face, too: the part of the face's
+  // boundary on the boundary of the cluster has to be one arc and not the whole boundary.
   bool stays_disc_without(Index f) const
   {
     const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1], from = label_[f];
@@ -109,8 +109,8 @@ public:
     return edges > 0 && edges < end - begin && arcs_begun == 1;
   }
 
-  // Gives face `f` to another cluster and brings the counts of its vertices up to date, in time that depends on the
-  // degree of the face alone.
+  // Moves face `f` to another cluster and updates the counts of its vertices, in time that depends on the degree of the
+  // face only.
   void move(Index f, Index to)
   {
     const Index from = label_[f];
@@ -123,7 +123,7 @@ public:
     set(f, to);
   }
 
-  // The boundary-edge counts from scratch.
+  // Recomputes the boundary-edge counts.
   std::vector<Index> recounted() const
   {
     std::vector<Index> count(mesh_.number_of_vertices(), 0);
@@ -131,7 +131,7 @@ public:
       for (const Index c : mesh_.corners(f))
         if (label_across(c) != label_[f]) {
           ++count[mesh_.corner_vertex[c]];
-          // An inner edge is seen again from its other face, an edge of the border is not.
+          // The other face of an inner edge counts its other end; a border edge has no other face.
           if (mesh_.face_across[c] == NONE)
             ++count[mesh_.corner_vertex[mesh_.next_corner(Index(f), c)]];
         }
@@ -140,8 +140,8 @@ public:
   void recount() { boundary_count_ = recounted(); }
 
 private:
-  // Going around a vertex of so many faces for each of them would take quadratic time. There the faces of each label are
-  // counted instead.
+  // Walking around a vertex of this valence for each of its faces would take quadratic time. There, the faces of each
+  // label are counted instead.
   static constexpr Index hub_valence = 64;
   bool is_hub(Index v) const { return mesh_.first_in_star[v + 1] - mesh_.first_in_star[v] > hub_valence; }
   static std::uint64_t hub_key(Index v, Index label) { return (std::uint64_t(v) << 32) | label; }
@@ -165,7 +165,7 @@ private:
   const Flat_mesh& mesh_;
   std::vector<Index> label_;
   std::vector<Index> boundary_count_;
-  std::vector<bool> is_frozen_; // of the first clusters
+  std::vector<bool> is_frozen_; // per cluster, for the first clusters
   bool has_hubs_ = false;
   std::unordered_map<std::uint64_t, Index> faces_at_hub_; // by hub and label
 };

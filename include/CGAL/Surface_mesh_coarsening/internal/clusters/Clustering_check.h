@@ -15,15 +15,14 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Looks at a clustering from scratch: whether every cluster is a closed disc, and whether the dual is a simplicial
-// surface. Relies on nothing that the clustering keeps up to date but the labels.
+// Checks a clustering from its labels alone: every cluster is a closed disc, and the dual is a simplicial surface.
 class Clustering_check
 {
 public:
   Clustering_check(const Cluster_labels& labels, std::size_t clusters)
     : labels_(labels), mesh_(labels.mesh()), clusters_(clusters), first_face_(clusters, NONE), boundary_(clusters) {}
 
-  // What is wrong; empty if nothing is. `name(x)` is what to call cluster `x`.
+  // Describes the first fault; empty if there is none. `name(x)` is the name of cluster `x`.
   template <class Name>
   std::string fault(const Name& name)
   {
@@ -31,7 +30,7 @@ public:
     return message.empty() ? fault_of_dual() : message;
   }
 
-  // The same for the clusters alone, without a look at their dual.
+  // The same for the clusters only, without their dual.
   template <class Name>
   std::string fault_of_clusters(const Name& name)
   {
@@ -63,8 +62,8 @@ private:
     return {};
   }
 
-  // A cluster is a closed disc if its faces are connected across edges, its faces around every vertex follow each
-  // other, and its Euler characteristic is 1.
+  // A cluster is a closed disc if its faces are connected across edges, its faces around every vertex are consecutive,
+  // and its Euler characteristic is 1.
   std::string fault_of_discs()
   {
     std::vector<long> euler_characteristic(clusters_, 0);

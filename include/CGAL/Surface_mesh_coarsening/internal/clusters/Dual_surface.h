@@ -19,19 +19,18 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The dual of the clusters of a component, the closed triangulated surface whose vertices are the clusters and what lies
-// beyond each border loop, which can be contracted along the edges between two clusters. Merging two clusters is such a
-// contraction; nothing here needs to know the faces they are made of.
+// The dual of the clusters of a component: a closed triangulated surface whose vertices are the clusters and the caps
+// of the border loops. Contracting an edge of it merges two clusters without access to their faces.
 //
-// The dual is a simplicial surface, and stays one, of the same topology, if an edge is contracted only where its ends have
-// exactly two neighbors in common (the link condition; Dey, Edelsbrunner, Guha, Nekhayev: Topology preserving edge
-// contraction, 1999). Two border loops remain apart if no cluster gets to touch both.
+// The dual remains a simplicial surface of the same topology if an edge is contracted only where its ends have exactly
+// two common neighbors (the link condition; Dey, Edelsbrunner, Guha, Nekhayev: Topology preserving edge contraction,
+// 1999). Two border loops remain separate if no cluster touches both.
 class Dual_surface
 {
 public:
-  typedef Index Edge; // halfedge 3 t + i goes from corner i of triangle t to the next one
+  typedef Index Edge; // halfedge 3 t + i goes from corner i of triangle t to the next corner
 
-  // The clusters of the faces `faces` of a component are numbered from 0 and have to be valid.
+  // The clusters of the faces `faces` of a component are valid and numbered from 0.
   template <class FaceRange>
   Dual_surface(const Cluster_labels& labels, const FaceRange& faces, Index clusters,
                const Cancellation_point& cancellation = Cancellation_point(), Execution execution = Execution::SEQUENTIAL)
@@ -54,7 +53,7 @@ public:
   static Edge previous(Edge e) { return e % 3 == 0 ? e + 2 : e - 1; }
   Index source(Edge e) const { return source_[e]; }
   Index target(Edge e) const { return source_[next(e)]; }
-  // Whether the clusters at the ends meet in an arc, and not only in the fan around a vertex of the mesh.
+  // Returns whether the clusters at the ends meet in an arc, and not only in the fan around a vertex of the mesh.
   bool is_arc(Edge e) const { return is_arc_[e]; }
 
   // Calls `visit(e)` for each edge that leaves `x`.
@@ -68,7 +67,7 @@ public:
     } while (e != edge_of_[x]);
   }
 
-  // Whether the two clusters at the ends of an edge may become one.
+  // Returns whether the two clusters at the ends of an edge may be merged.
   bool may_contract(Edge e)
   {
     const Index a = source_[e], b = target(e);
@@ -86,11 +85,11 @@ public:
       common += stamp_of_[target(f)] == stamp_;
       ++of_b;
     });
-    // The cycle around both needs three neighbors.
+    // The link of the merged cluster needs three neighbors.
     return common == 2 && of_a + of_b >= 7 && !tip_is_enclosed(e) && !tip_is_enclosed(opposite_[e]);
   }
 
-  // Makes one of the two ends of `e`, and gives it the number of the first.
+  // Merges the ends of `e`; the result keeps the number of the source.
   void contract(Edge e)
   {
     const Index kept = source_[e], gone = target(e);
@@ -110,7 +109,7 @@ private:
   // The clusters around vertices where three or more meet.
   struct Clusters_at_vertices
   {
-    // Of the vertices whose stars begin at one of the faces.
+    // Lists the vertices whose stars begin at one of the faces.
     template <class Iterator>
     void list(const Cluster_labels& labels, Iterator begin, Iterator end)
     {
@@ -130,12 +129,13 @@ private:
         }
     }
 
-    std::vector<Index> runs, first; // where those of each vertex begin, and where the last end
+    std::vector<Index> runs, first; // first run of each vertex, and the total
     std::vector<Index> at_vertex;
   };
 
-  // Whether the third cluster of the triangle of `e` meets the two at the ends of `e` in arcs, and no others. These must not
-  // become one: it would touch itself at the vertex where the fan is that the other neighbors of the third come from.
+  // Returns whether the third cluster of the triangle of `e` meets the two at the ends of `e` in arcs, and no others.
+  // These two must not be merged: the result would touch itself at the vertex whose fan contributes the other neighbors
+  // of the third.
   bool tip_is_enclosed(Edge e) const
   {
     const Index tip = source_[previous(e)];
@@ -150,8 +150,7 @@ private:
     return arcs == 2;
   }
 
-  // Glues together the two edges of the triangle of `e` other than `e`. Returns one of those glued that leaves the source
-  // of `e`.
+  // Glues the two edges of the triangle of `e` other than `e`. Returns a glued edge that leaves the source of `e`.
   Edge remove_triangle(Edge e)
   {
     const Edge first = opposite_[next(e)], second = opposite_[previous(e)]; // from the tip, and to the tip
@@ -181,7 +180,7 @@ private:
         for (std::size_t i = 0; i + 1 < part.first.size(); ++i)
           add_fan(part.runs.data() + part.first[i], part.runs.data() + part.first[i + 1], loops);
       });
-    // The loops of the component are numbered on from the clusters.
+    // The loops of the component are numbered after the clusters.
     sort_unique(loops);
     for (Index& x : source_)
       if (Cluster_labels::is_cap(x))
@@ -216,11 +215,11 @@ private:
   }
 
   Index clusters_;
-  std::vector<Index> source_;   // of each edge; NONE where the triangle is gone
+  std::vector<Index> source_;   // per edge; NONE if the triangle is removed
   std::vector<Edge> opposite_;
-  std::vector<char> is_arc_;    // of each edge
-  std::vector<Edge> edge_of_;   // one that leaves each vertex
-  std::vector<Index> loop_of_;  // that each cluster touches
+  std::vector<char> is_arc_;    // per edge
+  std::vector<Edge> edge_of_;   // an edge that leaves each vertex
+  std::vector<Index> loop_of_;  // the loop that each cluster touches
   std::vector<Index> stamp_of_;
   std::vector<Edge> moved_;
   Index stamp_ = 0;

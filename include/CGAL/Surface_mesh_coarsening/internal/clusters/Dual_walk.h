@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// An edge seen from a face that lies on its left: the edge after corner `corner` of `face`.
+// An edge seen from the face on its left: the edge after corner `corner` of `face`.
 struct Directed_edge
 {
   Index face = NONE;
@@ -21,12 +21,12 @@ struct Directed_edge
   bool operator==(const Directed_edge& e) const { return corner == e.corner; }
 };
 
-// The runs of equal labels around a vertex, counterclockwise, the one beyond the border among them.
+// Computes the runs of equal labels around a vertex, counterclockwise, including the cap.
 //
 // In the dual triangulation a vertex with d >= 3 runs is a fan of d - 2 triangles. Its apex is the run of the first
-// face of the star. So the dual triangulation is a function of the clusters, whatever their numbers are, and merging
-// two clusters contracts an edge of it. On the border the first face is the clockwise end of the star, and the only
-// triangle with the run beyond the border is the one of the two clusters that meet the border here.
+// face of the star. So the dual triangulation depends on the clusters but not on their numbers, and merging two
+// clusters contracts an edge of it. On the border the first face is the clockwise end of the star; one triangle only
+// contains the cap, together with the two clusters that meet the border here.
 inline void clusters_around_vertex(const Cluster_labels& labels, Index v, std::vector<Index>& runs)
 {
   const Flat_mesh& m = labels.mesh();
@@ -39,17 +39,17 @@ inline void clusters_around_vertex(const Cluster_labels& labels, Index v, std::v
   if (m.is_on_border(v))
     runs.push_back(Cluster_labels::cap + m.loop[v]);
   else if (runs.size() > 1 && runs.back() == runs.front())
-    runs.pop_back(); // the apex, which is the first run, goes on over the end of the array
+    runs.pop_back(); // the first run, the apex, continues across the end of the array
 }
 
-// Walks along the boundary of a cluster that is a closed disc, and tells which clusters follow each other around its
-// vertex in the dual triangulation.
+// Walks along the boundary of a cluster that is a closed disc, and lists its neighbors in the dual triangulation in
+// order.
 class Dual_walk
 {
 public:
   explicit Dual_walk(const Cluster_labels& labels) : labels_(labels), mesh_(labels.mesh()) {}
 
-  // An edge of face `f` on the boundary of its cluster; none if there is none.
+  // Returns an edge of face `f` on the boundary of its cluster; none if there is none.
   Directed_edge boundary_edge(Index f) const
   {
     for (const Index c : mesh_.corners(f))
@@ -73,9 +73,9 @@ public:
     } while (!(e == start));
   }
 
-  // The neighbor that keeps the cluster on the left of `start` from having a simple link: one that comes twice, or
-  // what lies beyond a second border loop. NONE if the link is a simple cycle of three or more neighbors; the
-  // cluster itself if it is simple but shorter.
+  // Returns the neighbor that prevents the cluster on the left of `start` from having a simple link: a neighbor that
+  // occurs twice, or a second cap. Returns NONE if the link is a simple cycle of three or more neighbors, and the
+  // cluster itself if the cycle is simple but shorter.
   Index first_link_defect(const Directed_edge start, std::vector<Index>& stamp_of_cluster, Index& stamp)
   {
     ++stamp;
@@ -96,8 +96,8 @@ public:
   }
 
 private:
-  // Visits the neighbors that the cluster of face `f` has at `v` in the fan there, but for `front`, where the boundary of
-  // the cluster arrives at `v`. It leaves `v` along `back`.
+  // Visits the neighbors of the cluster of face `f` in the fan at `v`, except `front`, where the boundary of the
+  // cluster arrives at `v`. It leaves `v` along `back`.
   template <class Visit>
   bool link_at(Index v, Index f, Index front, Index back, const Visit& visit)
   {
@@ -116,8 +116,8 @@ private:
     return visit(back);
   }
 
-  // From the boundary edge that arrives at `v` to the one that leaves it, clockwise over the faces of the cluster, which
-  // follow each other there.
+  // Returns the boundary edge that leaves `v`, given the boundary edge that arrives there: turns clockwise over the
+  // faces of the cluster, which are consecutive around `v`.
   Directed_edge turn(const Directed_edge e, Index v) const
   {
     Directed_edge leaving{e.face, mesh_.next_corner(e.face, e.corner)};

@@ -12,7 +12,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Of some faces: the mass, the centroid (7), and the inertia about it, which the energy (8) is a multiple of.
+// The mass of a set of faces, their centroid (7), and the inertia about it; the energy (8) is a multiple of the
+// inertia.
 struct Moments
 {
   double mass = 0;            // sum r A
@@ -20,7 +21,7 @@ struct Moments
   double inertia = 0;         // sum r A |g - centroid|^2
 };
 
-// What the inertia of a union is larger by than those of its two parts: the parallel axis theorem.
+// Returns the inertia of the union of two sets minus their own inertias (parallel axis theorem).
 inline double inertia_between(const Moments& a, const Moments& b)
 {
   const double mass = a.mass + b.mass;
@@ -28,8 +29,8 @@ inline double inertia_between(const Moments& a, const Moments& b)
   return mass > 0 ? a.mass * b.mass / mass * dot(d, d) : 0;
 }
 
-// Those of the clusters, from scratch. `moments` begin with nothing. `also(x, f)` is called once for each face `f` and the sums
-// of its cluster.
+// Computes the moments of the clusters; `moments` begin with zero. `also(x, f)` is called once for each face `f` and
+// the sums `x` of its cluster.
 template <class Derived, class Also>
 void add_up_moments(const Clustering_input& input, const Cluster_labels& labels, std::vector<Derived>& moments,
                     const Cancellation_point& cancellation, Execution execution, const Also& also)

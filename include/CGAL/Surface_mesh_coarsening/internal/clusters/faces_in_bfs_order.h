@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The faces of the cluster of face `f` in the order of a breadth-first walk from there, in time that depends on the cluster
-// alone: the labels serve as marks on the way.
+// Returns the faces of the cluster of face `f` in breadth-first order from `f`, in time that depends on the cluster
+// only: the labels temporarily serve as marks.
 inline std::vector<Index> faces_in_bfs_order(Cluster_labels& labels, Index f)
 {
   const Flat_mesh& m = labels.mesh();

@@ -14,8 +14,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Reads labels, which may be any numbers, as clusters numbered from 0 in the order of their labels. Returns the label of
-// each cluster.
+// Reads arbitrary labels as clusters numbered from 0 in the order of their labels. Returns the label of each cluster.
 template <class FaceGraph, class FaceClusterMap>
 auto label_clusters(const Numbering<FaceGraph>& n, const FaceClusterMap& map, Cluster_labels& labels)
 {

@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// What becomes of features in the dual of clusters that follow the rules for them: corners are vertices, and lines are
-// polylines of the edges where they cross from one cluster to another.
+// The features in the dual of clusters that satisfy Feature_rules: corners are vertices, and lines are polylines of the
+// edges between clusters that they cross.
 class Coarse_features
 {
 public:
@@ -27,11 +27,11 @@ public:
   };
   struct Line
   {
-    std::vector<Arc> arcs; // if the line is no loop, the first one begins, and the last one ends, at a corner
+    std::vector<Arc> arcs; // unless the line is a loop, the first begins and the last ends at a corner
     bool is_loop = false;
   };
 
-  // `labels` are those of the pieces.
+  // `labels` are the labels of the pieces.
   Coarse_features(const Feature_cells& cells, const Cluster_labels& labels, std::size_t clusters)
     : cells_(cells), labels_(labels), corner_of_(clusters, NONE)
   {
@@ -60,7 +60,7 @@ private:
   void add_line(const Feature_line& line)
   {
     const std::size_t n = line.nodes.size();
-    std::size_t begin = 0; // of a loop, at a crossing
+    std::size_t begin = 0; // if the line is a loop: at a crossing
     while (line.is_loop && begin < n && label(line.nodes[begin]) == label(line.nodes[(begin + n - 1) % n]))
       ++begin;
     Line coarse;

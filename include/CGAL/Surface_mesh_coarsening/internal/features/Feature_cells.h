@@ -17,17 +17,17 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// How the mesh that is clustered is made where there are features: the faces around the nodes of the feature graph are cut
-// into one quadrilateral per corner, and those around a node joined to one polygon, its cell. Whatever clusters are made of
-// these polygons, each feature edge lies in at most two of them, and where it leads from one to the other, in its middle, the
-// two meet in an arc across it. So features are kept by rules for the cells alone: see Feature_rules.
+// Builds the mesh to be clustered if there are features: subdivides the faces around the nodes of the feature graph
+// into one quadrilateral per corner, and joins the quadrilaterals around a node to one polygon, its cell. Each feature
+// edge then lies in at most two clusters of these polygons. If these differ, they meet in an arc across the midpoint of
+// the edge. So rules for cells keep features: see Feature_rules.
 //
-// The polygons of this mesh have no geometry but their sums. Whatever looks at the surface uses `pieces`, of which the
-// polygons consist.
+// The polygons of this mesh have sums but no geometry. The surface is given by `pieces`, whose faces make up the
+// polygons.
 class Feature_cells
 {
 public:
-  // Makes the mesh to be clustered; there must be features.
+  // Builds the mesh to be clustered; there must be features.
   static Featured_input run(const Clustering_input& base, const Feature_edges& edges, const Cancellation_point& cancellation)
   {
     auto cells = std::make_shared<Feature_cells>(base, edges);
@@ -55,13 +55,13 @@ public:
   const Feature_edges& edges() const { return edges_; }
   const Feature_graph& graph() const { return graph_; }
 
-  // The faces of the original mesh, those around nodes cut. Vertices have the same numbers as in the mesh of cells.
+  // The faces of the original mesh, subdivided around nodes. Vertices have the same numbers as in the mesh of cells.
   const Clustering_input& pieces() const { return pieces_; }
-  // The polygon, and the face of base(), that a piece is a part of.
+  // The polygon, and the face of base(), that contain a piece.
   Index polygon(Index piece) const { return polygon_of_piece_[piece]; }
   Index base_face(Index piece) const { return face_of_piece_[piece]; }
 
-  // Whether a piece at a node has a feature edge.
+  // Returns whether a piece at a node has a feature edge.
   bool has_line_at(Index piece) const
   {
     const Index f = face_of_piece_[piece], v = pieces_.mesh.corner_vertex[pieces_.mesh.first_corner[piece]];
@@ -72,11 +72,11 @@ public:
   // The node of a polygon; NONE if it is no cell.
   Index node(Index polygon) const { return node_of_polygon_[polygon]; }
   Index cell(Index node) const { return cell_of_node_[node]; }
-  // Whether a polygon has an edge on the border.
+  // Returns whether a polygon has an edge on the border.
   bool is_at_border(Index polygon) const { return is_at_border_[polygon]; }
-  // Whether a corner lies on the border.
+  // Returns whether a corner lies on the border.
   bool is_on_border(Index node) const { return base_.mesh.is_on_border(graph_.vertex(node)); }
-  // The vertex in the middle of the edge from a node to the next on a line.
+  // Returns the midpoint of the edge from a node to the next node of a line.
   Index middle(Index node, Index next) const
   {
     const Flat_mesh& m = base_.mesh;
@@ -90,8 +90,8 @@ public:
   }
 
 private:
-  // The faces at nodes between two faces only, whose cells would have two neighbors, and could not be clusters. Empty if there
-  // are none.
+  // Marks the faces at nodes between only two faces: the cells of such nodes have two neighbors and could not be
+  // clusters. Empty if there are none.
   std::vector<char> faces_at_bigons() const
   {
     const Flat_mesh& m = base_.mesh;
@@ -107,7 +107,7 @@ private:
     return result;
   }
 
-  // The same with chosen faces of the original mesh cut into fans.
+  // The same with star subdivision of chosen faces of the original mesh.
   Featured_input in_fans(const std::vector<char>& is_cut, const Cancellation_point& cancellation) const
   {
     std::vector<Index> old_face;
@@ -140,7 +140,7 @@ private:
     return result;
   }
 
-  // In the order of the pieces, so that components keep theirs.
+  // Numbers polygons in the order of the pieces, so that components keep their order.
   void number_polygons(const Quad_subdivision& cutting)
   {
     const Flat_mesh& m = base_.mesh;
@@ -185,7 +185,8 @@ private:
     return builder.finish(cancellation);
   }
 
-  // Around the pieces at `v`: their corners are the vertex, the middle of an edge, that of the face, that of an edge.
+  // Walks around the pieces at `v`: their corners are the vertex, the midpoint of an edge, the center of the face, the
+  // midpoint of an edge.
   template <class Push>
   void add_cell(Index v, const Push& push) const
   {
@@ -230,7 +231,7 @@ private:
     }
   }
 
-  // The clusters that the features of each component need, and the vertices of the original mesh.
+  // Counts the clusters that the features of each component need, and the vertices of the original mesh.
   void count_in_components(Flat_mesh& m) const
   {
     const auto component_of = [&](Index node) -> Component& { return m.components[m.component[cell_of_node_[node]]]; };

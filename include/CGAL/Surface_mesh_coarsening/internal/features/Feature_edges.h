@@ -17,11 +17,11 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The edges inside a mesh that its feature lines are made of, and the corners, where these lines end or meet.
+// The feature edges inside a mesh, and the corners, where feature lines end or meet.
 struct Feature_edges
 {
-  std::vector<char> is_feature; // of the edge after each corner of a face; the same seen from both its faces
-  std::vector<char> is_corner;  // of each vertex
+  std::vector<char> is_feature; // of the edge after each corner of a face; equal for both its faces
+  std::vector<char> is_corner;  // per vertex
 
   explicit Feature_edges(const Flat_mesh& m)
     : is_feature(m.corner_vertex.size(), false), is_corner(m.number_of_vertices(), false) {}
@@ -32,7 +32,7 @@ struct Feature_edges
     return std::none_of(is_feature.begin(), is_feature.end(), is_set) && std::none_of(is_corner.begin(), is_corner.end(), is_set);
   }
 
-  // Calls `visit(v, w, f, c)` for each feature edge: its ends, and the corner after which it follows in a face.
+  // Calls `visit(v, w, f, c)` for each feature edge: its ends, a face, and its corner before the edge.
   template <class Visit>
   void for_each_edge(const Flat_mesh& m, const Visit& visit) const
   {
@@ -42,7 +42,7 @@ struct Feature_edges
           visit(m.corner_vertex[c], m.corner_vertex[m.next_corner(Index(f), c)], Index(f), c);
   }
 
-  // The vertices that each vertex has feature edges to.
+  // Returns the ends of the feature edges at each vertex.
   std::vector<std::vector<Index> > neighbors(const Flat_mesh& m) const
   {
     std::vector<std::vector<Index> > neighbors(m.number_of_vertices());
@@ -53,7 +53,7 @@ struct Feature_edges
     return neighbors;
   }
 
-  // What becomes of them where chosen faces are cut as star_subdivision() does.
+  // Returns the features after star_subdivision() of chosen faces.
   Feature_edges in_fans(const Flat_mesh& m, const std::vector<char>& is_cut, const Flat_mesh& fans) const
   {
     Feature_edges result(fans);
@@ -65,7 +65,7 @@ struct Feature_edges
     return result;
   }
 
-  // What becomes of them where the faces of the chosen components are cut as Quad_subdivision does.
+  // Returns the features after Quad_subdivision of the faces of the chosen components.
   Feature_edges subdivided(const Flat_mesh& m, const std::vector<bool>& chosen, const Flat_mesh& subdivision) const
   {
     Feature_edges result(subdivision);
@@ -83,13 +83,13 @@ struct Feature_edges
   }
 };
 
-// Finds feature edges and corners. Edges of the border are left out: the border is kept as it is anyway.
+// Finds feature edges and corners. Omits border edges, since the border is kept in any case.
 class Feature_detection
 {
 public:
   explicit Feature_detection(const Flat_mesh& m) : m_(m), result_(m) {}
 
-  // Takes the edge after corner `c` of face `f`.
+  // Adds the edge after corner `c` of face `f`.
   void add_edge(Index f, Index c)
   {
     const Index g = m_.face_across[c];
@@ -105,8 +105,8 @@ public:
       result_.is_corner[v] = true;
   }
 
-  // Takes the edges at which the normals of the two faces, as the corners beside the edge give them, are `degrees` or more
-  // apart: the rule of CGAL's detect_sharp_edges().
+  // Adds the edges where the normals of the two faces differ by `degrees` or more. The corners beside the edge define
+  // the normals, as in CGAL's detect_sharp_edges().
   void add_sharp_edges(double degrees)
   {
     const double cosine = std::cos(degrees * CGAL_PI / 180);
@@ -123,7 +123,7 @@ public:
     });
   }
 
-  // Takes the edges between faces of different patches. `patch(f)` is that of face `f`.
+  // Adds the edges between faces of different patches. `patch(f)` is the patch of face `f`.
   template <class Patch>
   void add_patch_borders(const Patch& patch)
   {
@@ -133,7 +133,8 @@ public:
     });
   }
 
-  // Also takes for corners the vertices where other than two feature edges meet, or lines reach the border or turn sharply.
+  // Adds as corners the vertices whose number of feature edges is not two, and where lines reach the border or turn
+  // sharply.
   Feature_edges result()
   {
     neighbors_ = result_.neighbors(m_);
@@ -169,8 +170,8 @@ private:
 
   const Vector& point(Index corner) const { return m_.points[m_.corner_vertex[corner]]; }
 
-  // A line of one edge that a part of the border without corners goes beside from end to end. In the middle of that part a
-  // corner keeps the two apart.
+  // Adds a corner in the middle of a part of the border without corners that connects the ends of a line of one edge.
+  // The corner keeps the two apart.
   void add_halfway(Index begin, Index end, std::vector<Index>& halfway) const
   {
     std::vector<Index> between(1, m_.next_on_border(begin));
@@ -180,8 +181,8 @@ private:
       halfway.push_back(between[between.size() / 2 - 1]);
   }
 
-  // By more than 60 degrees, between edges as well as between the ways some edges to both sides: borders of regions on
-  // regular meshes are zigzags or staircases without turning.
+  // Returns whether a line turns by more than 60 degrees, measured between adjacent edges and also between chords of
+  // several edges: on regular meshes, borders of regions zigzag without turning.
   bool turns_sharply(Index v) const
   {
     return turns_between(neighbors_[v][0], v, neighbors_[v][1]) && turns_between(some_edges_on(v, 0), v, some_edges_on(v, 1));
@@ -206,7 +207,7 @@ private:
 
   const Flat_mesh& m_;
   Feature_edges result_;
-  std::vector<std::vector<Index> > neighbors_; // of each vertex, along feature edges
+  std::vector<std::vector<Index> > neighbors_; // per vertex, along feature edges
 };
 
 } // namespace internal

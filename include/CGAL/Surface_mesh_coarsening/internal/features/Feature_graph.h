@@ -14,19 +14,19 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A feature line from corner to corner, or around. Its edges are those between consecutive nodes.
+// A feature line from corner to corner, or a loop. Its edges connect consecutive nodes.
 struct Feature_line
 {
-  std::vector<Index> nodes; // with the corners at the ends; of a loop each node once
+  std::vector<Index> nodes; // with the corners at the ends; a loop lists each node once
   bool is_loop = false;
-  // How many of its edges have to lead from one cluster to another, so that it becomes a polyline that has no edge in common
-  // with another, or with itself.
+  // The number of its edges that have to cross between clusters. With fewer, its polyline would share an edge with
+  // another one, or with itself.
   Index min_crossings = 1;
 
   std::size_t number_of_edges() const { return is_loop ? nodes.size() : nodes.size() - 1; }
 };
 
-// The vertices on feature lines, and the corners: the nodes, corners first, then line by line.
+// The vertices on feature lines: the nodes, corners first, then line by line.
 class Feature_graph
 {
 public:
@@ -45,21 +45,21 @@ public:
 
   std::size_t number_of_nodes() const { return vertex_.size(); }
   Index vertex(Index node) const { return vertex_[node]; }
-  // NONE where there is none.
+  // Returns NONE if there is none.
   Index node_of_vertex(Index v) const { return v < node_of_vertex_.size() ? node_of_vertex_[v] : NONE; }
   bool is_corner(Index node) const { return node < number_of_corners_; }
   std::size_t number_of_corners() const { return number_of_corners_; }
   const std::vector<Feature_line>& lines() const { return lines_; }
 
-  // Of a node that is not a corner: the line, and the nodes before and after.
+  // For a node that is no corner: its line, and the nodes before and after it.
   Index line(Index node) const { return line_[node]; }
   Index before(Index node) const { return before_[node]; }
   Index after(Index node) const { return after_[node]; }
 
-  // The nodes that are no corners at the beginnings of the lines from a corner.
+  // The first nodes, other than corners, of the lines from a corner.
   const std::vector<Index>& line_nodes_beside(Index corner) const { return beside_corner_[corner]; }
 
-  // Whether every line has edges enough for its crossings.
+  // Returns whether every line has enough edges for its crossings.
   bool has_room() const
   {
     return std::all_of(lines_.begin(), lines_.end(),
@@ -90,7 +90,7 @@ private:
 
   static Index other(const std::vector<Index>& pair, Index v) { return pair[0] == v ? pair[1] : pair[0]; }
 
-  // Each line is traced once: not back from its other end, and one edge between two corners from the smaller.
+  // Each line is traced from one end only; an edge between two corners is traced from the smaller one.
   void trace_from_corner(Index corner, Index next, const Neighbors& neighbors)
   {
     const bool is_corner = node_of_vertex_[next] != NONE && node_of_vertex_[next] < number_of_corners_;
@@ -139,8 +139,8 @@ private:
     lines_.push_back(line);
   }
 
-  // A loop becomes a triangle at least. Of several lines between two corners one may become a single edge, and none if there
-  // is a part of the border between them, too.
+  // A loop becomes at least a triangle. Among several lines between two corners, one may become a single edge, or none
+  // if a part of the border connects the corners, too.
   void apportion_crossings(const Flat_mesh& m)
   {
     std::vector<std::tuple<Index, Index, std::size_t, Index> > ends;
@@ -167,7 +167,7 @@ private:
   }
 
   Index number_of_corners_ = 0;
-  std::vector<Index> vertex_, line_, before_, after_; // of each node
+  std::vector<Index> vertex_, line_, before_, after_; // per node
   std::vector<Index> node_of_vertex_;
   std::vector<std::vector<Index> > beside_corner_;
   std::vector<Feature_line> lines_;

@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Tells which clusters of a component may become one without breaking the rules for features: two on features only where a
-// line crosses from one to the other, and then not two with corners.
+// Decides which clusters of a component may be merged under the rules for features: two clusters on features only if a
+// line crosses between them, and not both with corners.
 class Feature_merging
 {
 public:
@@ -47,7 +47,7 @@ public:
     }
   }
 
-  // `cluster_of(x)` is the cluster that `x` has been merged into.
+  // `cluster_of(x)` is the cluster into which `x` has been merged.
   template <class ClusterOf>
   bool may_merge(Index a, Index b, const ClusterOf& cluster_of) const
   {
@@ -65,7 +65,7 @@ public:
     return false;
   }
 
-  // Takes note that cluster `gone` becomes part of cluster `kept`.
+  // Records that cluster `gone` is merged into cluster `kept`.
   template <class ClusterOf>
   void merge(Index kept, Index gone, const ClusterOf& cluster_of)
   {
@@ -113,7 +113,7 @@ private:
   }
 
   std::vector<Cluster> clusters_;
-  std::vector<long> spare_; // crossings of each line that it does not need
+  std::vector<long> spare_; // surplus crossings of each line
 };
 
 } // namespace internal

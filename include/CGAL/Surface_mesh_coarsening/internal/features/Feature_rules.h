@@ -12,11 +12,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// What features ask of clusters: a cluster holds no cell of a feature, or those of one contiguous part of one line, or that of
-// one corner with contiguous parts of lines from there. A line has no fewer crossings from one cluster to another than it
-// needs. Clusters with a part of a line stay off the border, on which they would have to have their vertex, too.
+// The rules of features for clusters. A cluster contains no cell of a feature, or the cells of one contiguous part of
+// one line, or the cell of one corner with contiguous parts of lines that begin there. A line keeps the number of
+// crossings between clusters that it needs. Clusters on a line stay off the border, which would claim their vertex,
+// too.
 //
-// Cells without a cluster count as clusters of their own.
+// Cells without a cluster count as separate clusters.
 class Feature_rules
 {
 public:
@@ -25,7 +26,7 @@ public:
 
   const Feature_cells& cells() const { return cells_; }
 
-  // Begins with the faces, those of whole components, without clusters.
+  // Begins with the faces of whole components, without clusters.
   template <class FaceRange>
   void begin(const FaceRange& faces)
   {
@@ -37,7 +38,7 @@ public:
       }
   }
 
-  // Takes clusters that are there over.
+  // Begins with existing clusters.
   void count(std::size_t number_of_clusters)
   {
     clusters_.assign(number_of_clusters, Cluster());
@@ -52,7 +53,7 @@ public:
     }
   }
 
-  // Whether face `f` may join cluster `to`, which is next to it, and leave its own if it has one.
+  // Returns whether face `f` may join the adjacent cluster `to`, and leave its own if it has one.
   bool may_take(Index f, Index to) const
   {
     const Cluster& target = cluster(to);
@@ -67,7 +68,7 @@ public:
            int(crossings_[line]) + beside_source - beside_target >= int(cells_.graph().lines()[line].min_crossings);
   }
 
-  // Takes note that face `f` is about to leave its cluster, if it has one, for cluster `to`, if that is not NONE.
+  // Records that face `f` is about to leave its cluster, if any, for cluster `to`, unless that is NONE.
   void change(Index f, Index to)
   {
     const Index node = cells_.node(f), from = labels_[f];
@@ -86,7 +87,7 @@ public:
     add(f, to);
   }
 
-  // The cell of the corner of a cluster; NONE if it has none.
+  // Returns the cell of the corner of a cluster; NONE if it has none.
   Index corner_cell(Index x) const { return x < clusters_.size() ? clusters_[x].corner_cell : NONE; }
 
 private:
@@ -110,7 +111,7 @@ private:
     return x != y || x == NONE;
   }
 
-  // How many of the two nodes beside one on a line belong to cluster `x`.
+  // Counts the nodes adjacent to `node` on its line that belong to cluster `x`.
   int nodes_beside(Index node, Index x) const
   {
     if (x == NONE)
@@ -151,7 +152,7 @@ private:
   const Feature_cells& cells_;
   const Cluster_labels& labels_;
   std::vector<Cluster> clusters_;
-  std::vector<Index> crossings_; // of each line
+  std::vector<Index> crossings_; // per line
 };
 
 } // namespace internal

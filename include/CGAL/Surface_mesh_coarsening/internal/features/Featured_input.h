@@ -13,7 +13,7 @@ namespace internal {
 
 class Feature_cells;
 
-// What is clustered, and, where features are kept, how its items were made of faces.
+// The input of the clustering and, if features are kept, the construction of its items from faces.
 struct Featured_input
 {
   Clustering_input items;

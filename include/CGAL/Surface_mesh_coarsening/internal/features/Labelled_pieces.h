@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The faces that have a geometry, with their clusters: those that were clustered or, where features are kept, the pieces that
-// these consist of.
+// The faces that have a geometry, with their clusters: the clustered faces or, if features are kept, the pieces of the
+// cells.
 class Labelled_pieces
 {
 public:
@@ -42,17 +42,17 @@ private:
   std::optional<Coarse_features> features_;
 };
 
-// The cluster of a face of the caller's mesh: that of its largest part, or `none` if it has no part, as in a component that was
-// dropped. Where features are kept, it is that of a corner which the face has, before that; and that of a line, at the end
-// that comes first, if it has an edge of one. So the faces around a corner have the cluster of the corner, and two faces at a
-// feature edge the same, unless a face has several corners or edges.
+// Returns the cluster of a face of the caller's mesh: the cluster of its largest part, or `none` if it has no part, as
+// in a removed component. If features are kept, the first corner of the face takes precedence, then the first end of a
+// feature edge of the face. So the faces around a corner have the cluster of the corner, and both faces of a feature
+// edge the same cluster, unless a face has several corners or feature edges.
 inline std::size_t cluster_of_face(const Featured_input& input, const Cluster_labels& labels, std::size_t none, Index f)
 {
   const Feature_cells* const cells = input.cells.get();
   const Clustering_input& pieces = cells ? cells->pieces() : input.items;
   if (pieces.parent.empty())
     return labels[f];
-  // The pieces of a face follow each other in the order of the faces.
+  // Pieces are sorted by face.
   const auto range = std::equal_range(pieces.parent.begin(), pieces.parent.end(), f);
   Index first_node = NONE;
   Majority<Index> votes;

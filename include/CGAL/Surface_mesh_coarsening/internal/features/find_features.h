@@ -15,7 +15,7 @@ namespace internal {
 
 struct Feature_edges;
 
-// The features that the caller asks for, besides the borders of patches.
+// The features that the caller requests, except the borders of patches.
 struct Feature_request
 {
   struct Edge
@@ -27,13 +27,14 @@ struct Feature_request
   std::vector<Index> corners;
 };
 
-// Finds the features of the faces; null if there are none. `patches` are those of the faces of the caller's mesh, or empty.
+// Finds the features of the faces; null if there are none. `patches` is empty or holds the patch of each face of the
+// caller's mesh.
 std::shared_ptr<const Feature_edges> find_features(const Clustering_input& input, const Feature_request& request,
                                                    const std::vector<long long>& patches);
 
 std::vector<Index> corners_of(const Feature_edges& edges);
 
-// Makes the items cells that keep the features.
+// Replaces the items by cells that keep the features.
 void make_cells(Featured_input& input, const Feature_edges& edges, const Cancellation_point& cancellation);
 
 

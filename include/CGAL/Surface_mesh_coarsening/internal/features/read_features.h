@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The patch of each face of the caller's mesh; none if there is no map.
+// Reads the patch of each face of the caller's mesh; empty if there is no map.
 template <class FaceGraph, class PatchMap>
 std::vector<long long> read_patches(const Numbering<FaceGraph>& n, const PatchMap& map)
 {
@@ -33,7 +33,7 @@ std::vector<long long> read_patches(const Numbering<FaceGraph>&, const CGAL::int
   return {};
 }
 
-// The marked edges, each as the corner of a face where it begins.
+// Reads the marked edges, each as the corner of a face where it begins.
 template <class FaceGraph, class EdgeMap>
 std::vector<Feature_request::Edge> read_edges(const FaceGraph& mesh, const Numbering<FaceGraph>& n,
                                               const Clustering_input& input, const EdgeMap& map)
@@ -52,7 +52,7 @@ std::vector<Feature_request::Edge> read_edges(const FaceGraph&, const Numbering<
   return {};
 }
 
-// The marked vertices.
+// Reads the marked vertices.
 template <class FaceGraph, class VertexMap>
 std::vector<Index> read_corners(const Numbering<FaceGraph>& n, const VertexMap& map)
 {
@@ -68,7 +68,7 @@ std::vector<Index> read_corners(const Numbering<FaceGraph>&, const CGAL::interna
   return {};
 }
 
-// Makes the frame give back the coordinates of the corners as they are, which differences and sums would round.
+// Stores the coordinates of the corners in the frame, which returns them without rounding.
 template <class FaceGraph, class NamedParameters>
 void keep_exact_corners(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
                         const std::vector<Index>& corners, const Flat_mesh& m, Local_frame& frame)
@@ -81,7 +81,7 @@ void keep_exact_corners(const FaceGraph& mesh, const NamedParameters& np, const 
   frame.exact = exact;
 }
 
-// Prepares the input for the features that the parameters ask for, if there are any. `patches` receives those of the faces.
+// Prepares the input for the features that the parameters request, if any. `patches` receives the patches of the faces.
 template <class FaceGraph, class NamedParameters>
 void read_features(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n, Featured_input& input,
                    Local_frame& frame, std::vector<long long>& patches, const Cancellation_point& cancellation)

@@ -13,13 +13,13 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Section 8.1 of the paper: the clusters in turn take the free faces next to them, a layer a round, until no face is
-// free. A cluster takes a face only if it stays a closed disc, which also makes discs of those neighborhoods of seeds
-// that are none. Neighborhoods being disjoint, they are the first layers of this growth.
+// Section 8.1 of the paper: clusters in turn take the adjacent free faces, one layer per round, until no face is free.
+// A cluster takes a face only if it remains a closed disc, so neighborhoods of seeds that are no discs become discs,
+// too. Neighborhoods are disjoint; they are the first layers of this growth.
 class Cluster_growth
 {
 public:
-  // `rules`: those for features, where there are some.
+  // `rules`: the rules for features, if any.
   explicit Cluster_growth(Cluster_labels& labels, const Cancellation_point& cancellation = Cancellation_point(),
                           Feature_rules* rules = nullptr)
     : labels_(labels),
@@ -48,8 +48,8 @@ public:
     }
   }
 
-  // Covers what the growth had to leave free because every cluster next to it would have closed upon itself: one of
-  // the free faces after the other seeds a new cluster. Returns the number of clusters, new ones included.
+  // Seeds new clusters with the remaining faces one after the other; every cluster adjacent to them would have closed
+  // upon itself. Returns the total number of clusters.
   template <class FaceRange>
   Index cover(const FaceRange& faces, Index number_of_clusters)
   {
@@ -74,7 +74,7 @@ private:
   const Flat_mesh& mesh_;
   Cancellation_point cancellation_;
   Feature_rules* rules_;
-  std::vector<Index> layer_, next_layer_; // faces taken whose neighbors have not been looked at
+  std::vector<Index> layer_, next_layer_; // faces taken whose neighbors are not yet visited
 };
 
 } // namespace internal

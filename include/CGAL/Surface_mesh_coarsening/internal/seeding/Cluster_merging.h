@@ -22,21 +22,21 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Section 6 of the paper, fewer seeds: the three clusters around a vertex that are smallest together become one, again and
-// again, until a component has as many clusters as it should. Two are merged where one too many is left, or where only two
-// may be.
+// Section 6 of the paper, fewer seeds: repeatedly merges the three clusters around a vertex whose summed size is
+// smallest, until a component has the required number of clusters. Merges two clusters if one too many is left, or if
+// only two may be merged.
 //
-// The size of a cluster is its area in the paper. Here it is its mass, of which the clusters of low energy have about the
-// same: what merging does not even out, the minimization has to carry across the mesh face by face. But clusters of few
-// faces cannot be round, whatever their mass; so their faces count where that makes them smaller.
+// Size is area in the paper. Here it is mass, because clusters of low energy have similar masses: the minimization has
+// to carry all remaining differences across the mesh face by face. But clusters of few faces cannot be round, whatever
+// their mass; so the number of faces bounds their size.
 //
 // Works on the valid clusters of one component, numbered from 0.
 class Cluster_merging
 {
 public:
-  // `by_threes`: whether three clusters may be merged at a time. If not, the order of the merges does not depend on the
-  // number wanted, and size is area. `may_join_at_vertices`: whether, when nothing else is left, clusters may be merged
-  // that meet in a vertex only, in an edge of the fan there; that leaves it to Pinch_resolution to make discs of them.
+  // `by_threes`: whether three clusters may be merged at a time. If not, the order of merges does not depend on the
+  // required number, and size is area. `may_join_at_vertices`: whether, as a last resort, clusters may be merged that
+  // meet in a vertex only, that is in an edge of the fan there. Pinch_resolution then has to turn them into discs.
   template <class FaceRange>
   Cluster_merging(const Clustering_input& input, const Cluster_labels& labels, const FaceRange& faces, Index clusters,
                   bool by_threes, bool may_join_at_vertices, const Cancellation_point& cancellation, Execution execution)
@@ -54,14 +54,15 @@ public:
     }
   }
 
-  // From now on follows the rules for features.
+  // Enables the rules for features.
   template <class FaceRange>
   void keep_features(const Feature_cells& cells, const Cluster_labels& labels, const FaceRange& faces)
   {
     features_.emplace(cells, labels, faces, Index(merged_into_.size()));
   }
 
-  // Merges until no more than `wanted` clusters are left, if the topology allows it. Returns the number of merges of two.
+  // Merges until no more than `wanted` clusters are left, if the topology allows it. Returns the number of pairwise
+  // merges.
   std::size_t run(std::size_t wanted)
   {
     wanted_ = wanted;
@@ -76,7 +77,7 @@ public:
     return before - count_;
   }
 
-  // Whether clusters have been merged that met in a vertex only.
+  // Returns whether clusters have been merged that met in a vertex only.
   bool has_pinches() const { return joins_at_vertices_; }
 
   std::size_t number_of_clusters() const { return count_; }
@@ -105,11 +106,11 @@ private:
     Size operator+(const Size& other) const { return {mass + other.mass, faces + other.faces}; }
   };
 
-  // So many faces count as much as the mass that a cluster has on average.
+  // This number of faces counts as much as the mean mass of a cluster.
   static constexpr double faces_of_round_cluster = 64;
 
-  // A merge is tried again after one of its clusters has changed. What may make it possible farther off is looked for when
-  // nothing is left to try.
+  // A merge is retried after one of its clusters has changed. Changes farther away may enable it, too; they are
+  // considered when the queue is empty.
   void merge_while_possible()
   {
     for (std::size_t last = count_ + 1; last != count_ && excess() > 0;) {
@@ -139,8 +140,8 @@ private:
     queue_.emplace(key, t);
   }
 
-  // The summed size of the three clusters, or of the two that are smallest, whichever number would be merged; -1 if there
-  // are no two.
+  // Returns the summed size of the three clusters, or of the two smallest, according to the number that would be
+  // merged; -1 if there are no two.
   double key_of(Index t) const
   {
     if (by_threes_ && excess() > 1) {
@@ -157,7 +158,7 @@ private:
     return least;
   }
 
-  // A cluster that is large already, such as that of a face as large as many others, is not made larger without need.
+  // A cluster that is large already, such as one face as large as many others, is not enlarged without need.
   bool may_be_third(Index merged, Index third) const
   {
     return (size_[merged] + size_[third]).mass <= 4 * mean_mass();
@@ -213,7 +214,7 @@ private:
     dual_.for_each_edge_from(merged, [&](Edge f) { enqueue(f / 3); });
   }
 
-  // Of those of the edges that may be contracted, the one of the smallest summed size; NONE if there is none.
+  // Returns the edge of smallest summed size among the contractible edges; NONE if there is none.
   Edge smallest_of(const std::array<Edge, 3>& edges)
   {
     Edge smallest = NONE;
@@ -223,7 +224,7 @@ private:
     return smallest;
   }
 
-  // Merges the clusters at the ends of `e` and returns the one that is left.
+  // Merges the clusters at the ends of `e` and returns the remaining one.
   Index merge(Edge e)
   {
     const Index kept = dual_.source(e), gone = dual_.target(e);
@@ -243,11 +244,11 @@ private:
   std::optional<Feature_merging> features_;
   bool by_threes_, may_join_at_vertices_, joins_at_vertices_ = false;
   std::size_t count_, wanted_ = 0;
-  mutable std::vector<Index> merged_into_; // ways get shorter when they are gone
+  mutable std::vector<Index> merged_into_; // with path compression
   std::vector<Size> size_;
   double mass_of_all_ = 0;
   Queue queue_;
-  std::vector<bool> is_queued_; // of each triangle
+  std::vector<bool> is_queued_; // per triangle
 };
 
 } // namespace internal

@@ -15,9 +15,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Splits the clusters of a component, all of them closed discs and numbered from 0, until their dual is a simplicial
-// surface: until the neighbors of every cluster form a simple cycle. Each split makes two or more smaller discs of one, so
-// this ends, at the latest with clusters of one face; what is wrong then lies in the mesh itself.
+// Splits the clusters of a component, all closed discs numbered from 0, until their dual is a simplicial surface, that
+// is, until the neighbors of every cluster form a simple cycle. Each split divides a disc into smaller discs; this ends
+// at the latest with clusters of one face. If faults remain then, the mesh itself causes them.
 template <class FaceRange>
 class Cluster_splitting
 {
@@ -28,7 +28,7 @@ public:
       execution_(execution), rules_(rules), faces_(faces),
       clusters_(number_of_clusters) {}
 
-  // Returns whether the clusters are valid now. They are not if clusters of one face are at fault.
+  // Returns whether the clusters are valid now. They are not if single faces remain faulty.
   bool run()
   {
     for (;;) {
@@ -47,7 +47,7 @@ public:
   Index number_of_clusters() const { return clusters_; }
 
 private:
-  // Size, a face, and a boundary edge of each cluster.
+  // Computes the size, a face, and a boundary edge of each cluster.
   void survey()
   {
     size_.assign(clusters_, 0);
@@ -81,8 +81,8 @@ private:
     return true;
   }
 
-  // The clusters at fault, each with one that it meets wrongly; with itself, if it has no boundary, or fewer than three
-  // neighbors.
+  // Returns the faulty clusters, each with a cluster that it meets wrongly; with itself if it has no boundary or fewer
+  // than three neighbors.
   std::vector<std::pair<Index, Index> > faults() const
   {
     struct Part
@@ -109,7 +109,8 @@ private:
     return all;
   }
 
-  // The larger of the two at fault; a neighbor, where both have a single face; NONE, where those have, too.
+  // Returns the larger of the two faulty clusters; a neighbor if both have a single face; NONE if the neighbors have,
+  // too.
   Index cluster_to_split(Index x, Index fault)
   {
     Index largest = x;
@@ -124,7 +125,7 @@ private:
     return size_[largest] == 1 ? NONE : largest;
   }
 
-  // Regrows the cluster from two faces far apart, of which one is at the corner if it has a feature corner.
+  // Regrows the cluster from two faces far apart; one is at the feature corner if there is one.
   void split(Index x)
   {
     const Index corner = rules_ ? rules_->corner_cell(x) : NONE;

@@ -26,10 +26,10 @@ struct Component_seeds
 {
   std::vector<Index> faces;
   Index level = 0;
-  std::size_t corners = 0; // how many of them are cells of feature corners, seeds of every level
+  std::size_t corners = 0; // the cells of feature corners, which are seeds of every level
 };
 
-// Makes clusters of the faces of one connected component as its plan says: seeds, growth, splitting, merging.
+// Clusters one connected component as its plan says: seeds, growth, splitting, merging.
 class Component_clustering
 {
 public:
@@ -44,11 +44,11 @@ public:
     Component_seeds seeds = largest_level_of(faces, plan.min_seeds());
     if (plan.is_on_schedule())
       return seeds_of_level(faces, Component_plan::scheduled_level(seeds.level));
-    // Merging from all faces takes long, and leads to nothing better than from those of the next level.
+    // Merging from all faces takes long, and gives no better result than merging from the next level.
     return seeds.level > 0 ? seeds : largest_level_of(faces, plan.wanted());
   }
 
-  // Labels the faces from 0 and returns the number of clusters; 0 if the faces are too few, or the seeds.
+  // Labels the faces from 0 and returns the number of clusters; 0 if there are too few faces or seeds.
   std::size_t grow(Cluster_labels& labels, const Face_range& faces, const Component_seeds& seeds, const Component_plan& plan)
   {
     for (const Index f : faces)
@@ -88,10 +88,10 @@ public:
     return merging.number_of_clusters();
   }
 
-  // What the last growth has done.
+  // The numbers of splits and merges of the last growth.
   std::size_t number_of_splits() const { return splits_; }
   std::size_t number_of_merges() const { return merges_; }
-  // Whether it has left it to Pinch_resolution to make discs of the clusters.
+  // Returns whether Pinch_resolution has to turn clusters into discs.
   bool is_pinched() const { return is_pinched_; }
 
 private:
@@ -106,7 +106,7 @@ private:
     return seeds;
   }
 
-  // All corners, and then those on lines.
+  // Takes all corners, and then the seeds on lines.
   void take_seeds_on_features(const Face_range& faces, Component_seeds& seeds)
   {
     std::vector<Index> on_lines;
@@ -123,10 +123,10 @@ private:
     walk_.run(on_lines, seeds.level, seeds.faces);
   }
 
-  // The seeds of the largest level, near the one expected, that gives `wanted` of them.
+  // Returns the seeds of the largest level, near the expected one, that gives at least `wanted` of them.
   Component_seeds largest_level_of(const Face_range& faces, std::size_t wanted)
   {
-    // On a regular mesh the neighborhood of level k has 1 + 3 k (k + 1) / 2 faces, and some three quarters of all
+    // On a regular mesh the neighborhood of level k has 1 + 3 k (k + 1) / 2 faces, and about three quarters of all
     // faces lie in one.
     const double faces_each = 0.75 * double(faces.size()) / double(wanted);
     const Index level = faces_each <= 1 ? 0 : Index(std::lround(std::sqrt((faces_each - 1) / 1.5 + 0.25)));

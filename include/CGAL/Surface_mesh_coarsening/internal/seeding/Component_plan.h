@@ -12,33 +12,33 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// How a connected component is brought to its number of clusters.
+// The plan that brings a connected component to its number of clusters.
 //
-// The usual way is the paper's: seeds of the largest level that gives twice as many, growth, and merging, three clusters at a
-// time. It may end too high where the faces or the topology leave little freedom. Then, and always where fewer clusters are
-// wanted than are `always_enough()`, there is a schedule of levels, the same for every number of clusters below that.
+// The standard way is the paper's: seeds of the largest level that gives twice the number, growth, and merging, three
+// clusters at a time. It may end too high where the faces or the topology leave little freedom. Then, and always below
+// `always_enough()` clusters, a schedule of levels applies, which is the same for all smaller numbers.
 //
-// From the seeds of a level, clusters are merged in pairs, in an order that does not depend on the number wanted. So a level
-// gives every number between the start and the end of its merging. The schedule begins with the highest level from which merging
-// starts with always_enough() clusters, or with the lowest level. The levels above follow, as long as their merging starts where
-// the merging of earlier levels has ended, or higher; then the levels below; then the same levels with subdivided faces, which
-// can form any clusters. Hence the attainable numbers are all numbers from the smallest that a level reaches. Consecutive levels
-// that reach no smaller number are limited, so that the work on large components stays in proportion to their faces: with large
-// clusters all levels end near the same number.
+// From the seeds of a level, clusters are merged in pairs, in an order that does not depend on the number wanted. So a
+// level gives every number between the start and the end of its merging. The schedule begins with the highest level
+// whose merging starts with always_enough() clusters or more, or with the lowest level. The levels above follow, as
+// long as their merging starts no lower than the merging of earlier levels has ended; then the levels below; then the
+// same levels with subdivided faces, which can form any clusters. Hence all numbers from the smallest end of a level
+// are attainable. The number of consecutive levels without a smaller end is limited, so that the work on large
+// components is proportional to their faces: with large clusters all levels end near the same number.
 class Component_plan
 {
 public:
-  // Merging until no two clusters may be merged leads to an irreducible triangulation. Those of closed surfaces of genus g
-  // have at most 26 g - 4 vertices (Joret and Wood: Irreducible triangulations are small, 2010); with b border loops their
-  // number is linear in g and b, too (Boulch, Colin de Verdiere, Nakamoto: Irreducible triangulations of surfaces with
-  // boundary, 2013).
-  // Features keep clusters apart; how many more there have to be, they do not tell.
+  // Merging until no two clusters may be merged leads to an irreducible triangulation. Closed surfaces of genus g have
+  // irreducible triangulations of at most 26 g - 4 vertices (Joret and Wood: Irreducible triangulations are small,
+  // 2010); with b border loops the number is linear in g and b, too (Boulch, Colin de Verdiere, Nakamoto: Irreducible
+  // triangulations of surfaces with boundary, 2013). Features keep clusters apart; these results do not bound the
+  // additional clusters.
   static std::size_t always_enough(const Component& c)
   {
     return 8 + 26 * c.genus() + 8 * c.loops + 4 * c.feature_clusters;
   }
 
-  // Starts again for `wanted` clusters.
+  // Restarts for `wanted` clusters.
   void begin(const Component& component, std::size_t wanted)
   {
     aim_at(component, wanted);
@@ -51,7 +51,7 @@ public:
     go_to_first();
   }
 
-  // The same, beginning with the seeds of level `level` in the paper's way.
+  // The same with the seeds of level `level` in the standard way.
   void begin(const Component& component, std::size_t wanted, Index level)
   {
     aim_at(component, wanted);
@@ -68,10 +68,10 @@ public:
   bool from_pieces() const { return from_pieces_; }
   std::size_t wanted() const { return wanted_; }
 
-  // Whether merging may begin with `clusters`.
+  // Returns whether merging may begin with `clusters`.
   bool may_begin_with(std::size_t clusters) const { return !is_climbing_ || clusters >= lowest_end_; }
 
-  // The highest level of the schedule that is not above `level`.
+  // Returns the highest level of the schedule that is not above `level`.
   static Index scheduled_level(Index level)
   {
     Index below = 0;
@@ -80,13 +80,13 @@ public:
     return below;
   }
 
-  // The number of clusters that the best try has come down to.
+  // The smallest number of clusters reached so far.
   std::size_t nearest() const { return nearest_; }
   bool has_nearest() const { return nearest_ != (std::numeric_limits<std::size_t>::max)(); }
 
-  // Takes note of a try that failed: with `seeds` seeds of level `level` it ended with `reached` clusters, or without any,
-  // reached = 0, because merging may not begin there. Returns whether there is something else to try; if not, nearest() is
-  // the smallest number there is.
+  // Records a failed attempt: with `seeds` seeds of level `level` it ended with `reached` clusters, or with reached = 0
+  // if merging may not begin there. Returns whether another attempt remains; if not, nearest() is the smallest
+  // attainable number.
   bool revise(Index level, std::size_t seeds, std::size_t reached)
   {
     if (on_schedule_ && reached > wanted_ && reached < nearest_) {
@@ -121,8 +121,7 @@ public:
   }
 
 private:
-  // Seeds are spread by the number of faces alone: with more of them than clusters, merging can even out what they have of the
-  // mass.
+  // Seeds are spread by the number of faces only: if they outnumber the clusters, merging can balance masses.
   static constexpr std::size_t seeds_per_cluster = 2;
 
   static Index next_scheduled_level(Index level)
@@ -133,7 +132,7 @@ private:
     return is_power_of_two ? level + level / 2 : level / 3 * 4;
   }
 
-  // From ever more seeds merging takes long on large components, and leads to no better end.
+  // With even more seeds, merging takes long on large components and ends no better.
   std::size_t max_seeds() const { return 16 * enough_; }
 
   std::size_t max_in_vain() const

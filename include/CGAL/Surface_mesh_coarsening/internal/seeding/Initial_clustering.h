@@ -21,11 +21,11 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Seeds and growth: a clustering with the number of clusters asked for, all of them closed discs, whose dual is a
+// Seeds and growth: computes a clustering with the required number of clusters, all closed discs, whose dual is a
 // simplicial surface of the topology of the mesh.
 //
-// The number is shared out among the connected components, and Component_clustering brings each to its own. Components of
-// fewer faces than clusters, and those where whole faces do not do, are cut into pieces.
+// Apportions the number among the connected components; Component_clustering brings each component to its share.
+// Components with fewer faces than clusters, or whose faces do not suffice, are subdivided.
 class Initial_clustering
 {
 public:
@@ -55,10 +55,10 @@ public:
     is_pinched_.assign(components.size(), false);
   }
 
-  // Cuts all faces into pieces, as often as it takes to have enough of them for each cluster.
+  // Subdivides all faces until each cluster has at least `faces_per_cluster`.
   void subdivide(std::size_t clusters, std::size_t faces_per_cluster)
   {
-    // The last cut makes up to four times as many, with four corners each.
+    // The last subdivision has up to four times as many pieces, with four corners each.
     if (clusters >= NONE / 2 / 16 / faces_per_cluster)
       throw Invalid_input("faces subdivided for " + std::to_string(clusters) + " vertices are more than can be numbered");
     const std::size_t faces = clusters * faces_per_cluster;
@@ -69,7 +69,7 @@ public:
     bound_by_vertices();
   }
 
-  // Finds seeds, as many as give `number` clusters or more. Throws if that number cannot be reached.
+  // Finds enough seeds for `number` clusters. Throws if that number cannot be reached.
   void seed(std::size_t number)
   {
     number_ = number;
@@ -99,10 +99,10 @@ public:
     number_ = sum(wanted_);
   }
 
-  // The faces that the seeds and the clusters are made of: those given, or pieces of them.
+  // The faces of the seeds and clusters: the given ones, or pieces of them.
   const Featured_input& input() const { return resolved_input_ ? *resolved_input_ : *input_; }
 
-  // The seeds, and after growth a face of each cluster.
+  // Returns the seeds, and after growth a face of each cluster.
   std::vector<Index> seeds() const
   {
     std::vector<Index> all(face_of_cluster_);
@@ -113,7 +113,7 @@ public:
     return all;
   }
 
-  // Grows the clusters from the seeds and brings them to the number asked for.
+  // Grows the clusters from the seeds and brings them to the required number.
   Cluster_labels grow()
   {
     if (!labels_)
@@ -144,7 +144,7 @@ private:
     return std::accumulate(v.begin(), v.end(), std::size_t(0));
   }
 
-  // Gives memory back that later stages need. To grow again begins with the seeds then, which are found as before.
+  // Frees memory for later stages. Further growth finds the same seeds again.
   void release()
   {
     clustering_.reset();
@@ -200,7 +200,7 @@ private:
     });
   }
 
-  // The smallest number that works is known once every component has been brought down to its own.
+  // The smallest attainable number is known once every component has reached its own.
   void find_minimum()
   {
     do {
@@ -227,7 +227,7 @@ private:
     return faces_.has_value();
   }
 
-  // Cuts the components into pieces that have to be, and lists the faces component by component, in their order.
+  // Subdivides the components that need it, and lists the faces component by component, in their order.
   void prepare()
   {
     if (pieces_are_up_to_date())
@@ -267,7 +267,8 @@ private:
     }
   }
 
-  // Brings all components to their numbers of clusters. Returns false if the minimum of one has turned out to be larger.
+  // Brings all components to their numbers of clusters. Returns false if the minimum of a component has turned out to
+  // be larger.
   bool grow_components()
   {
     for (;;) {
@@ -284,7 +285,7 @@ private:
     }
   }
 
-  // Tries what the plan of a component holds until it works, or until the faces have to be cut first.
+  // Tries the attempts in the plan of a component until one succeeds, or until its faces have to be subdivided first.
   bool grow_component(std::size_t i)
   {
     while (plan_[i].from_pieces() == cut_[i]) {
@@ -315,7 +316,7 @@ private:
     max_[i] = (std::max)(max_[i], min_[i]);
   }
 
-  // Numbers the clusters, so far component by component, through.
+  // Converts the numbers of clusters per component to consecutive numbers.
   void number_clusters()
   {
     Index offset = 0;
@@ -339,7 +340,7 @@ private:
       labels_->set(Index(f), new_labels[f]);
   }
 
-  // A face of each cluster, its seed where it has one.
+  // Finds a face of each cluster, its seed if it has one.
   void find_face_of_clusters()
   {
     face_of_cluster_.assign(report_.clusters, NONE);
@@ -359,20 +360,20 @@ private:
 
   enum class State { NEW, SEEDED, DONE };
 
-  const Featured_input* uncut_input_; // the one given, or a subdivision of it
-  const Featured_input* input_;       // the same, or with components cut into pieces
+  const Featured_input* uncut_input_; // the given input, or a subdivision of it
+  const Featured_input* input_;       // the same, or with subdivided components
   std::optional<Featured_input> subdivided_input_, cut_input_;
-  std::optional<Featured_input> resolved_input_; // after growth, where clusters are joined at vertices
+  std::optional<Featured_input> resolved_input_; // after growth, if clusters are joined at vertices
   Coarsening_report& report_;
   Cancellation_point cancellation_;
   Execution execution_;
   std::size_t number_ = 0;
-  bool may_exceed_number_ = false;       // where topology needs more
-  std::optional<Bucketed_items<Index> > faces_; // of each component
+  bool may_exceed_number_ = false;       // if the topology needs more
+  std::optional<Bucketed_items<Index> > faces_; // per component
   std::optional<Component_clustering> clustering_;
   std::optional<Cluster_labels> labels_;
   std::vector<Index> face_of_cluster_;
-  // Of each component:
+  // Per component:
   std::vector<double> share_;                      // its mass
   std::vector<std::size_t> min_, max_, wanted_; // clusters
   std::vector<Component_plan> plan_;

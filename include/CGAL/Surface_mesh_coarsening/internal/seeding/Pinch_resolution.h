@@ -14,12 +14,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Makes discs of clusters that are pinched at vertices, because two that met in nothing but a vertex, in an edge of the fan
-// there, were merged: cuts corners off the faces of the others, and gives them to the cluster.
+// Turns clusters into discs that are pinched at a vertex because two were merged that met in this vertex only, that is,
+// in an edge of the fan there: cuts corners off the faces of the other clusters, and moves them to the pinched one.
 //
-// The pinched cluster is that of the first face around the vertex, the apex of the fan. Whatever lies between two of its
-// parts is cut off from the vertex, but for the last, which holds the border if the vertex lies there. Along the cuts the
-// cluster meets the others in the order of the fan, so the dual is that of the contracted fan.
+// The pinched cluster is the cluster of the first face around the vertex, the apex of the fan. Segments between its
+// parts are cut off from the vertex, except the last, which contains the border if the vertex lies there. Along the
+// cuts the cluster meets the others in the order of the fan, so the dual is the contracted fan.
 class Pinch_resolution
 {
 public:
@@ -52,7 +52,8 @@ private:
     if (begin == end)
       return;
     const Index pinched = label_of_first(v);
-    // What follows the last part of the cluster is the last segment; inside, the cluster may go on over the end.
+    // The last segment follows the last part of the cluster; at an inner vertex, the cluster may continue across the
+    // end.
     Index last = end;
     if (!m.is_on_border(v))
       while (last != begin && labels_[m.star[last - 1]] == pinched)
@@ -66,7 +67,7 @@ private:
 
   const Clustering_input& input_;
   const Cluster_labels& labels_;
-  std::vector<bool> is_cut_; // of each corner
+  std::vector<bool> is_cut_; // per corner
 };
 
 } // namespace internal

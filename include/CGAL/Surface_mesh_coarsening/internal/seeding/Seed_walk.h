@@ -12,14 +12,13 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Section 6 of the paper: walk the faces in order and take a face as a seed if no face within `level` steps across
-// edges belongs to the neighborhood of an earlier seed.
+// Section 6 of the paper: traverses the faces in order and takes a face as a seed if no face within `level` steps
+// across edges belongs to the neighborhood of an earlier seed.
 //
-// Two neighborhoods of `level` steps are disjoint if and only if their centers are more than 2 * level steps apart.
-// So each new seed marks the faces within 2 * level steps, and whether a face may be a seed is one look. The walk that
-// marks does not go on behind a face that an earlier seed reached in as few steps, because that seed has marked
-// whatever lies behind; seeds being far apart, a face is reached by few of them, and the time is linear in the number
-// of faces for every level.
+// Two neighborhoods of `level` steps are disjoint if and only if their centers are more than 2 * level steps apart. So
+// each new seed marks the faces within 2 * level steps, and testing a face takes one look at its mark. Marking stops at
+// faces that an earlier seed reached in as few steps, because that seed has marked all faces behind. Since seeds are
+// far apart, few of them reach a face, and the time is linear in the number of faces for every level.
 class Seed_walk
 {
 public:
@@ -40,7 +39,7 @@ public:
     }
   }
 
-  // Takes face `f` as a seed whatever other seeds are near.
+  // Takes face `f` as a seed regardless of other seeds.
   void take(Index f, Index level, std::vector<Index>& seeds)
   {
     steps_.resize(mesh_.number_of_faces(), NONE);
@@ -48,7 +47,7 @@ public:
     mark(f, level);
   }
 
-  // Forgets the marks on the faces `candidates`.
+  // Clears the marks on the faces `candidates`.
   template <class FaceRange>
   void forget(const FaceRange& candidates)
   {
@@ -57,7 +56,7 @@ public:
         steps_[f] = NONE;
   }
 
-  // Forgets all marks, and gives their memory back.
+  // Clears all marks and frees their memory.
   void release() { steps_ = std::vector<Index>(); }
 
 private:
@@ -83,7 +82,7 @@ private:
 
   const Flat_mesh& mesh_;
   Cancellation_point cancellation_;
-  std::vector<Index> steps_; // to the nearest seed, as far as walked; NONE: not within reach of any
+  std::vector<Index> steps_; // to the nearest seed, as far as walked; NONE: out of reach
   std::vector<Index> queue_;
 };
 

@@ -14,14 +14,14 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A number of vertices below which no simplicial surface of the component's topology exists. Closed surfaces of genus
-// g need ceil((7 + sqrt(1 + 48 g)) / 2) of them (Jungerman and Ringel, 1980). A surface with border becomes closed
-// with one vertex more per loop, and its loops, which share no vertex, have at least three each.
+// Returns a lower bound on the vertices of simplicial surfaces with the component's topology. Closed surfaces of genus
+// g need ceil((7 + sqrt(1 + 48 g)) / 2) of them (Jungerman and Ringel, 1980). One more vertex per loop closes a surface
+// with border, and its loops, which share no vertex, have at least three each.
 inline std::size_t fewest_vertices(const Component& c)
 {
   const std::size_t g = c.genus();
-  // The smallest n with (n - 3)(n - 4) >= 12 g, in integers; the Klein bottle's exception is not orientable, that of
-  // genus 2 is: it needs 10.
+  // The smallest n with (n - 3)(n - 4) >= 12 g, in integers. The exception of the Klein bottle is not orientable; the
+  // exception of genus 2 is, and needs 10.
   std::size_t n = 4;
   while ((n - 3) * (n - 4) < 12 * g)
     ++n;
@@ -30,13 +30,13 @@ inline std::size_t fewest_vertices(const Component& c)
   return (std::max)({3 * c.loops, n - (std::min)(n, c.loops), c.feature_clusters});
 }
 
-// Shares `total` out in proportion to `shares`, with `least[i] <= result[i] <= most[i]`. Needs that the sums of
-// `least` and `most` enclose `total`. Rounds by largest remainders; equal ones go to the smaller index.
+// Apportions `total` in proportion to `shares`, with `least[i] <= result[i] <= most[i]`. The sums of `least` and `most`
+// have to enclose `total`. Rounds by largest remainders; ties go to the smaller index.
 inline std::vector<std::size_t> apportion(std::size_t total, std::vector<double> shares,
                                           const std::vector<std::size_t>& least, const std::vector<std::size_t>& most)
 {
   const std::size_t n = shares.size();
-  // No share is nothing, so that what others cannot take goes to those without area.
+  // Shares are positive, so that components without area receive the rest.
   const double all_shares = std::accumulate(shares.begin(), shares.end(), 0.);
   const double all_most = double(std::accumulate(most.begin(), most.end(), std::size_t(0)));
   for (std::size_t i = 0; i < n; ++i)
@@ -44,7 +44,7 @@ inline std::vector<std::size_t> apportion(std::size_t total, std::vector<double>
   const auto clamped = [&](std::size_t i, double x) {
     return (std::min)((std::max)(x, double(least[i])), double(most[i]));
   };
-  // The factor at which the clamped shares add up to the total, by bisection; what bisection leaves is rounding.
+  // Finds the factor at which the clamped shares add up to the total by bisection, up to rounding.
   double low = 0, high = 1;
   const auto sum_at = [&](double factor) {
     double sum = 0;
