@@ -18,8 +18,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// About how far a mesh and its coarse mesh are from each other: the largest distance, both ways, at the vertices of the mesh
-// and at vertices of the coarse mesh and points of its triangles, many where these are far. Fast, and no bound.
+// Estimates the distance of a mesh and its coarse mesh: the largest distance, both ways, at the vertices of the mesh,
+// at the vertices of the coarse mesh and at points of its triangles, with more points where distances are large. Fast,
+// but no bound.
 class Distance_estimate
 {
 public:
@@ -29,7 +30,7 @@ public:
       cancellation_(cancellation)
   {}
 
-  // Or `least`, if the distance is smaller than that: the less has to be known, the faster it is.
+  // Returns `least` if the distance is smaller. The larger `least`, the faster.
   double distance(double least = 0) const { return std::sqrt(from_coarse(to_coarse(least * least))); }
 
 private:
@@ -47,7 +48,7 @@ private:
       double least = -1;
       for (const Index x : around)
         improve_around(mesh_.points[v], x, largest, least);
-      // Flips of edges may have taken the triangle that lies here away from these vertices.
+      // Edge flips may have moved the triangle of this place away from these vertices.
       for (double before = -1; least > largest && least != before;) {
         before = least;
         const std::vector<Index> inner(around);
@@ -63,7 +64,7 @@ private:
     return largest;
   }
 
-  // Up to what would not change the result.
+  // Stops improving when the result can no longer change.
   void improve_around(const Vector& p, Index x, double largest, double& least) const
   {
     for (const Index t : coarse_.around(x))
@@ -77,7 +78,7 @@ private:
     return closest_on_triangle(p, positions_[c[0]], positions_[c[1]], positions_[c[2]]).squared_distance;
   }
 
-  // Looks closer at the parts of triangles that may be farther away than what was found.
+  // Subdivides the parts of triangles whose distance may exceed the largest so far.
   double from_coarse(double largest) const
   {
     const Nearest_point_search search(mesh_, labels_.labels(), positions_.size());
@@ -108,7 +109,7 @@ private:
   struct Part
   {
     std::array<Vector, 3> corners;
-    Triangle clusters; // near which to begin to look
+    Triangle clusters; // where the search begins
   };
 
   static Vector center(const Part& part)
@@ -137,7 +138,7 @@ private:
   }
 
   static constexpr int divisions = 5;
-  // How fast the distance to the surface grows along the triangles, at the most; 1 would be certain.
+  // Assumed Lipschitz constant of the distance to the surface along the triangles; 1 would be certain.
   static constexpr double steepness = 0.5;
   const Cluster_labels& labels_;
   const Flat_mesh& mesh_;

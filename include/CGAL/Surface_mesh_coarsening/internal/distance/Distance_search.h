@@ -24,12 +24,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Looks for the coarsest result within a distance among the levels of a fine clustering.
+// Searches the levels of a fine clustering for the coarsest result within a distance.
 class Distance_search
 {
 public:
-  // `quick` is the placement that `placement` starts from, if it has one. `vertices` is the largest number
-  // of clusters that is tried.
+  // `quick` is the placement from which `placement` starts, if there is one. `vertices` is the maximal number of
+  // clusters.
   Distance_search(Clustering_state& state, const Placement_model& placement, const std::optional<Placement_model>& quick,
                   const Output_coordinates& output_coordinates, double distance, const Minimization_end& end, std::size_t vertices,
                   Distance_report& report)
@@ -46,7 +46,7 @@ public:
     } while (!bound_result());
   }
 
-  // Every result is nearer: its vertices are near their clusters. Squares of much larger distances are not finite.
+  // Every result is nearer, since vertices lie near their clusters. Squares of much larger distances would overflow.
   static double farthest_needed(const Clustering_input& input)
   {
     Bbox_3 box;
@@ -82,14 +82,14 @@ private:
     double estimate;
   };
 
-  // Estimates come out a little below bounds.
+  // Estimates are slightly smaller than bounds.
   double wanted() const { return 0.97 * local_distance_; }
 
-  // By a quick placement, distances are larger than by one that starts from it.
+  // A quick placement has larger distances than the placement that starts from it.
   double quickly_wanted() const { return quick_ ? wanted() / usual_gain : wanted(); }
   static constexpr double usual_gain = 0.6;
 
-  // With the first of some numbers of vertices that comes near enough.
+  // Uses the first of several numbers of vertices that comes near enough.
   void find_clustering()
   {
     for (;;) {
@@ -125,7 +125,8 @@ private:
     return known != quick_estimates_.end() ? known->second : quick_estimates_[n] = place(n, *quick_, false).estimate;
   }
 
-  // Of the placement asked for. Keeps what is near enough, if it is coarser than what was kept before.
+  // Estimates the distance of a level with the requested placement. Keeps the level if it is near enough and coarser
+  // than the one kept before.
   double try_level(std::size_t n)
   {
     const auto known = estimates_by_level_.find(n);
@@ -152,29 +153,29 @@ private:
     }
     for (; !result_ && n < finest; n = (std::min)(finest, n + n / 4 + 1))
       try_level(n);
-    // Where vertices have few faces each, a coarser level may be nearer.
+    // If clusters have few faces each, a coarser level may be nearer.
     for (n = finest; !result_ && n >= levels_->coarsest() && n > finest / 16; n /= 2)
       try_level(n);
   }
 
-  // What the placement is expected to make of the distance that a quick one leaves: what it has made of it on the finest level,
-  // if that was tried.
+  // Returns the expected ratio of the distance of the placement to the distance of the quick one: the ratio on the
+  // finest level, if known.
   double expected_gain()
   {
     const auto known = estimates_by_level_.find(levels_->finest());
     return known != estimates_by_level_.end() ? (std::min)(known->second / quick_estimate(levels_->finest()), 1.) : usual_gain;
   }
 
-  // Closes the bracket around the coarsest level that is within a distance, by no more than `most` estimates besides those known.
+  // Brackets the coarsest level within a distance by at most `most` estimates besides the known ones.
   //
-  // The estimate falls with about the power -1 of the number of vertices where the surface is smooth. Until two estimates tell
-  // its slope, steps are those of a somewhat steeper one, as one that goes too far costs more than a further step.
+  // On smooth surfaces the estimate falls with about the power -1 of the number of vertices. Until two estimates
+  // determine the slope, steps assume a somewhat steeper one, since a step too far costs more than an additional step.
   template <class Estimate>
   std::size_t bracket(std::size_t first, double distance, double width, int most, const std::map<std::size_t, double>& known,
                       const Estimate& estimate)
   {
-    double low = double(levels_->coarsest()) - 1, high = double(levels_->finest()); // too coarse, and maybe fine enough
-    double low_estimate = 0, high_estimate = 0;                                      // 0 if not known
+    double low = double(levels_->coarsest()) - 1, high = double(levels_->finest()); // too coarse, and possibly fine enough
+    double low_estimate = 0, high_estimate = 0;                                      // 0 if unknown
     double next = double(first);
     const auto take = [&](double n, double e) {
       (e <= distance ? high : low) = n;
@@ -182,7 +183,7 @@ private:
       const double slope = low_estimate > 0 && high_estimate > 0 && high_estimate < low_estimate
                              ? std::log(high_estimate / low_estimate) / std::log(high / low) : -1.25;
       next = n * std::pow(0.98 * distance / e, 1 / slope);
-      // Not all the way to an end of the bracket.
+      // Stay away from the ends of the bracket.
       next = (std::max)(next, low_estimate > 0 ? low * std::pow(high / low, 0.15) : low + 1);
       next = (std::min)(next, high_estimate > 0 ? high * std::pow((std::max)(low, 1.) / high, 0.1) : high);
       next = std::floor((std::min)((std::max)(next, low + 1), high));
@@ -194,8 +195,8 @@ private:
     return std::size_t(high_estimate > 0 ? high : (std::max)(next, low));
   }
 
-  // Estimates take the place of bounds in the search; where that was wrong, a finer level is needed. Returns whether there was
-  // one that is fine enough, or a finer clustering is.
+  // Replaces the estimate of the result by a bound; if the estimate was too small, a finer level is needed. Returns
+  // whether a finer level, or a finer clustering, is near enough.
   bool bound_result()
   {
     const double error = local_distance_ / 32;
@@ -231,7 +232,7 @@ private:
     return {n, std::move(placed.triangles), std::move(placed.positions), estimate};
   }
 
-  // The positions that the output has after rounding, in the coordinates of the arrays.
+  // Returns the positions after rounding to the output, in coordinates of the arrays.
   std::vector<Vector> output_positions() const
   {
     std::vector<Vector> result;
@@ -246,8 +247,8 @@ private:
   std::optional<Placement_model> quick_;
   Output_coordinates output_coordinates_;
   Minimization_end minimization_end_;
-  std::size_t vertices_; // the largest number of clusters that is tried
-  std::size_t number_;   // of clusters that the clustering shall have
+  std::size_t vertices_; // the maximal number of clusters
+  std::size_t number_;   // number of clusters of the clustering
   Distance_report& report_;
   double distance_, local_distance_;
   std::map<std::size_t, double> estimates_by_level_, quick_estimates_; // of the clustering

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The dual of a level in place.
+// The dual of a level with its positions.
 struct Placed_level
 {
   Cluster_labels labels;
@@ -21,7 +21,7 @@ struct Placed_level
   std::vector<Vector> positions;
 };
 
-// The levels of detail of a clustering, which is not changed as long as they are used.
+// The levels of detail of a clustering, which does not change while they are in use.
 class Level_hierarchy
 {
 public:
@@ -30,21 +30,23 @@ public:
   std::size_t finest() const { return history_.finest(); }
   std::size_t coarsest() const { return history_.coarsest(); }
 
-  // The cluster of level `cluster` that a cluster of the next finer level is merged into.
+  // Returns the cluster of level `cluster` into which a cluster of the next finer level is merged.
   Index parent(Index cluster) const { return history_.parent(cluster); }
 
-  // For each cluster of level `fine` the cluster of level `coarse` that it is part of.
+  // Returns, for each cluster of level `fine`, the cluster of level `coarse` that contains it.
   std::vector<Index> ancestors(std::size_t fine, std::size_t coarse) const;
 
   std::vector<Triangle> triangles(std::size_t level) const;
 
-  // The clusters of the `number` faces of the caller's mesh on a level; `level` where a component was left out.
+  // Returns the clusters of the `number` faces of the caller's mesh on a level; `level` for faces of removed
+  // components.
   std::vector<Index> clusters_of_faces(std::size_t level, std::size_t number) const;
 
   Placed_level place(std::size_t level, const Placement_model& placement, bool with_repair,
                      const Output_coordinates& output_coordinates) const;
 
-  // About how far a level in place is from the mesh, in the arrays' coordinates, or `least` if it is nearer than that.
+  // Estimates the distance of a placed level from the mesh, in coordinates of the arrays; returns `least` if it is
+  // smaller.
   double estimate(const Placed_level& placed, double least = 0) const;
 
 private:

@@ -83,7 +83,7 @@ inline Measuring_kernel::Vector_3 normal(const Triangle_mesh& mesh, Triangle_mes
   return cross_product(p[1] - p[0], p[2] - p[0]);
 }
 
-// In degrees, 0 between vectors of which one is zero.
+// Returns the angle in degrees; 0 if a vector is zero.
 inline double angle(const Measuring_kernel::Vector_3& a, const Measuring_kernel::Vector_3& b)
 {
   const double product = std::sqrt(a.squared_length() * b.squared_length());
@@ -117,7 +117,7 @@ struct Distance_statistics
   double mean_normal_deviation() const { return samples == 0 ? 0 : sum_of_normal_deviations / double(samples); }
 };
 
-// Calls `visit(i, u, v)` for `samples` samples spread over elements by their size: element, and a point of the unit
+// Calls `visit(i, u, v)` for `samples` samples distributed over elements by size: the element, and a point of the unit
 // square. Samples lie at equal steps of the cumulated size; the points follow the additive recurrence of the plastic
 // number, which fills the square evenly.
 template <class Visit>

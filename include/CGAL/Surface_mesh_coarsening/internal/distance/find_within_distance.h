@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The coarsest dual within a distance that was found.
+// The coarsest dual found within a distance.
 struct Dual_within_distance
 {
   std::vector<Triangle> triangles;
@@ -22,8 +22,8 @@ struct Dual_within_distance
   std::vector<Index> clusters_of_base_faces;
 };
 
-// Looks for it among the levels of a fine clustering; throws if there is none. `quick` is a placement that takes less time and
-// comes nearly as close. `vertices` is the largest number of clusters that is tried.
+// Searches the levels of a fine clustering for it; throws if there is none. `quick` is a placement that takes less time
+// and comes nearly as close. `vertices` is the maximal number of clusters.
 Dual_within_distance find_within_distance(Clustering_state& state, const Placement_model& placement,
                                           const std::optional<Placement_model>& quick,
                                           const Output_coordinates& output_coordinates, double distance, const Minimization_end& end,

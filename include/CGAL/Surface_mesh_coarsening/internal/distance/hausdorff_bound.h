@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Triangles whose distance is to be bounded. Those without area are left out.
+// The triangles of a mesh for the bound of a distance, without degenerate ones.
 class Distance_mesh
 {
   typedef CGAL::Simple_cartesian<double>::Point_3 Point;
@@ -40,7 +40,8 @@ public:
     if (!(dot(n, n) > 0))
       return;
     typedef Mesh::Vertex_index Vertex;
-    // What cannot hang together with the others, as where fans of polygons have a diagonal in common, lies apart.
+    // Triangles that do not fit into the manifold, as where fans of polygons share a diagonal, become separate
+    // components.
     if (mesh_.add_face(Vertex(a), Vertex(b), Vertex(c)) == Mesh::null_face()) {
       const Vertex x = mesh_.add_vertex(to_point(p[a])), y = mesh_.add_vertex(to_point(p[b])),
                    z = mesh_.add_vertex(to_point(p[c]));
@@ -71,7 +72,7 @@ inline Distance_mesh triangles_of(const Flat_mesh& m)
   return mesh;
 }
 
-// An upper bound of the Hausdorff distance, larger than it by `error` at the most.
+// Returns an upper bound of the Hausdorff distance that exceeds it by at most `error`.
 inline double hausdorff_bound(const Distance_mesh& a, const std::vector<Vector>& positions,
                               const std::vector<Triangle>& triangles, double error)
 {
@@ -79,7 +80,7 @@ inline double hausdorff_bound(const Distance_mesh& a, const std::vector<Vector>&
   for (const Triangle& t : triangles)
     b.add(t[0], t[1], t[2]);
   const auto np = CGAL::parameters::match_faces(false);
-  // What comes back deviates from the distance by half the error at the most, in either direction.
+  // The result deviates from the distance by at most half the error, in either direction.
   return Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance<CGAL::Sequential_tag>(
            a.mesh(), b.mesh(), error / 2, np, np) +
          error / 2;

@@ -14,15 +14,14 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A part of a border loop, or of a feature line, as a polyline with few points: the corners and ends that matter, and the
-// point half way.
+// A part of a border loop or of a feature line, simplified to few points: the corners, the ends and the midpoint.
 class Border_arc
 {
 public:
   static constexpr std::size_t max_pieces = 16;
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  // `fixed`: the only point that may be chosen, if it is given.
+  // `fixed`: the only point that may be chosen, if given.
   explicit Border_arc(const std::vector<Vector>& points, std::size_t fixed = none)
   {
     std::vector<double> length(1, 0);
@@ -31,7 +30,7 @@ public:
     const double whole = length.back();
     std::vector<std::size_t> kept(1, 0);
     for (std::size_t i = 1, piece = 0; i + 1 < points.size(); ++i) {
-      // Of many points that with the sharpest turn on each of as many pieces of the same length.
+      // Among many points, keep the one of sharpest turn on each of several pieces of equal length.
       const std::size_t on = points.size() - 2 <= max_pieces ? i
                              : whole > 0 ? std::size_t(double(max_pieces) * (length[i] / whole)) + 1
                                          : 1;
@@ -58,7 +57,7 @@ public:
 
   std::size_t size() const { return points_.size(); }
   const Vector& operator[](std::size_t i) const { return points_[i]; }
-  // Where the point lies: 0 at the begin, 1 at the end.
+  // The position of the point: 0 at the begin, 1 at the end.
   double part(std::size_t i) const { return part_[i]; }
   double length() const { return length_; }
   bool may_be_chosen(std::size_t i) const { return fixed_ == none || fixed_ == i; }
@@ -70,7 +69,7 @@ private:
     return std::sqrt(dot(d, d));
   }
 
-  // Grows with the angle by which the polyline turns.
+  // Increases with the angle by which the polyline turns.
   static double turn(const std::vector<Vector>& p, std::size_t i)
   {
     const Vector a = p[i] - p[i - 1], b = p[i + 1] - p[i];
@@ -95,12 +94,12 @@ private:
   std::size_t fixed_ = none;
 };
 
-// Chooses a point on each arc of a border loop, so that the polygon of these points is as close to the loop as it can be:
-// the integral along the loop of the squared distance from the side that stands for it is smallest. Dynamic programming
-// over the points of the arcs. A small part of the squared distance from the middle of the arc decides where much the same
-// can be had, as on a straight border, and keeps the points apart.
+// Chooses a point on each arc of a border loop so that the polygon of these points approximates the loop best:
+// minimizes the integral along the loop of the squared distance from the corresponding side, by dynamic programming
+// over the points of the arcs. A small part of the squared distance from the middle of the arc breaks near-ties, as on
+// a straight border, and keeps the points apart.
 //
-// Lines that are no loops have arcs at their ends of which one point may be chosen alone.
+// Lines that are no loops end with arcs of which only one point may be chosen.
 class Border_fit
 {
 public:
@@ -111,7 +110,7 @@ public:
       sides_.push_back(side_costs(arcs[i], arcs[(i + 1) % arcs.size()]));
   }
 
-  // The numbers of the points chosen.
+  // Returns the numbers of the chosen points.
   std::vector<std::size_t> run() const
   {
     std::vector<std::size_t> best;
@@ -129,7 +128,7 @@ public:
   }
 
 private:
-  typedef std::vector<std::vector<double> > Table; // for each point of an arc and each of the next
+  typedef std::vector<std::vector<double> > Table; // for each point of an arc and each point of the next arc
 
   struct Chain
   {
@@ -144,7 +143,8 @@ private:
     return dot(d, d);
   }
 
-  // The integral of the squared distance from the segment from `a` to `b` along the one from `p` to `q`, by Simpson's rule.
+  // Returns the integral along the segment from `p` to `q` of the squared distance from the segment from `a` to `b`, by
+  // Simpson's rule.
   static double integral(const Vector& p, const Vector& q, const Vector& a, const Vector& b)
   {
     const Vector edge = q - p;

@@ -17,14 +17,14 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A point of a triangle: barycentric coordinates and the squared distance from the point it is the closest one to.
+// The point of a triangle closest to another point: barycentric coordinates and squared distance.
 struct Foot_point
 {
   Vector barycentric;
   double squared_distance;
 };
 
-// The closest point of a segment, as the parameter of its second end.
+// Returns the closest point of a segment as the parameter of its second end.
 inline double closest_on_segment(const Vector& p, const Vector& a, const Vector& b)
 {
   const Vector ab = b - a;
@@ -59,7 +59,7 @@ inline Foot_point closest_on_triangle(const Vector& p, const Vector& a, const Ve
   return best;
 }
 
-// The cross product of two sides of a triangle.
+// Returns the cross product of two sides of a triangle.
 inline Vector normal_of(const std::vector<Vector>& positions, const Triangle& t)
 {
   return cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
@@ -70,7 +70,7 @@ inline Vector point_in(const std::vector<Vector>& positions, const Triangle& t, 
   return barycentric[0] * positions[t[0]] + barycentric[1] * positions[t[1]] + barycentric[2] * positions[t[2]];
 }
 
-// The cosine of the smallest angle of a triangle; 1 where two corners coincide.
+// Returns the cosine of the smallest angle of a triangle; 1 if two corners coincide.
 inline double sharpest_of(const std::vector<Vector>& positions, const Triangle& t)
 {
   double largest = -1;
@@ -83,8 +83,8 @@ inline double sharpest_of(const std::vector<Vector>& positions, const Triangle& 
   return largest;
 }
 
-// The triangles of the dual, with those around each vertex and across each edge. Edges may be flipped, but for those of
-// features: nothing is across these, as on the border.
+// The triangles of the dual, with the triangles around each vertex and across each edge. Edges may be flipped unless
+// they are feature edges, which have no neighbors across, like the border.
 class Flippable_triangulation
 {
 public:
@@ -100,7 +100,7 @@ public:
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<Index>& around(Index vertex) const { return around_[vertex]; }
 
-  // The triangle on the other side of the edge from corner `i` to the next of triangle `t`; NONE on the border.
+  // Returns the triangle on the other side of the edge from corner `i` to the next of triangle `t`; NONE on the border.
   Index neighbor(Index t, int i) const { return neighbors_[t][i]; }
 
   // The same; NONE on features, too.
@@ -127,17 +127,17 @@ public:
     return false;
   }
 
-  // The vertex opposite to the edge of triangle `t` that begins at corner `i`.
+  // Returns the vertex opposite to the edge of triangle `t` that begins at corner `i`.
   Index opposite(Index t, int i) const { return triangles_[t][(i + 2) % 3]; }
 
-  // Whether that edge, with triangle `u` on its other side, may be flipped: whether the edge to come is none yet.
+  // Returns whether that edge, with triangle `u` on its other side, may be flipped: the new edge must not exist yet.
   bool may_flip(Index t, int i, Index u) const
   {
     const Index c = opposite(t, i), d = opposite(u, corner(u, triangles_[t][(i + 1) % 3]));
     return c != d && !is_edge(c, d);
   }
 
-  // Replaces that edge by the one between the vertices opposite to it.
+  // Replaces that edge by the edge between the vertices opposite to it.
   void flip(Index t, int i, Index u)
   {
     const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3], c = opposite(t, i);
@@ -149,7 +149,7 @@ public:
     replace(t, {c, a, d}, u, {c, d, b});
   }
 
-  // Gives two triangles the corners back that they had before they were flipped.
+  // Restores the corners of two triangles before a flip.
   void undo_flip(Index t, const Triangle& old_t, Index u, const Triangle& old_u)
   {
     for (const Index x : {t, u})
@@ -181,7 +181,7 @@ public:
       }
   }
 
-  // The mean of the neighbors of an inner vertex.
+  // Returns the mean of the neighbors of an inner vertex.
   Vector mean_of_neighbors(Index v, const std::vector<Vector>& positions) const
   {
     Vector sum{{0, 0, 0}};
@@ -193,7 +193,7 @@ public:
 private:
   struct Side
   {
-    Index low, high; // the vertices at its ends
+    Index low, high; // its ends
     Index triangle;
     int corner;
   };
@@ -223,7 +223,7 @@ private:
     }
   }
 
-  // Replaces two neighbors by two others that have the same four sides outwards.
+  // Replaces two neighbors by two others with the same four outer sides.
   void replace(Index t, const Triangle& new_t, Index u, const Triangle& new_u)
   {
     struct Outward

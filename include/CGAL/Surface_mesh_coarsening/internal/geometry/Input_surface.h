@@ -23,8 +23,8 @@ struct Input_point
   Index face;
 };
 
-// The surface of a polygon mesh, polygons being triangulated by a fan around the vertex of the smallest number, wherever
-// their corners begin.
+// The surface of a polygon mesh. Polygons are triangulated by a fan around the vertex of smallest number, independently
+// of their first corner.
 class Input_surface
 {
 public:
@@ -36,7 +36,7 @@ public:
 
   explicit Input_surface(const Flat_mesh& mesh) : mesh_(mesh) {}
 
-  // The area of all the fans.
+  // Returns the area of all the fans.
   double area(const Cancellation_point& cancellation) const
   {
     double sum = 0;
@@ -47,9 +47,9 @@ public:
     return sum;
   }
 
-  // Calls `visit(point)` for points spread evenly, whatever the sizes of the faces: at equal steps of the cumulated area, in the
-  // triangles at the points of the additive recurrence of the plastic number. Each stands for an equal part of `area`, which
-  // is that of all the fans.
+  // Calls `visit(point)` for points spread evenly, whatever the sizes of the faces: at equal steps of the cumulated
+  // area, in the triangles at the points of the additive recurrence of the plastic number. Each point represents an
+  // equal part of `area`, the area of all the fans.
   template <class Visit>
   void for_each_sample(std::size_t number, double area, const Cancellation_point& cancellation, const Visit& visit) const
   {
@@ -76,7 +76,7 @@ public:
     }
   }
 
-  // The closest point of one face to `p`.
+  // Returns the closest point of one face to `p`.
   Closest closest_on_face(const Vector& p, Index f) const
   {
     Candidate candidate;
@@ -84,9 +84,8 @@ public:
     return closest(candidate);
   }
 
-  // The closest point to `p` that is found from a face of the surface by going downhill for so many steps at most: to the faces
-  // that share an edge or a vertex with the closest one so far, as far as these are not farther away from its closest point
-  // than twice the distance.
+  // Returns the closest point to `p` found by descending at most `steps` times, beginning at a face of the surface. A
+  // step visits the faces that share an edge or a vertex with the current closest point, within twice its distance.
   Closest closest_from(const Vector& p, Index f, int steps) const
   {
     Candidate candidate;
@@ -101,19 +100,19 @@ public:
   }
 
 private:
-  // Around a vertex, so many faces each way from one are visited at most.
+  // Around a vertex, at most this number of faces is visited in each direction.
   static constexpr int max_each_way = 12;
-  // Fans of more triangles are not looked through one by one.
+  // Larger fans are not searched triangle by triangle.
   static constexpr Index max_in_fan = 16;
 
-  // A closest point in a triangle of a fan: that which ends at corner `last`, counted from the apex.
+  // A closest point in the triangle of a fan that ends at corner `last`, counted from the apex.
   struct Candidate
   {
     Index face = NONE, last = 0;
     Foot_point foot{{{1, 0, 0}}, (std::numeric_limits<double>::infinity)()};
   };
 
-  // The corners of a face from that of the smallest vertex.
+  // The corners of a face, beginning at its smallest vertex.
   struct Fan
   {
     const Flat_mesh& mesh;
@@ -130,7 +129,7 @@ private:
     return {mesh_, begin, degree, Index(std::min_element(corners, corners + degree) - corners)};
   }
 
-  // Calls `visit(g)` for the faces around the vertex at corner `c` of face `f`, from this one both ways.
+  // Calls `visit(g)` for the faces around the vertex at corner `c` of face `f`, from `f` in both directions.
   template <class Visit>
   void for_each_around(Index f, Index c, const Visit& visit) const
   {
@@ -189,8 +188,8 @@ private:
     }
   }
 
-  // Calls `visit(g)` for the faces beyond the side of a triangle that a closest point is near, or around the corner if it is
-  // near two sides.
+  // Calls `visit(g)` for the faces across the side of a triangle near a closest point, or around the corner near two
+  // sides.
   template <class Visit>
   void for_each_near(const Candidate& c, const Visit& visit) const
   {
@@ -220,7 +219,7 @@ private:
       }
   }
 
-  // Visits some triangles of a large fan, and from the best of them those beside it as long as they are better.
+  // Visits some triangles of a large fan, and then descends from the best of them to adjacent ones.
   template <class Visit>
   static void visit_downhill(Index degree, const Visit& visit)
   {

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The point of a mesh that is nearest to another one, in a triangle of the fan around the first corner of its face. Of faces
-// at the same distance it is that of the smallest number.
+// The nearest point of a mesh, in a triangle of the fan around the first corner of its face. Ties go to the face of
+// smallest number.
 struct Nearest_point
 {
   Index face = NONE;
@@ -38,16 +38,16 @@ inline void improve(const Flat_mesh& m, const Vector& p, Index f, Nearest_point&
   }
 }
 
-// Looks for nearest points in a mesh whose faces are in groups that are small patches, such as clusters: in a tree over the
-// bounding boxes of the groups, beginning with a group that is near.
+// Searches nearest points in a mesh whose faces form small patches, such as clusters, with a tree over the bounding
+// boxes of these groups. The search begins with a nearby group.
 //
-// Why it is not CGAL::AABB_tree: faces may have no area, and have a nearest point nevertheless; a search begins with the group
-// that the point belongs to, which has the answer or nearly so in most cases, where the tree wants a point near by; and of faces
-// at the same distance the tree gives the one it comes to first, while results have to be the same wherever they are made.
+// CGAL::AABB_tree does not serve here: degenerate faces have nearest points, too; a search begins with the group of the
+// point, which in most cases contains the answer or nearly so, whereas the tree needs a nearby point as a hint; and of
+// faces at the same distance the tree returns the first it visits, whereas results have to be reproducible.
 class Nearest_point_search
 {
 public:
-  // Faces of group NONE are left out.
+  // Omits faces of group NONE.
   Nearest_point_search(const Flat_mesh& mesh, const std::vector<Index>& group_of_face, std::size_t groups)
     : mesh_(mesh), faces_(numbers_below(Index(group_of_face.size())), groups, [&](Index f) { return group_of_face[f]; }),
       box_(groups)
@@ -66,7 +66,7 @@ public:
 
   Bucketed_items<Index>::Range faces(Index group) const { return faces_[group]; }
 
-  // A point that is no farther than the square root of `near_enough` may be returned instead.
+  // May return any point whose squared distance is at most `near_enough`.
   Nearest_point operator()(const Vector& p, Index first_group, double near_enough = -1) const
   {
     Nearest_point nearest;
@@ -75,7 +75,7 @@ public:
     while (!stack.empty() && nearest.squared_distance > near_enough) {
       const Node& n = node_[stack.back()];
       stack.pop_back();
-      // A foot point may come out nearer than the box by a rounding.
+      // By rounding, a foot point may be nearer than the box.
       if (squared_distance_from_box(p, n.box) > (1 + 1e-12) * nearest.squared_distance)
         continue;
       if (n.group != NONE) {
@@ -137,14 +137,15 @@ private:
   Vector center(Index group) const { return 0.5 * (low_corner(box_[group]) + high_corner(box_[group])); }
 
   const Flat_mesh& mesh_;
-  Bucketed_items<Index> faces_; // of each group
-  std::vector<Bbox_3> box_; // of each group
+  Bucketed_items<Index> faces_; // per group
+  std::vector<Bbox_3> box_; // per group
   std::vector<Node> node_;
 };
 
-// Coordinates of a point of a face, one for each corner in the order of the corners: barycentric ones in a triangle. In a
-// polygon they are mean value coordinates, in the plane it spans, if these are not negative, as in every convex polygon; if
-// they are, or if the polygon is bent so that they would give another point, they are those in the triangle of the fan.
+// Returns coordinates of a point of a face, one per corner in the order of the corners. In a triangle they are
+// barycentric. In a polygon they are mean value coordinates in its plane if these are not negative, as in every convex
+// polygon. If they are negative, or if the polygon is not planar so that they would yield another point, they are
+// barycentric in the triangle of the fan.
 inline std::vector<double> coordinates_in_face(const Flat_mesh& m, const Nearest_point& nearest, const Vector& normal)
 {
   const Index begin = m.first_corner[nearest.face], degree = m.degree(nearest.face);
@@ -158,8 +159,8 @@ inline std::vector<double> coordinates_in_face(const Flat_mesh& m, const Nearest
   const double normal_length = std::sqrt(dot(normal, normal));
   if (degree == 3 || !(normal_length > 0))
     return fan;
-  // With r_i the distance of corner i and t_i the tangent of half the angle under which side i is seen, the weight of corner
-  // i is (t_{i-1} + t_i) / r_i.
+  // With r_i the distance of corner i and t_i the tangent of half the angle under which side i is seen, the weight of
+  // corner i is (t_{i-1} + t_i) / r_i.
   std::vector<Vector> to_corner(degree);
   std::vector<double> r(degree), tangent(degree), weight(degree);
   double extent = 0;

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A triangle prepared for the search of closest points to many points: with the gradients of the barycentric coordinates.
+// A triangle with precomputed gradients of the barycentric coordinates, for closest points to many points.
 class Prepared_triangle
 {
 public:
@@ -35,8 +35,8 @@ public:
   Prepared_triangle(const std::vector<Vector>& positions, const Triangle& t)
     : Prepared_triangle(positions[t[0]], positions[t[1]], positions[t[2]]) {}
 
-  // Whether the closest point may be nearer than the square root of `limit`: the triangle is on one side of its plane, and of
-  // the planes through its sides that are orthogonal to it.
+  // Returns whether the closest point may be nearer than the square root of `limit`: the planes of the triangle, and
+  // the planes through its sides orthogonal to it, bound the distance from below.
   bool may_be_nearer(const Vector& p, double limit) const
   {
     if (is_flat_)
@@ -57,7 +57,7 @@ public:
       const double across = dot(normal_, d);
       return {{{u, v, w}}, across * across};
     }
-    // On one of the sides beyond which the point is.
+    // The closest point lies on a side that separates the point from the triangle.
     Foot_point best{{{1, 0, 0}}, -1};
     if (u < 0)
       improve_on_side(p, 1, 2, best);
@@ -69,7 +69,7 @@ public:
   }
 
 private:
-  // The square of the smallest height of a triangle whose longest side has length 1, below which rounding is too large.
+  // The square of the height of a triangle with longest side 1, below which rounding errors are too large.
   static constexpr double flat = 1e-20;
 
   void improve_on_side(const Vector& p, int i, int j, Foot_point& best) const

@@ -28,11 +28,11 @@ namespace internal {
 typedef Exact_predicates_inexact_constructions_kernel Exact_tests;
 typedef Exact_tests::Point_3 Exact_point;
 
-// A pair of triangles, by their numbers, the smaller first.
+// A pair of triangles by number, the smaller first.
 typedef std::pair<Index, Index> Triangle_pair;
 
-// Exact tests of whether triangles with common vertices, or with none, have more in common than these. A triangle without
-// area is in conflict with those around it only as far as its longest side is.
+// Tests exactly whether triangles have more in common than their common vertices, if any. A degenerate triangle
+// conflicts with its neighbors only as far as its longest side does.
 class Triangle_conflict
 {
 public:
@@ -58,7 +58,7 @@ public:
       const Index a = u[(j + 1) % 3], b = u[(j + 2) % 3], c = t[(shared + 1) % 3], d = t[(shared + 2) % 3];
       if (are_apart(t[shared], a, b, c, d))
         return false;
-      // Mostly all but the common corner of one triangle is on one side of the plane of the other.
+      // Mostly all but the common corner of one triangle lie on one side of the plane of the other.
       if (are_beside(t, a, b) || are_beside(u, c, d))
         return false;
       return crosses(t, a, b) || crosses(u, c, d);
@@ -68,10 +68,10 @@ public:
     return do_intersect(triangle(t), triangle(u));
   }
 
-  // Whether the corners lie on a line.
+  // Returns whether the corners are collinear.
   bool is_flat(const Triangle& t) const { return collinear(points_[t[0]], points_[t[1]], points_[t[2]]); }
 
-  // Whether the corners are at one place. Such a triangle is in conflict with no other.
+  // Returns whether the corners coincide. Such a triangle conflicts with no other.
   bool is_point(const Triangle& t) const { return points_[t[0]] == points_[t[1]] && points_[t[1]] == points_[t[2]]; }
 
   Bbox_3 box(const Triangle& t) const
@@ -88,11 +88,11 @@ private:
     return t[0];
   }
 
-  // Whether a plane through `common` certainly has `a` and `b` on one side and `c` and `d` on the other. The many triangles around
-  // a vertex of high valence are told apart so, which takes long by exact tests if they are coplanar.
+  // Returns whether a plane through `common` certainly separates `a` and `b` from `c` and `d`. This separates the many
+  // triangles around a vertex of high valence, for which exact tests take long if they are coplanar.
   bool are_apart(Index common, Index a, Index b, Index c, Index d) const
   {
-    constexpr double rounding = 1e-14; // more than dot products of three terms are off, relative to the lengths
+    constexpr double rounding = 1e-14; // bounds the relative error of dot products of three terms
     const std::array<Vector, 4> to{{way(common, a), way(common, b), way(common, c), way(common, d)}};
     Vector normal{{0, 0, 0}};
     std::array<double, 4> length;
@@ -111,7 +111,7 @@ private:
     return {{q.x() - p.x(), q.y() - p.y(), q.z() - p.z()}};
   }
 
-  // Whether a triangle is on one side of the plane of another, which is quick to tell.
+  // Returns whether a triangle lies on one side of the plane of another, a quick test.
   bool is_beside(const Triangle& t, const Triangle& u) const
   {
     const Exact_point &p = points_[u[0]], &q = points_[u[1]], &r = points_[u[2]];
@@ -128,7 +128,7 @@ private:
 
   Exact_tests::Triangle_3 triangle(const Triangle& t) const { return {points_[t[0]], points_[t[1]], points_[t[2]]}; }
 
-  // Whether two triangles on edge ab lie on each other.
+  // Returns whether two triangles on edge ab overlap.
   bool folds(Index a, Index b, Index c, Index d) const
   {
     const Exact_point &p = points_[a], &q = points_[b], &r = points_[c], &s = points_[d];
@@ -136,7 +136,7 @@ private:
            coplanar_orientation(p, q, r, s) == POSITIVE;
   }
 
-  // Whether an edge that begins and ends off the vertex that it shares a triangle with meets that other triangle.
+  // Returns whether an edge opposite to the vertex shared with a triangle intersects that triangle.
   bool crosses(const Triangle& t, Index a, Index b) const
   {
     const Exact_point &p = points_[t[0]], &q = points_[t[1]], &r = points_[t[2]];
@@ -162,14 +162,14 @@ inline std::vector<Triangle_box> triangle_boxes(const std::vector<Triangle>& tri
   return boxes;
 }
 
-// All pairs of triangles that are in conflict, in order.
+// Returns all pairs of conflicting triangles, in order.
 inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>& triangles,
                                                     const std::vector<Exact_point>& points, Execution execution,
                                                     const Cancellation_point& cancellation)
 {
   const Triangle_conflict conflict(points);
   std::vector<Triangle_box> boxes = triangle_boxes(triangles, conflict);
-  // Of very many at one place, each would be compared with each.
+  // Very many coincident points would be compared pairwise.
   const auto is_point = [&](const Triangle_box& b) { return conflict.is_point(triangles[b.info()]); };
   boxes.erase(std::remove_if(boxes.begin(), boxes.end(), is_point), boxes.end());
   std::vector<Triangle_pair> pairs;

@@ -18,15 +18,15 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// When a cluster has changed: bits, in any combination.
+// The rounds in which a cluster has changed: bits, in any combination.
 typedef unsigned char Change_times;
 constexpr Change_times at_any_time = 1, in_last_round = 2, in_this_round = 4;
 
-// The edges between clusters, in the order in which they came to be listed, and what a test of one needs: the terms of its two
-// faces, which are kept with it, as the list is gone through in order and the faces of the mesh are not.
+// The edges between clusters, in the order of their insertion, and the terms of their two faces. Terms are stored with
+// the edges because rounds traverse the list in order but the faces of the mesh out of order.
 //
-// In most rounds most clusters remain what they were. Which edges lie at one that has changed is seen from the clusters on their
-// two sides, as they were when the edge was last looked at: had they become others since, they would have changed.
+// In most rounds most clusters do not change. Whether an edge lies at a changed cluster follows from its two clusters
+// at the last look_up(): a later exchange would count as their change.
 template <class Weight>
 class Boundary_edges
 {
@@ -45,7 +45,7 @@ public:
     change_.push_back(0); // nowhere, nothing changes
   }
 
-  // Lists them face by face. If the cancellation ends that early, it has to be done again before anything else is asked for.
+  // Lists all edges face by face. If the cancellation interrupts this, it has to be repeated before any other call.
   void list_all(const Cancellation_point& cancellation, Execution execution)
   {
     clear();
@@ -63,17 +63,17 @@ public:
   bool is_complete() const { return is_complete_; }
 
   std::size_t size() const { return edges_.size(); }
-  // The two faces at an edge, that of the smaller index first.
+  // The two faces at an edge, the smaller index first.
   const std::array<Index, 2>& faces(Index i) const { return edges_[i].face; }
   const Terms& terms(Index i) const { return terms_[i]; }
-  // The two clusters, as they were at the last `look_up()`.
+  // The two clusters at the last `look_up()`.
   const std::array<Index, 2>& clusters(Index i) const { return clusters_[i]; }
   void look_up(Index i) { clusters_[i] = {{labels_[edges_[i].face[0]], labels_[edges_[i].face[1]]}}; }
 
   void note_change(Index cluster) { change_[cluster] |= in_this_round; }
 
-  // Lists those at a cluster that has changed at one of the times, among `most` edges from the `first` on. Returns where these
-  // end.
+  // Lists the edges at clusters changed at one of the times, among `most` edges from the `first` on. Returns the end of
+  // this range.
   std::size_t list_changed(std::size_t first, std::size_t most, Change_times times, std::vector<Index>& changed) const
   {
     changed.clear();
@@ -86,7 +86,7 @@ public:
     return i;
   }
 
-  // Notes the edges of a face that has joined cluster `to`: they may lie between clusters now.
+  // Records the edges of a face that has joined cluster `to`: they may lie between clusters now.
   void note_edges(Index f, Index to)
   {
     for (const Index c : mesh_.corners(f)) {
@@ -101,9 +101,9 @@ public:
     }
   }
 
-  // Edges that came to lie within a cluster leave the list; those that came to lie between two, and still do, are added at its
-  // end: so to go through the list is to go through the mesh once for each round that added some. Where it is long, that takes
-  // more time than to rebuild it when half of it was added.
+  // Removes edges that lie within a cluster now, and appends new edges that still lie between two: one pass over the
+  // list is one pass over the mesh for each round that added edges. On a long list this takes more time than rebuilding
+  // it, so it is rebuilt when half of it was added.
   void update(const Cancellation_point& cancellation, Execution execution)
   {
     added_ += new_edges_.size();
@@ -127,7 +127,7 @@ public:
   }
 
 private:
-  // An edge by its corner in the face of the smaller index.
+  // An edge by its corner in the face of smaller index.
   struct Edge
   {
     std::array<Index, 2> face;
@@ -135,7 +135,7 @@ private:
   };
 
   static constexpr std::size_t new_at_a_time = 1024; // they stay in the caches
-  static constexpr std::size_t long_list = 1 << 17;  // what it is about does not stay in the caches
+  static constexpr std::size_t long_list = 1 << 17;  // the data of its edges exceed the caches
 
   void clear()
   {
@@ -148,7 +148,7 @@ private:
     taken_out_ = added_ = 0;
   }
 
-  // Finds those between clusters of the faces from `begin` to `end`, each at the face of the smaller index.
+  // Finds the edges between clusters at the faces from `begin` to `end`, each at its face of smaller index.
   void find_edges(Index begin, Index end, std::vector<Edge>& edges) const
   {
     edges.clear();
@@ -160,8 +160,8 @@ private:
       }
   }
 
-  // Does what `list_changed()` does with the edges from `begin` to `end`, which follow each other in memory. Returns how many
-  // have not been taken out.
+  // Implements `list_changed()` for the edges from `begin` to `end`, which are contiguous in memory. Returns the number
+  // of edges that are not removed.
   std::size_t append_changed(std::size_t begin, std::size_t end, Change_times times, std::vector<Index>& changed) const
   {
     const std::array<Index, 2>* const clusters = &clusters_[begin];
@@ -176,7 +176,7 @@ private:
     return seen;
   }
 
-  // Looks edges up whose clusters have changed, and finds those that lie within one now.
+  // Looks up edges whose clusters have changed, and finds edges that lie within a cluster now.
   void look_up_changed(Execution execution)
   {
     constexpr std::size_t chunk = Chunked_list<Edge>::chunk;
@@ -220,7 +220,8 @@ private:
     new_edges_.clear();
   }
 
-  // Those of the new edges from `begin` to `end` that lie between clusters; `first` is the one that `fresh_` begins with.
+  // Computes the terms of the new edges from `begin` to `end` that lie between clusters; `fresh_` begins with edge
+  // `first`.
   void compute_terms(std::size_t first, std::size_t begin, std::size_t end)
   {
     constexpr std::size_t ahead = 8;
@@ -243,7 +244,7 @@ private:
     ++taken_out_;
   }
 
-  // Moves the edges up that come after others that were taken out. That is not worth it for a few.
+  // Closes the gaps of removed edges, unless there are few.
   void close_gaps()
   {
     std::vector<Index> gone;
@@ -277,16 +278,16 @@ private:
   const Flat_mesh& mesh_;
   const Cluster_labels& labels_;
   const Cluster_energy<Weight>& energy_;
-  const Index nowhere_;                      // in the place of the clusters of edges that were taken out
-  std::vector<Change_times> change_;         // of each cluster
+  const Index nowhere_;                      // replaces the clusters of removed edges
+  std::vector<Change_times> change_;         // per cluster
   std::vector<bool> is_listed_;              // per corner
-  std::vector<Edge> new_edges_;              // that came to lie between clusters since the last update
-  std::vector<std::optional<Terms> > fresh_; // of some of them
-  std::vector<std::vector<Index> > inner_;   // edges within clusters, chunk by chunk
-  std::size_t taken_out_ = 0;                // edges that are in the lists still
+  std::vector<Edge> new_edges_;              // possibly between clusters since the last update
+  std::vector<std::optional<Terms> > fresh_; // of some new edges
+  std::vector<std::vector<Index> > inner_;   // edges within clusters, per chunk
+  std::size_t taken_out_ = 0;                // removed edges still in the lists
   std::size_t added_ = 0;                    // edges since all were listed
   bool is_complete_ = false;
-  // Of each edge:
+  // Per edge:
   Chunked_list<Edge> edges_;
   Chunked_list<Terms> terms_;
   Chunked_list<std::array<Index, 2> > clusters_;

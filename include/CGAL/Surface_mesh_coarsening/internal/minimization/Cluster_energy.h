@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// What the energy needs of a face.
+// The terms of a face in the energy.
 template <class Weight>
 struct Face_terms
 {
@@ -24,7 +24,7 @@ struct Face_terms
   typename Weight::Face_data data;
 };
 
-// What the energy (8) of a cluster is made of. It is the weight times the inertia about the centroid (7).
+// The terms of the energy (8) of a cluster, which is the weight times the inertia about the centroid (7).
 template <class Weight>
 struct Cluster_sums : Moments
 {
@@ -34,15 +34,15 @@ struct Cluster_sums : Moments
   typename Weight::Cluster_data data;
 };
 
-// The optional members of the concept `ClusterWeight`: whether a weight judges moves by moments, `cannot_gain(trial_move)`.
+// An optional member of the concept `ClusterWeight`: `cannot_gain(trial_move)` judges moves by moments.
 template <class Weight, class = void>
 constexpr bool judges_moves = false;
 template <class Weight>
 constexpr bool judges_moves<
   Weight, std::void_t<decltype(std::declval<const Weight&>().cannot_gain(std::declval<const Trial_move&>()))> > = true;
 
-// Whether a weight tells bounds of what it will be after a move: `min_weight_with(data, face, weight)` and
-// `min_weight_without(data, face, weight)`, both no larger than the weight then, which is `weight` now.
+// Optional members: `min_weight_with(data, face, weight)` and `min_weight_without(data, face, weight)` bound the weight
+// after a move from below; `weight` is the current one.
 template <class Weight, class = void>
 constexpr bool has_bounds = false;
 template <class Weight>
@@ -50,7 +50,7 @@ constexpr bool has_bounds<Weight, std::void_t<decltype(std::declval<const Weight
                                     std::declval<const typename Weight::Cluster_data&>(),
                                     std::declval<const typename Weight::Face_data&>(), 0.))> > = true;
 
-// The energy of a cluster as it is, and as it would be with a face more or less.
+// The energy of a cluster, also with one face more or less.
 template <class Weight>
 class Cluster_energy
 {
@@ -65,7 +65,7 @@ public:
     return {input.mass(f), input.centroid(f), weight_.face_data(input.density[f], input.area[f])};
   }
 
-  // All sums of the clusters from scratch.
+  // Computes all sums of the clusters.
   void add_up(const Clustering_input& input, const Cluster_labels& labels, std::vector<Sums>& clusters,
               const Cancellation_point& cancellation, Execution execution = Execution::SEQUENTIAL) const
   {
@@ -85,7 +85,7 @@ public:
     return dot(d, d);
   }
 
-  // The inertia after a mass has joined or left, by the parallel axis theorem.
+  // Returns the inertia after a mass has joined or left, by the parallel axis theorem.
   static double inertia_with(const Sums& x, double mass, double sum, double squared_distance)
   {
     return x.inertia + (sum > 0 ? mass * x.mass / sum * squared_distance : 0);
@@ -120,7 +120,7 @@ public:
     return {weight, weight * inertia_without(x, face.mass, mass, squared_distance(face, x))};
   }
 
-  // `outcome`: what `outcome_with()` says; weights take long to compute.
+  // `outcome`: the result of `outcome_with()`, passed because weights take long to compute.
   void add(Sums& x, const Face& face, const Outcome& outcome) const
   {
     const double mass = x.mass + face.mass;
@@ -133,7 +133,7 @@ public:
     set(x, outcome);
   }
 
-  // `outcome`: what `outcome_without()` says.
+  // `outcome`: the result of `outcome_without()`.
   void remove(Sums& x, const Face& face, const Outcome& outcome) const
   {
     const double mass = x.mass - face.mass;
@@ -146,8 +146,8 @@ public:
     set(x, outcome);
   }
 
-  // Whether it shows quickly that a face that leaves cluster `source` for cluster `target` gains nothing: by moments, or by
-  // bounds of the weights.
+  // Quick rejection: returns whether moments, or bounds of the weights, show that moving a face from cluster `source`
+  // to cluster `target` gains nothing.
   bool cannot_gain(const Sums& source, const Sums& target, const Face& face) const
   {
     const double rest = source.mass - face.mass, sum = target.mass + face.mass;

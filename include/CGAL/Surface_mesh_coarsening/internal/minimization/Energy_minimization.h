@@ -23,13 +23,13 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Sections 5.1 and 8.2 of the paper: in rounds over the edges between clusters, the face on one side or on the other
-// joins the cluster across, whichever lowers the energy more, as long as the clusters remain discs whose dual is a
-// simplicial surface. All weights are those of the current sums, so the energy is a function of the clustering and
-// falls with each move.
+// Sections 5.1 and 8.2 of the paper: in rounds over the edges between clusters, the face on one side joins the cluster
+// across, whichever of the two faces lowers the energy more, as long as the clusters remain discs whose dual is a
+// simplicial surface. All weights are weights of the current sums, so the energy is a function of the clustering and
+// decreases with each move.
 //
-// Batch by batch of edges, a round first looks for such moves, at the sums as they are, which can be done for many edges at
-// a time, and then makes those in the order of the edges that still lower the energy.
+// For each batch of edges, a round first finds such moves with the current sums, which can run in parallel, and then
+// makes, in the order of the edges, the moves that still lower the energy.
 template <class Weight>
 class Energy_minimization : public Minimization
 {
@@ -51,16 +51,16 @@ public:
     edges_.list_all(cancellation_, execution_);
   }
 
-  // One round. Returns the number of moves.
+  // Runs one round. Returns the number of moves.
   std::size_t round() override
   {
     ++round_;
-    // Sums that are updated again and again drift by roundings.
+    // Repeated updates of sums accumulate rounding errors.
     if (round_ % 64 == 0)
-      energy_.add_up(input_, labels_, clusters_, Cancellation_point(), execution_); // must not end half done
+      energy_.add_up(input_, labels_, clusters_, Cancellation_point(), execution_); // must not be interrupted
     std::size_t moves = run(in_last_round | in_this_round);
-    // Edges were passed over whose two clusters had not changed. Whether a move is allowed depends on others, too:
-    // the end is reached when no edge at all has a move left.
+    // Edges between unchanged clusters were skipped, but other clusters, too, decide whether a move is valid. The
+    // minimization ends when no edge at all has a move left.
     if (moves == 0)
       moves = run(at_any_time);
     edges_.end_round();
@@ -68,7 +68,7 @@ public:
     return moves;
   }
 
-  // Whether the boundary-edge counts and the sums are those that counting and adding up from scratch gives.
+  // Returns whether the boundary-edge counts and the sums agree with recomputed ones.
   bool agrees_with_recount() const
   {
     if (labels_.recounted() != labels_.boundary_counts())
@@ -98,7 +98,7 @@ private:
   static constexpr double no_gain = -std::numeric_limits<double>::infinity();
   static constexpr std::size_t batch = 1024, edges_of_part = 32;
 
-  // A face of an edge joins a cluster, that of the other face when the move was found.
+  // A face of an edge joins a cluster, the cluster of the other face when the move was found.
   struct Move
   {
     Index edge;
@@ -121,12 +121,12 @@ private:
     std::vector<Move> found;
   };
 
-  // What a move would make of the two clusters.
+  // The two clusters after a move.
   struct Trial
   {
-    double gain;      // by which the energy falls
-    double scale;     // of the changes of energy that it is the difference of
-    double magnitude; // of the energies that these are the difference of
+    double gain;      // decrease of the energy
+    double scale;     // magnitude of the energy changes whose difference it is
+    double magnitude; // magnitude of the energies whose differences these are
     Outcome without, with;
   };
 
@@ -142,18 +142,18 @@ private:
             with};
   }
 
-  // Gains this small, relative to what they are the difference of, are taken for none. So moves between equal
-  // energies, frequent on regular meshes, do not depend on roundings, and each move lowers the energy as computed.
+  // A gain counts only if it exceeds a small part of the terms whose difference it is. So moves between equal energies,
+  // frequent on regular meshes, do not depend on rounding, and each move lowers the computed energy.
   static bool is_gain(const Trial& t) { return t.gain > 1e-7 * t.scale && t.gain > 1e-12 * t.magnitude; }
   static bool is_better(const Trial& t, const Trial& than)
   {
     return t.gain - than.gain > 1e-7 * (t.scale + than.scale);
   }
 
-  // Over the edges at clusters that have changed at one of the times.
+  // Visits the edges at clusters changed at one of the times.
   std::size_t run(Change_times times)
   {
-    if (!edges_.is_complete()) // cancelled while they were listed
+    if (!edges_.is_complete()) // cancelled during listing
       edges_.list_all(cancellation_, execution_);
     std::size_t moves = 0;
     const std::size_t edges = edges_.size();
@@ -163,7 +163,7 @@ private:
       find_moves();
       for (const Part_of_batch& part : parts_)
         for (const Move& m : part.found) {
-          cancellation_.poll(); // a move takes longer than to look for one
+          cancellation_.poll(); // a move takes longer than a test
           moves += make(m);
         }
     }
@@ -215,7 +215,7 @@ private:
 
   Index face_of(const Candidate& x) const { return edges_.faces(x.edge)[x.side[0]]; }
 
-  // Section 8.2: of the three cases at an edge, as it is or either face moved, the one of the smallest energy.
+  // Section 8.2: of the three cases at an edge, unchanged or either face moved, returns the one of smallest energy.
   Candidate candidate_at(Index edge) const
   {
     const std::array<Index, 2>& clusters = edges_.clusters(edge);

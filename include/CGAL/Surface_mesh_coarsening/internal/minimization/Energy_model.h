@@ -15,7 +15,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The energy of a clustering, without the type of its weight: the stages of the pipeline are compiled once for all weights.
+// The energy of a clustering with the weight's type erased: the stages of the pipeline are compiled once for all
+// weights.
 class Energy_model
 {
 public:

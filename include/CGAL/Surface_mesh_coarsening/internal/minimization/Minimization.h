@@ -9,19 +9,20 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// When a minimization ends: after so many rounds, or with the first round that lowers the energy by no more than a part `tolerance`.
+// The end of a minimization: after a number of rounds, or with the first round that lowers the energy by at most the
+// relative amount `tolerance`.
 struct Minimization_end
 {
   std::size_t max_rounds = 0;
   double tolerance = 0;
 };
 
-// A minimization under way, for any weight.
+// A minimization in progress, for any weight.
 class Minimization
 {
 public:
   virtual ~Minimization() = default;
-  // One round. Returns the number of moves.
+  // Runs one round. Returns the number of moves.
   virtual std::size_t round() = 0;
   virtual double energy() const = 0;
   // The number of edges tested so far.

@@ -24,21 +24,22 @@ public:
   Valid_moves(Cluster_labels& labels, std::size_t number_of_clusters)
     : mesh_(labels.mesh()), labels_(labels), walk_(labels), stamp_of_cluster_(number_of_clusters, 0) {}
 
-  // From now on follows the rules for features.
+  // Enables the rules for features.
   void keep_features(const Feature_cells& cells)
   {
     rules_.emplace(cells, labels_);
     rules_->count(stamp_of_cluster_.size());
   }
 
-  // Whether both clusters remain discs, features what they are, and the clusters are free to change.
+  // Returns whether both clusters remain discs, features are kept, and the clusters may change.
   bool keeps_discs(Index f, Index to) const
   {
     return labels_.stays_disc_without(f) && labels_.stays_disc_with(f, to) && !labels_.is_frozen(labels_[f]) &&
            !labels_.is_frozen(to) && (!rules_ || rules_->may_take(f, to));
   }
 
-  // What `keeps_discs()` reads of a face, in three steps, each of which reads what the one before has asked for.
+  // Prefetch the data that `keeps_discs()` reads of a face in three steps; each reads data prefetched by the one
+  // before.
   BOOST_FORCEINLINE void prefetch_corners(Index f) const
   {
     prefetch(&mesh_.corner_vertex[mesh_.first_corner[f]]);
@@ -60,7 +61,7 @@ public:
       prefetch(&mesh_.star[mesh_.first_in_star[mesh_.corner_vertex[c]]]);
   }
 
-  // Moves face `f` if it may move. Returns whether it did.
+  // Moves face `f` if the move is valid. Returns whether it is.
   bool move(Index f, Index to)
   {
     const Index from = labels_[f];
@@ -80,10 +81,11 @@ public:
   }
 
 private:
-  // Whether the dual remains what it was because the face borders on at most one cluster X more, and the point where that meets
-  // the two of the move only slides along the edge to X, from its end at `to` to its end at the cluster of the face. It does
-  // where no more than three clusters meet at a vertex, before or after. Where four do, it does if the diagonal between the apex
-  // of the fan and the cluster opposite to it stands in for that edge; the manual, in section smc_guarantee_moves, says when.
+  // Returns whether the dual does not change because the face borders on at most one further cluster X, and the meeting
+  // point of X with the two clusters of the move only slides along the edge to X, from its end at `to` to its end at
+  // the cluster of the face. This is so if at most three clusters meet at a vertex, before and after. Where four meet,
+  // it is so if the diagonal between the apex of the fan and the opposite cluster replaces that edge; the manual,
+  // section smc_guarantee_moves, gives the condition.
   bool only_slides(Index f, Index to) const
   {
     const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1], from = labels_[f];
@@ -99,7 +101,7 @@ private:
     return true;
   }
 
-  // Whether it does at vertex `v` of the face, which lies between edges to clusters `x` and `y`.
+  // Returns whether this holds at vertex `v` of the face, between edges to clusters `x` and `y`.
   bool keeps_fan(Index f, Index to, Index v, Index x, Index y) const
   {
     const Index from = labels_[f];

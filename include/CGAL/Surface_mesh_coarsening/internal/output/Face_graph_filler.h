@@ -36,7 +36,7 @@ std::vector<typename GeomTraits::Point_3> to_points(const std::vector<Vector>& p
   return points;
 }
 
-// Gives the coordinates that a position in the arrays has in the output.
+// Returns the map from positions in the arrays to coordinates of the output.
 template <class GeomTraits>
 auto output_coordinates(const Local_frame& frame)
 {
@@ -49,11 +49,11 @@ auto output_coordinates(const Local_frame& frame)
 }
 
 // The halfedges of a triangulated 2-manifold. Edge `e` has the halfedges `2 e` and `2 e + 1`; edges are numbered in the
-// order in which the triangles have them, and halfedge `2 e` is that of the first of its triangles.
+// order of the triangles, and halfedge `2 e` belongs to the first triangle of the edge.
 struct Halfedges
 {
   std::vector<Index> target, next, face; // per halfedge; `face` is NONE on the border
-  std::vector<Index> of_vertex, of_face; // a halfedge that ends in the vertex, on the border if it can be
+  std::vector<Index> of_vertex, of_face; // a halfedge that ends in the vertex, on the border if possible
 
   Halfedges(const std::vector<Triangle>& triangles, std::size_t vertices, const Cancellation_point& cancellation)
     : of_vertex(vertices, NONE),
@@ -74,7 +74,7 @@ private:
   void pair_sides(const std::vector<Triangle>& triangles, std::vector<Index>& side_halfedge,
                   const Cancellation_point& cancellation)
   {
-    // Sides ordered by their ends, the two of an edge next to each other in the order of their triangles.
+    // Sides are sorted by their ends; the two sides of an edge are adjacent, in the order of their triangles.
     std::vector<std::pair<std::uint64_t, Index> > sides;
     sides.reserve(3 * triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -105,7 +105,7 @@ private:
     }
   }
 
-  // Before a halfedge of the border comes the one that the faces around its source end with.
+  // The predecessor of a border halfedge is the last halfedge around its source.
   void close_borders()
   {
     for (Index h = 0; h < Index(target.size()); ++h)
@@ -129,11 +129,11 @@ auto output_points(const std::vector<Vector>& positions, const Local_frame& fram
   return to_points(positions, frame, choose_parameter<Traits>(get_parameter(np, CGAL::internal_np::geom_traits)));
 }
 
-// Replaces a face graph by the surface of triangles, in two steps: the constructor does what can fail and changes nothing,
-// `commit()` does the rest.
+// Replaces a face graph by a triangulated surface in two steps: the constructor does everything that can fail and
+// changes nothing; `commit()` changes the face graph.
 //
-// A face graph of any type can only be filled element by element. If that fails, for want of memory or because a point
-// map throws, it is left empty.
+// A face graph of arbitrary type can be filled only element by element. If this fails, for lack of memory or because a
+// point map throws, it is left empty.
 template <class Output, class NamedParameters>
 class Face_graph_filler
 {
@@ -174,8 +174,8 @@ public:
   }
 };
 
-// A `Surface_mesh` gets all its memory before it changes, so that it is as before if anything fails. Its property maps stay,
-// which `clear()` would remove; the caller may hold some.
+// A `Surface_mesh` allocates all memory before it changes, so that it is unchanged after any failure. It keeps its
+// property maps, which `clear()` would remove, because the caller may hold some.
 template <class Point, class NamedParameters>
 class Face_graph_filler<Surface_mesh<Point>, NamedParameters>
 {
@@ -211,8 +211,8 @@ public:
 
   void commit()
   {
-    // Only a mesh without elements marked as removed can be emptied and keep its memory. Getting rid of them moves the
-    // others, so it is done as late as can be.
+    // Only a mesh without elements marked as removed can be emptied without freeing its memory. Garbage collection
+    // renumbers elements, so it happens as late as possible.
     if (mesh_.has_garbage()) {
       mesh_.collect_garbage();
       reserve();
@@ -236,11 +236,11 @@ private:
                   (std::max)(faces(), mesh_.number_of_faces()));
   }
 
-  // Leaves the mesh with as many elements as it shall have.
+  // Leaves the mesh with its final number of elements.
   void put_points()
   {
     if constexpr (has_own_map) {
-      // The caller's map may throw. Until it has taken all points, the mesh only has some elements more.
+      // The caller's map may throw. Until it has accepted all points, the mesh merely has additional elements.
       const auto map = get_parameter(np_, CGAL::internal_np::vertex_point);
       const size_type v = mesh_.number_of_vertices(), e = mesh_.number_of_edges(), f = mesh_.number_of_faces();
       mesh_.resize((std::max)(v, vertices()), e, f);

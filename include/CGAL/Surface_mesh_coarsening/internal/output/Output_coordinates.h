@@ -11,7 +11,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The coordinates that a position in the arrays has in the output, after rounding to its number type.
+// Maps a position in the arrays to coordinates of the output, rounded to its number type.
 typedef std::function<Vector(const Vector&)> Output_coordinates;
 
 

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The cluster of each vertex of a mesh: of the clusters of the faces around it, the one with the largest area, and of equal
-// ones the first in number; `clusters` at vertices without faces.
+// Returns the cluster of each vertex of a mesh: the cluster of largest area among the faces around it, the smallest
+// number among equal ones; `clusters` at vertices without faces.
 inline std::vector<Index> clusters_of_vertices(const Flat_mesh& m, const std::vector<double>& area,
                                                const std::vector<Index>& cluster_of_face, Index clusters)
 {
@@ -43,7 +43,7 @@ inline std::vector<Index> clusters_of_vertices(const Flat_mesh& m, const std::ve
   return result;
 }
 
-// Writes clusters of the faces of the input that were not left out; the others get `number`.
+// Writes the clusters of the faces of the input; faces of removed components get `number`.
 template <class FaceGraph, class Map>
 void write_face_clusters(const Numbering<FaceGraph>& numbering, const Clustering_input& input,
                          const std::vector<Index>& clusters, std::size_t number, const Map& map)
@@ -76,7 +76,8 @@ void write_vertex_clusters(const Numbering<FaceGraph>&, const Clustering_input&,
                            const CGAL::internal_np::Param_not_found&)
 {}
 
-// Finds where on the input the vertices come from before the output changes, and writes that when it has its vertices.
+// Finds the sources of the vertices on the input before the output changes, and writes them when the output has its
+// vertices.
 template <class FaceGraph, class Map>
 class Vertex_sources
 {

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Where a placement finds nothing, as among coordinates of very different sizes, the centroid stands in.
+// Returns the centroid if a placement yields no finite position, as with coordinates of very different magnitude.
 inline Vector checked_position(const Clustered_surface& surface, std::size_t cluster, const Vector& p)
 {
   const Vector inside = surface.within_bounds(cluster, p);
@@ -29,7 +29,8 @@ inline Vector checked_position(const Clustered_surface& surface, std::size_t clu
   return inside;
 }
 
-// Places the vertices of the clusters, those on the border on it. A global placement may flip edges of the triangles.
+// Places the vertices of the clusters; vertices of border clusters lie on the border. A global placement may flip edges
+// of the triangles.
 inline std::vector<Vector> place_vertices(const Clustered_surface& surface, const Border_arcs& border,
                                           const Placement_model& placement, std::vector<Triangle>& triangles,
                                           const Cancellation_point& cancellation)
@@ -54,7 +55,7 @@ inline std::vector<Vector> place_vertices(const Clustered_surface& surface, cons
   return positions;
 }
 
-// Moves vertices and flips edges where triangles intersect that do not in the input, or look away from the surface.
+// Moves vertices and flips edges where triangles intersect that do not in the input, or face away from the surface.
 inline Repair_counts repair_placement(const Clustered_surface& surface, const Border_arcs& border,
                                       const Placement_model& placement, const Output_coordinates& output_coordinates,
                                       std::vector<Triangle>& triangles, std::vector<Vector>& positions,

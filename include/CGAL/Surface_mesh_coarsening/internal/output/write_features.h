@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The regions between feature lines, numbered from 0 in the order of the faces: that of each face.
+// Returns the region between feature lines of each face; regions are numbered from 0 in the order of the faces.
 inline std::vector<long long> regions(const Flat_mesh& m, const Feature_edges& edges)
 {
   std::vector<long long> region(m.number_of_faces(), -1);
@@ -35,9 +35,9 @@ inline std::vector<long long> regions(const Flat_mesh& m, const Feature_edges& e
   return region;
 }
 
-// The patches of the triangles of the dual, in their order: that of the face around the vertex they stand at. Such a vertex
-// is never on a line, and all faces around belong to one patch. `labels` are those of the mesh that was clustered, `patches`
-// those of the faces of the caller's mesh, or none, for regions to be numbered.
+// Returns the patch of each triangle of the dual: the patch of the faces around its vertex of the clustered mesh. Such
+// a vertex is never on a line, so all faces around it belong to one patch. `labels` are the labels of the clustered
+// mesh, `patches` the patches of the faces of the caller's mesh; if there are none, regions are numbered.
 inline std::vector<long long> patches_of_triangles(const Featured_input& input, const Cluster_labels& labels,
                                                    const std::vector<long long>& patches)
 {
@@ -112,7 +112,7 @@ template <class Output>
 void write_corners(const Output&, const CGAL::internal_np::Param_not_found&, const Coarse_features*)
 {}
 
-// Writes what the output's parameters ask for. `triangles` are those of `output`, in their order.
+// Writes the maps that the output's parameters request. `triangles` are the triangles of `output`, in their order.
 template <class Output, class NamedParameters>
 void write_features(const Output& output, const NamedParameters& np, const std::vector<Triangle>& triangles,
                     const Coarse_features* features, const Featured_input& input, const Cluster_labels& labels,

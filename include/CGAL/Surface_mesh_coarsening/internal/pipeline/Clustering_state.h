@@ -20,13 +20,13 @@ namespace internal {
 class Cluster_editing;
 class Initial_clustering;
 
-// The number of faces for each cluster that subdivision provides: clusters of so many faces can be round.
+// The number of faces per cluster that subdivision provides: clusters of this many faces can be round.
 constexpr std::size_t faces_per_cluster = 20;
 
-// The number of rounds in which vertices are exchanged, where densities are computed.
+// The number of rounds of vertex exchange if densities are computed.
 constexpr std::size_t default_exchange_rounds = 7;
 
-// How the clusters came about.
+// The origin of the clusters.
 struct Seeding
 {
   enum Kind { BY_CALLER, FOR_NUMBER, AT_LEVEL };
@@ -34,7 +34,7 @@ struct Seeding
   std::size_t value = 0;
 };
 
-// What the stages of the pipeline pass on, in arrays and without the types of mesh, weight and placement.
+// The data that the stages of the pipeline share, in arrays and without the types of mesh, weight and placement.
 struct Clustering_state
 {
   Clustering_state();
@@ -44,10 +44,10 @@ struct Clustering_state
   Visitor_handle visitor;
   Execution execution = Execution::SEQUENTIAL;
   bool subdivides_input = false, repairs_output = true;
-  std::size_t exchange_rounds = 0; // in which vertices are taken to where the error is
+  std::size_t exchange_rounds = 0; // rounds that relocate vertices to places of large error
   Local_frame frame;
   Featured_input input;
-  std::vector<long long> patches; // of the faces of the caller's mesh, where they are given
+  std::vector<long long> patches; // per face of the caller's mesh, if given
   std::size_t dropped_components = 0;
   std::shared_ptr<const Energy_model> energy;
 
@@ -56,17 +56,17 @@ struct Clustering_state
   std::unique_ptr<Initial_clustering> initial;
   std::unique_ptr<Cluster_labels> labels; // none before growth
 
-  // From minimization and editing; each begins afresh where the other has changed the clusters:
+  // From minimization and editing; each restarts after the other has changed the clusters:
   std::unique_ptr<Minimization> minimization;
   std::unique_ptr<Cluster_editing> editing;
-  Minimization_end minimization_end; // as it was asked for
+  Minimization_end minimization_end; // as requested
 
   Coarsening_report report;
 
   Cancellation_point cancellation() const { return Cancellation_point(visitor); }
-  // The faces of the mesh, without the components that were left out.
+  // The faces of the mesh, without removed components.
   const Clustering_input& base_input() const;
-  // The faces that the labels belong to: the input, or pieces of its faces.
+  // The labelled faces: the input, or pieces of its faces.
   const Featured_input& featured_input() const;
   const Clustering_input& working_input() const { return featured_input().items; }
   std::size_t number_of_clusters() const { return report.clusters; }

@@ -13,41 +13,42 @@
 #include <memory>
 #include <vector>
 
-// The pipeline: prepare -> seed -> grow -> minimize -> place (with repair) -> emit, one function a stage over one state. The
-// first and the last stage know the types of the meshes: `prepare()` and `Face_graph_filler`. All entry points call these.
+// The pipeline: prepare -> seed -> grow -> minimize -> place (with repair) -> emit, one function per stage over one
+// state. The first and the last stage depend on the types of the meshes: `prepare()` and `Face_graph_filler`. All entry
+// points call these.
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Finds seeds (section 6). Earlier clusters are gone.
+// Finds seeds (section 6). Discards earlier clusters.
 void seed(Clustering_state& state, const Seeding& seeding);
 
 // Grows the clusters from the seeds to the number wanted (section 8.1) and starts the minimization.
 void grow(Clustering_state& state);
 
-// Takes clusters from elsewhere; throws if they are not valid.
+// Adopts given clusters; throws if they are not valid.
 void set_clusters(Clustering_state& state, std::unique_ptr<Cluster_labels> labels, std::size_t number);
 
-// One round of the minimization (sections 5.1 and 8.2). Returns whether anything changed.
+// Runs one round of the minimization (sections 5.1 and 8.2). Returns whether a face has moved.
 bool minimize_round(Clustering_state& state);
 
-// Rounds until the end that is asked for.
+// Runs rounds until the requested end.
 void minimize(Clustering_state& state, const Minimization_end& end);
 
-// The energy (8).
+// Returns the energy (8).
 double energy(const Clustering_state& state);
 
-// The labels; throws if there are none.
+// Returns the labels; throws if there are none.
 const Cluster_labels& labels(const Clustering_state& state);
 
-// The faces of the caller's mesh at the seeds: before growth those found, after it one face for each cluster.
+// Returns faces of the caller's mesh: before growth the seeds, after it one face of each cluster.
 std::vector<Index> seeds(const Clustering_state& state);
 
-// The cluster of a face of the caller's mesh.
+// Returns the cluster of a face of the caller's mesh.
 std::size_t cluster_of_face(const Clustering_state& state, Index face);
 
-// The clusters of the faces of `state.base_input()`.
+// Returns the clusters of the faces of `state.base_input()`.
 std::vector<Index> clusters_of_base_faces(const Clustering_state& state);
 
 // Steering: the changes of one cluster between rounds. The functions throw if there is no such cluster.
@@ -56,7 +57,7 @@ bool is_frozen(const Clustering_state& state, std::size_t cluster);
 bool split_cluster(Clustering_state& state, std::size_t cluster);
 bool remove_cluster(Clustering_state& state, std::size_t cluster);
 
-// The dual of the clusters in place (section 8.3).
+// The dual of the clusters (section 8.3) with its positions.
 struct Placed_dual
 {
   std::unique_ptr<const Labelled_pieces> pieces;
@@ -71,11 +72,11 @@ struct Placed_dual
 // Places the vertices and repairs the placement.
 Placed_dual place(const Clustering_state& state, const Placement_model& placement, const Output_coordinates& output_coordinates);
 
-// The same, and reclusters where triangles are left intersecting.
+// The same; reclusters if intersecting triangles remain.
 Placed_dual place_embedded(Clustering_state& state, const Placement_model& placement,
                            const Output_coordinates& output_coordinates);
 
-// Notes the outcome in the report.
+// Records the outcome in the report.
 void report_placement(Clustering_state& state, const Placed_dual& dual);
 
 } // namespace internal

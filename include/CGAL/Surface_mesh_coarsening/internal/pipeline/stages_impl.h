@@ -43,7 +43,7 @@ inline void forget_clusters(Clustering_state& state)
   state.initial.reset();
 }
 
-// A step that fails, or is cancelled, leaves no clusters: the next step has to seed or to take labels.
+// A step that fails or is cancelled leaves no clusters: the next step has to seed or to adopt labels.
 template <class Step>
 void all_or_nothing(Clustering_state& state, const Step& step)
 {
@@ -207,7 +207,7 @@ inline void check_cluster(const Clustering_state& state, std::size_t cluster)
 CGAL_SURFACE_MESH_COARSENING_INLINE void freeze_cluster(Clustering_state& state, std::size_t cluster, bool is_frozen)
 {
   check_cluster(state, cluster);
-  state.seeding = Seeding(); // to recluster would not keep it
+  state.seeding = Seeding(); // reclustering would not keep it
   state.labels->freeze(Index(cluster), is_frozen);
 }
 
@@ -223,7 +223,7 @@ inline bool edit_cluster(Clustering_state& state, std::size_t cluster, bool (Clu
     return false;
   if (state.featured_input().cells)
     throw Invalid_input("clusters cannot be edited, nor merged to levels, where features are kept");
-  state.seeding = Seeding(); // to recluster would not repeat the change
+  state.seeding = Seeding(); // reclustering would not repeat the change
   if (!state.editing)
     state.editing = std::make_unique<Cluster_editing>(state.featured_input(), *state.labels, Index(state.number_of_clusters()));
   bool is_possible = false;
@@ -264,7 +264,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place(const Clustering_state& st
   return dual;
 }
 
-// The surface as its clusters are now.
+// Returns the surface with its current clusters.
 inline std::unique_ptr<Clustered_surface> clustered_surface(const Clustering_state& state, Placed_dual& dual)
 {
   dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
@@ -272,7 +272,7 @@ inline std::unique_ptr<Clustered_surface> clustered_surface(const Clustering_sta
                                              state.execution, dual.pieces->features(), state.cancellation());
 }
 
-// What the placement asks of the clusters while it exchanges vertices.
+// Returns the functions by which the placement relocates clusters while it exchanges vertices.
 inline Vertex_relocation vertex_relocation(const Clustering_state& state, const Clustered_surface& surface,
                                            Cluster_relocation& clusters)
 {
@@ -287,7 +287,7 @@ inline Vertex_relocation vertex_relocation(const Clustering_state& state, const 
   return relocation;
 }
 
-// Places the vertices, exchanges some of them, clusters following, and repairs the placement.
+// Places the vertices, exchanges some of them together with their clusters, and repairs the placement.
 inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
                                       const Output_coordinates& output_coordinates)
 {
@@ -351,14 +351,14 @@ inline void recluster(Clustering_state& state, const std::vector<double>& densit
   minimize(state, end);
 }
 
-// Whether other densities can be expected to help.
+// Returns whether other densities are likely to help.
 inline bool is_worth_reclustering(const Clustering_state& state, const Placed_dual& dual)
 {
   return dual.number_left() > 0 && 2 * dual.number_left() <= state.number_of_clusters() &&
          state.seeding.kind != Seeding::BY_CALLER && state.energy->depends_on_densities();
 }
 
-// Raises the densities of the faces whose clusters have vertices of intersecting triangles.
+// Raises the densities of the faces in clusters whose vertices belong to intersecting triangles.
 inline void raise_at_intersections(std::vector<double>& densities, const Clustering_state& state, const Placed_dual& dual)
 {
   std::vector<char> is_at_fault(state.number_of_clusters(), false);

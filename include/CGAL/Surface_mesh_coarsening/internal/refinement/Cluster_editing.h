@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Splits a cluster of a valid clustering in two, or gives its faces to a neighbor, if the clustering is valid afterwards. What
-// may have become invalid is looked at from scratch: the clusters that have changed, and the links of those around them. The
-// time depends on their sizes alone.
+// Splits a cluster of a valid clustering in two, or merges it into a neighbor, if the clustering remains valid. Checks
+// only what may have become invalid: the changed clusters, and the links of the clusters around them. The time depends
+// on their sizes only.
 class Cluster_editing
 {
 public:
@@ -33,7 +33,7 @@ public:
 
   Index number_of_clusters() const { return Index(face_of_.size()); }
 
-  // The new cluster has the next number. Returns whether there is one.
+  // The new cluster has the next number. Returns whether the split was possible.
   bool split(Index x)
   {
     face_of_.push_back(face_of_[x]);
@@ -43,7 +43,7 @@ public:
     return false;
   }
 
-  // Its neighbors are tried in the order of what the union adds to the inertia. The last cluster gets the number of `x`.
+  // Tries the neighbors in the order of the added inertia. The last cluster gets the number of `x`.
   bool remove(Index x)
   {
     if (merge(x, outward(face_of_[x])) == NONE)
@@ -52,9 +52,9 @@ public:
     return true;
   }
 
-  // Gives the faces of cluster `x` to a neighbor, to `into` if possible, and makes another cluster `x` of faces around `f`, which
-  // are taken from the cluster of `f`. Returns whether it was possible, and which clusters have changed. Clusters on the border
-  // or on features lose no faces, and frozen ones do not change.
+  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` of faces around `f`, taken
+  // from the cluster of `f`. Returns whether this was possible; `changed` receives the changed clusters. Clusters on
+  // the border or on features lose no faces, and frozen clusters do not change.
   bool relocate(Index x, Index into, Index f, std::vector<Index>& changed)
   {
     const Index y = labels_[f];
@@ -76,7 +76,6 @@ public:
     return true;
   }
 
-  // The faces of a cluster.
   std::vector<Index> faces(Index x) { return outward(face_of_[x]); }
 
 private:
@@ -89,7 +88,7 @@ private:
       visit(c);
   }
 
-  // Whether no vertex of the cluster is on the border or a feature, and its faces may leave it.
+  // Returns whether the cluster has no vertex on the border or a feature, and may lose its faces.
   bool is_free(Index x)
   {
     if (labels_.is_frozen(x))
@@ -104,8 +103,8 @@ private:
     return true;
   }
 
-  // Gives the faces of cluster `x` to a neighbor that allows it: to `first`, or else to the one to whose inertia they add least.
-  // Returns that; NONE if there is none.
+  // Moves the faces of cluster `x` to a neighbor that allows it: to `first` if possible, otherwise to the neighbor
+  // whose inertia grows least. Returns this neighbor; NONE if there is none.
   Index merge(Index x, const std::vector<Index>& faces, Index first = NONE)
   {
     std::vector<std::pair<double, Index> > candidates;
@@ -124,7 +123,7 @@ private:
     return NONE;
   }
 
-  // Splits cluster `x` in two of about the same extent. The new one is `y`.
+  // Splits cluster `x` into two of similar extent. The new one is `y`.
   bool split_anyhow(Index x, Index y, const std::vector<Index>& faces)
   {
     constexpr std::size_t attempts = 8;
@@ -137,7 +136,7 @@ private:
     return false;
   }
 
-  // Grows clusters `x` and `y` from two faces over those of `x`.
+  // Grows clusters `x` and `y` from two faces over the faces of `x`.
   bool try_split(Index x, Index y, const std::vector<Index>& faces, Index first, Index second)
   {
     if (first == second)
@@ -196,7 +195,7 @@ private:
     return neighbors;
   }
 
-  // Without the inertia.
+  // Omits the inertia.
   Moments moments_of(const std::vector<Index>& faces) const
   {
     Moments result;
@@ -209,7 +208,7 @@ private:
     return result;
   }
 
-  // Whether cluster `x` is a disc, and its link and those of the clusters in it are simple.
+  // Returns whether cluster `x` is a disc, and the links of `x` and of its neighbors are simple.
   bool is_valid_around(Index x)
   {
     const std::vector<Index> faces = outward(face_of_[x]);
@@ -248,7 +247,7 @@ private:
     return walk_.first_link_defect(edge, stamp_of_cluster_, stamp_) != NONE;
   }
 
-  // The faces are all those of the cluster that are connected to one.
+  // The faces form a connected component of the cluster.
   bool is_disc(Index x, const std::vector<Index>& faces) const
   {
     long euler = long(faces.size());
@@ -272,7 +271,7 @@ private:
   const Flat_mesh& mesh_;
   Cluster_labels& labels_;
   Dual_walk walk_;
-  std::vector<Index> face_of_; // one of each cluster
+  std::vector<Index> face_of_; // a face of each cluster
   std::vector<Index> stamp_of_cluster_;
   Index stamp_ = 0;
 };

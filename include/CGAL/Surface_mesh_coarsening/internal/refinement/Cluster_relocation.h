@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Moves clusters of a valid clustering from place to place, which leaves it valid and of as many clusters; or takes all of that
-// back.
+// Relocates clusters of a valid clustering, which remains valid and keeps the number of clusters; can undo all
+// relocations.
 class Cluster_relocation
 {
 public:
@@ -22,14 +22,14 @@ public:
     : cells_(input.cells.get()), labels_(labels), old_labels_(labels.labels()), editing_(input, labels, clusters),
       has_changed_(clusters, false) {}
 
-  // The number of clusters that were moved.
+  // The number of relocated clusters.
   std::size_t number() const { return number_; }
   bool has_changed(Index x) const { return has_changed_[x]; }
-  // The faces of a cluster, of the input.
+  // Returns the faces of a cluster, as faces of the input.
   std::vector<Index> faces(Index x) { return editing_.faces(x); }
 
-  // Gives the faces of cluster `x` to a neighbor, to `into` if possible, and makes another cluster of that number around a face,
-  // which is a piece of one of the input where features are kept. Returns whether it was possible.
+  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around a face of the
+  // input, or around a piece of it if features are kept. Returns whether this was possible.
   bool relocate(Index x, Index into, Index face)
   {
     std::vector<Index> changed;

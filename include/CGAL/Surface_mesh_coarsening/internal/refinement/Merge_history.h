@@ -20,13 +20,13 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Valid clusters merged two by two, each time those whose merge adds least to the energy, for as long as the dual stays a
-// simplicial surface; and what undoes the merges.
+// Merges valid clusters in pairs, each time the pair that adds least to the energy, as long as the dual remains a
+// simplicial surface, and records how to undo the merges.
 //
-// Clusters are renumbered so that the numbers of level n, which has n clusters, are 0 to n - 1: cluster k is gone from
-// level k on, merged into its parent, which has a smaller number. A triangle of the dual is stored with the corners that it
-// has last, before it goes. From the coarsest level on, each merge undone gives one or two triangles back and some corners of
-// others to the cluster that comes back.
+// Clusters are renumbered: level n has the n clusters 0 to n - 1. Cluster k is absent from level k on, merged into its
+// parent, which has a smaller number. A triangle of the dual is stored with its last corners before its removal. From
+// the coarsest level on, undoing a merge restores one or two triangles and moves some corners of others to the restored
+// cluster.
 class Merge_history
 {
 public:
@@ -46,12 +46,12 @@ public:
 
   std::size_t finest() const { return finest_; }
   std::size_t coarsest() const { return finest_ - steps_.size(); }
-  // The number here of a cluster of the clustering.
+  // Returns the number of a cluster of the clustering in this history.
   Index number(Index cluster) const { return number_[cluster]; }
-  // That a cluster is merged into, for clusters that are not of the coarsest level.
+  // Returns the cluster into which a cluster is merged that is not in the coarsest level.
   Index parent(Index number) const { return parent_[number - coarsest()]; }
 
-  // The cluster of level `n` that each of the clusters of level `from` is part of.
+  // Returns, for each cluster of level `from`, the cluster of level `n` that contains it.
   std::vector<Index> ancestors(std::size_t from, std::size_t n) const
   {
     std::vector<Index> result(from);
@@ -61,7 +61,7 @@ public:
     return result;
   }
 
-  // The triangles of a level, in time linear in their number.
+  // Returns the triangles of a level, in time linear in their number.
   std::vector<Triangle> triangles(std::size_t n) const
   {
     std::vector<Triangle> result(last_.begin(), last_.begin() + first_triangle_[n - coarsest()]);
@@ -77,11 +77,11 @@ private:
   struct Step
   {
     Index gone, kept;
-    std::size_t moved;             // first of the corners in `moved_`
+    std::size_t moved;             // its first corner in `moved_`
     std::array<Index, 2> removed;  // triangles
   };
 
-  // Merges by what they cost; of those of equal cost the one of the smallest numbers.
+  // Orders merges by cost; ties go to the smaller numbers.
   struct Candidate
   {
     double cost;
@@ -110,7 +110,7 @@ private:
     return s;
   }
 
-  // The energy with the weight of formula (9), which is known of a union from the sums of its parts.
+  // The energy with the weight of formula (9); the sums of the parts determine it for a union.
   static double energy(const Moments& s) { return s.mass * s.inertia; }
 
   void enqueue(Edge e)
@@ -149,7 +149,7 @@ private:
     return (std::min)(a, b) == c.a && (std::max)(a, b) == c.b && version_[a] + version_[b] == c.versions;
   }
 
-  // The cluster of fewer neighbors goes: what is stored of all merges is short then.
+  // Removes the cluster with fewer neighbors, which keeps the records short.
   void merge(Edge e)
   {
     Edge back = NONE;
@@ -190,7 +190,7 @@ private:
       parent_[number_[s.gone] - coarsest()] = number_[s.kept];
   }
 
-  // The triangles in the order in which they come back. Those at what lies beyond the border are left out.
+  // Lists the triangles in the order of their restoration, without triangles at caps.
   void list_triangles()
   {
     std::vector<Index> place(dual_.number_of_triangles(), NONE);
@@ -222,17 +222,17 @@ private:
   Cancellation_point cancellation_;
   Dual_surface dual_;
   std::size_t finest_;
-  std::vector<Moments> sums_;      // of each cluster
+  std::vector<Moments> sums_;      // per cluster
   std::vector<Index> version_;  // number of merges in each cluster
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > queue_;
   std::vector<Step> steps_;
-  std::vector<Edge> moved_;       // corners of the clusters that go, step by step
-  std::vector<Triangle> removed_; // two for each step
-  std::vector<Index> number_;     // of each cluster of the clustering
-  std::vector<Index> parent_;     // of each cluster that is not of the coarsest level
-  std::vector<Triangle> last_;    // the corners of each triangle before it goes
-  std::vector<Index> corner_;     // corners given back, merge by merge
-  std::vector<Index> first_triangle_, first_corner_; // of what comes back from each level to the next
+  std::vector<Edge> moved_;       // corners of the removed clusters, step by step
+  std::vector<Triangle> removed_; // two per step
+  std::vector<Index> number_;     // per cluster of the clustering
+  std::vector<Index> parent_;     // per cluster that is not in the coarsest level
+  std::vector<Triangle> last_;    // the corners of each triangle before its removal
+  std::vector<Index> corner_;     // corners restored, merge by merge
+  std::vector<Index> first_triangle_, first_corner_; // restored from each level to the next
 };
 
 } // namespace internal

@@ -13,16 +13,16 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Where the corners of the coarse triangles take values from that are cut along seams.
+// Finds the points from which the corners of coarse triangles take values if the values have seams.
 //
-// Around a coarse vertex, the faces of its cluster and of those next to it fall into sectors, which seams separate. A triangle
-// there belongs to the sector of the face that lies nearest to its center. Its corner takes the value at the nearest point of
-// that sector. So all triangles on the same side of a seam have the same value at the vertex, and no value is made of those
-// on two sides.
+// Around a coarse vertex, seams divide the faces of its cluster and of the adjacent clusters into sectors. A triangle
+// there belongs to the sector of the face nearest to its center, and its corner takes the value at the nearest point of
+// that sector. So all triangles on the same side of a seam have the same value at the vertex, and no value mixes two
+// sides.
 class Chart_sectors
 {
 public:
-  // `is_seam`: of each corner of the mesh, whether the edge after it is a seam.
+  // `is_seam`: for each corner of the mesh, whether the edge after it is a seam.
   Chart_sectors(Surface_correspondence& surfaces, const std::vector<bool>& is_seam)
     : surfaces_(surfaces), mesh_(surfaces.mesh()), is_seam_(is_seam), stamp_(mesh_.number_of_faces(), NONE),
       sector_(mesh_.number_of_faces(), NONE)
@@ -46,7 +46,7 @@ public:
   }
 
 private:
-  // The faces of the cluster and of its neighbors.
+  // Collects the faces of the cluster and of its neighbors.
   void collect(Index x)
   {
     std::vector<Index> clusters(1, x);
@@ -93,7 +93,7 @@ private:
     return true;
   }
 
-  // In all faces if the sector is NONE.
+  // Searches all faces if the sector is NONE.
   Nearest_point nearest_in(Index x, Index sector) const
   {
     Nearest_point nearest;
@@ -106,7 +106,7 @@ private:
   Surface_correspondence& surfaces_;
   const Flat_mesh& mesh_;
   const std::vector<bool>& is_seam_;
-  std::vector<Index> stamp_, sector_; // of each face
+  std::vector<Index> stamp_, sector_; // per face
   std::vector<Index> faces_, stack_;
 };
 

@@ -16,11 +16,11 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A mesh in clusters and its coarse mesh in arrays, and what belongs together of them.
+// A clustered mesh and its coarse mesh in arrays, and the correspondence between their elements.
 class Surface_correspondence
 {
 public:
-  // Faces of cluster NONE belong to nothing. Coordinates of both are relative to the same origin.
+  // Faces of cluster NONE correspond to nothing. Coordinates of both meshes have the same origin.
   Surface_correspondence(Flat_mesh mesh, std::vector<double> areas, std::vector<Vector> centroids, std::vector<Index> clusters,
                     std::vector<Vector> positions, std::vector<Triangle> triangles)
     : mesh_(std::move(mesh)), area_(std::move(areas)), centroid_(std::move(centroids)), cluster_(std::move(clusters)),
@@ -65,8 +65,8 @@ public:
     return sources_;
   }
 
-  // The nearest point, within the clusters of its ends or corners, to the center of an edge or a triangle. On the other side
-  // of a thin sheet there may be nearer ones, which it does not stand for.
+  // Returns the point nearest to the center of an edge or a triangle, within the clusters of its ends or corners.
+  // Nearer points on the other side of a thin sheet do not correspond to it.
   template <class Clusters>
   Nearest_point triangle_source(const Clusters& clusters) const
   {
@@ -85,8 +85,8 @@ public:
     return triangle_sources_;
   }
 
-  // The triangle that each face of the mesh lies nearest to, of those around the vertex of its cluster; NONE where there are
-  // none.
+  // The nearest triangle to each face of the mesh among the triangles around the vertex of its cluster; NONE if there
+  // are none.
   const std::vector<Index>& triangles_of_faces()
   {
     if (triangle_of_face_.empty())
@@ -95,8 +95,8 @@ public:
     return triangle_of_face_;
   }
 
-  // The vertex that takes what is to be spread over the dual cell of `x`: itself, or the first with an area that is found
-  // from it. It is the same for equal arguments.
+  // Returns the vertex that receives the values to be spread over the dual cell of `x`: `x`, or the first vertex with
+  // an area found from it. Depends on the arguments only.
   Index vertex_with_area(Index x) const
   {
     if (dual_area_[x] > 0)
@@ -144,7 +144,7 @@ private:
   std::vector<std::vector<Index> > around_;
   std::vector<double> dual_area_;
   Nearest_point_search search_;
-  // Filled when they are asked for:
+  // Computed on demand:
   std::vector<Nearest_point> sources_, triangle_sources_;
   std::vector<Index> triangle_of_face_;
 };

@@ -21,7 +21,7 @@ template <class Number>
 Number to_number(double x)
 {
   if constexpr (std::is_integral<Number>::value) {
-    // The ends of a range of 64 bits are no doubles; beyond them there is nothing to convert.
+    // The ends of a range of 64 bits are not doubles; values beyond them must not be converted.
     if (!(x > double((std::numeric_limits<Number>::min)())))
       return (std::numeric_limits<Number>::min)();
     if (x >= double((std::numeric_limits<Number>::max)()))
@@ -32,7 +32,7 @@ Number to_number(double x)
   }
 }
 
-// The numbers that a value is made of, if it is made of numbers that have means.
+// The numbers that make up a value, if they have means.
 template <class Value, class = void>
 struct Value_components
 {
@@ -95,7 +95,7 @@ struct Value_components<Value, std::void_t<typename Value::R, decltype(std::decl
 template <class Value>
 constexpr bool has_means = Value_components<Value>::size != 0;
 
-// A sum of values with weights.
+// A weighted sum of values.
 template <class Value>
 class Weighted_sum
 {

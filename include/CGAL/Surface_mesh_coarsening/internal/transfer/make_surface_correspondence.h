@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The corners of the faces of a triangle mesh, in the order of the numbering.
+// Returns the corners of the faces of a triangle mesh, in the order of the numbering.
 template <class FaceGraph>
 std::vector<Triangle> numbered_triangles(const FaceGraph& mesh, const Numbering<FaceGraph>& n)
 {
@@ -34,7 +34,7 @@ std::vector<Triangle> numbered_triangles(const FaceGraph& mesh, const Numbering<
   return triangles;
 }
 
-// The points of a mesh in the coordinates of another one.
+// Returns the points of a mesh in the frame of another one.
 template <class FaceGraph, class NamedParameters>
 std::vector<Vector> points_in_frame(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
                                     const Local_frame& frame)
