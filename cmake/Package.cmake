@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# cpack -G DEB makes two Debian packages of the build tree: the library, which is headers and sources and fits every
-# architecture, and the tool if it has been built.
+# cpack -G DEB makes Debian packages of the build tree: the library, which is headers and sources and fits every architecture, the
+# tool if it has been built, and the Python module where Python was found.
 
 if(NOT PROJECT_IS_TOP_LEVEL)
   return()
@@ -23,6 +23,9 @@ set(CPACK_COMPONENTS_ALL Development)
 if(SURFACE_MESH_COARSENING_BUILD_EXAMPLES)
   list(APPEND CPACK_COMPONENTS_ALL Tools)
 endif()
+if(TARGET surface_mesh_coarsening_python)
+  list(APPEND CPACK_COMPONENTS_ALL Python)
+endif()
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -35,12 +38,18 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME coarsen-mesh)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION graphics)
 set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Coarse triangle meshes of fine polygon meshes: command-line tool")
 
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-surface-mesh-coarsening)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Coarse triangle meshes of fine polygon meshes: Python module")
+
 # What the tool is linked to becomes its dependencies, where the programs that find that out are installed.
 find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)
 find_program(FILE_COMMAND file)
 mark_as_advanced(DPKG_SHLIBDEPS FILE_COMMAND)
 if(DPKG_SHLIBDEPS AND FILE_COMMAND)
   set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 endif()
 
 include(CPack)

@@ -31,6 +31,10 @@ elseif(WAY STREQUAL "debian_package")
       endif()
     endforeach()
   endif()
+  if(PYTHON)
+    run(${CMAKE_COMMAND} -E env PYTHONPATH=${WORK_DIR}/root/usr/lib/python3/dist-packages ${PYTHON} -c
+      "import surface_mesh_coarsening; print(surface_mesh_coarsening.__version__)")
+  endif()
 elseif(WAY STREQUAL "FetchContent")
   # As an application without a network does it; the repository named in consumer/ is not asked. With the headers alone.
   set(way_option -D FETCH=ON -D SURFACE_MESH_COARSENING_HEADER_ONLY=ON -D FETCHCONTENT_SOURCE_DIR_SURFACE_MESH_COARSENING=${PROJECT_SOURCE_DIR})
