@@ -12,13 +12,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// The parts of the border of the mesh that belong to clusters, one arc for each cluster on the border. The vertex of such a
-/// cluster lies on its arc, and so the border of the coarse mesh is inscribed in that of the mesh. Where on the arcs the
-/// vertices lie is chosen so that the two borders are as close together as they can be; that is in sharp corners where an arc
-/// has one.
+/// The border of the mesh divided into arcs, one for each cluster on the border. The vertex of such a cluster lies on its
+/// arc, so the border of the coarse mesh is inscribed in the border of the mesh. The positions on the arcs minimize the
+/// distance of the two borders; an arc with a sharp corner has its vertex there.
 ///
-/// Where features are kept, the parts of feature lines are arcs just like those of the border, and clusters with a feature
-/// corner have their vertex at that corner.
+/// If features are kept, feature lines are divided into arcs likewise, and clusters with a feature corner have their
+/// vertex at that corner.
 class Border_arcs
 {
 public:
@@ -40,10 +39,10 @@ public:
   }
   /// \endcond
 
-  /// returns whether a cluster has a part of the border, or of a feature.
+  /// returns whether a cluster contains a part of the border or of a feature.
   bool is_on_border(std::size_t cluster) const { return place_of_[cluster] != internal::NONE; }
 
-  /// places the vertices of the clusters on the border, or on features. Other positions are not touched.
+  /// places the vertices of the clusters on the border or on features. Other positions do not change.
   void place(std::vector<Clustered_surface::Point>& positions) const
   {
     for (std::size_t x = 0; x < place_of_.size(); ++x)
@@ -55,7 +54,7 @@ private:
   typedef internal::Index Index;
   typedef internal::Vector Vector;
 
-  // The label of the face at the border edge that begins at `v`: the first of its star.
+  // Returns the label of the face at the border edge that begins at `v`, the first face of its star.
   Index label_after(Index v) const { return labels_[mesh_.star[mesh_.first_in_star[v]]]; }
 
   std::vector<Index> loop_from(Index v) const
@@ -69,7 +68,7 @@ private:
   void choose_places(const std::vector<Index>& loop)
   {
     const std::size_t n = loop.size();
-    std::size_t begin = 0; // of a part of the loop that belongs to one cluster
+    std::size_t begin = 0; // of a part of the loop in one cluster
     while (begin < n && label_after(loop[begin]) == label_after(loop[(begin + n - 1) % n]))
       ++begin;
     std::vector<internal::Border_arc> arcs;
@@ -103,7 +102,7 @@ private:
         set_place(Index(x), mesh_.points[features.corners()[x]]);
   }
 
-  // The part of a polyline that belongs to a cluster. If there is a feature corner on it, that is where the vertex is.
+  // Returns the part of a polyline in a cluster; its vertex is at the feature corner if there is one.
   internal::Border_arc arc(const std::vector<Index>& vertices, Index cluster) const
   {
     std::vector<Vector> points;
@@ -125,7 +124,7 @@ private:
   const internal::Flat_mesh& mesh_;
   const internal::Cluster_labels& labels_;
   const internal::Coarse_features* features_;
-  std::vector<Index> place_of_; // of each cluster; NONE inside and off features
+  std::vector<Index> place_of_; // per cluster; NONE inside and off features
   std::vector<Vector> places_;
 };
 

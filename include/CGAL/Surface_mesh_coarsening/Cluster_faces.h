@@ -17,7 +17,7 @@ namespace Surface_mesh_coarsening {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// The class below has a function of the name `faces`, which hides that of the mesh.
+// The member `faces` of the class below hides the function of the mesh.
 template <class FaceGraph>
 auto faces_of(const FaceGraph& mesh) { return faces(mesh); }
 
@@ -25,9 +25,9 @@ auto faces_of(const FaceGraph& mesh) { return faces(mesh); }
 /// \endcond
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// The inverse of a face cluster map: gives the faces of each cluster.
+/// The inverse of a face cluster map: the faces of each cluster.
 ///
-/// Cluster `i` is the one that the `i`-th vertex of the output of `coarsen_mesh()` stands for.
+/// The `i`-th vertex of the output of `coarsen_mesh()` represents cluster `i`.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 template <class FaceGraph>
@@ -45,9 +45,9 @@ public:
   /// \tparam FaceClusterMap a model of `ReadablePropertyMap` with the faces as keys and an integral value type
   /// \param mesh the mesh
   /// \param clusters the clusters, as `coarsen_mesh()` writes them
-  /// \param number_of_clusters the number of clusters; faces of the cluster of this number, which `coarsen_mesh()` gives to
-  /// components that it has left out, belong to none
-  /// \throws Invalid_input if a face has a cluster of a larger number.
+  /// \param number_of_clusters the number of clusters; faces with this label, which `coarsen_mesh()` writes for removed
+  /// components, belong to no cluster
+  /// \throws Invalid_input if a label is larger than the number of clusters.
   template <class FaceClusterMap>
   Cluster_faces(const FaceGraph& mesh, const FaceClusterMap& clusters, std::size_t number_of_clusters)
     : faces_(internal::faces_of(mesh), number_of_clusters, [&](const face_descriptor& f) {
@@ -60,7 +60,7 @@ public:
 
   /// returns the number of clusters.
   std::size_t size() const { return faces_.size(); }
-  /// returns the faces of a cluster, in the order in which the mesh gives them.
+  /// returns the faces of a cluster, in the order of the mesh.
   Range faces(std::size_t cluster) const { return faces_[cluster]; }
 
 private:

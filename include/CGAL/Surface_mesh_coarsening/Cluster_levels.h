@@ -19,15 +19,15 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// Levels of detail from one clustering: a chain of clusterings, each with a cluster less than the one before.
+/// Levels of detail from one clustering: a sequence of clusterings, each with one cluster less than the previous one.
 ///
-/// Level `n` has `n` clusters, numbered from 0. The clusters of a level are unions of those of every finer level, and each
-/// level is valid in the sense of `is_valid_clustering()`. From a level to the next coarser one, those two clusters become one
-/// whose merge adds least to the energy with the weights of formula (9); the cluster of the largest number goes, and its
-/// `parent()` grows.
+/// Level `n` has `n` clusters, numbered from 0. Each cluster of a level is a union of clusters of any finer level, and each
+/// level is valid in the sense of `is_valid_clustering()`. From a level to the next coarser one, the two clusters are merged
+/// whose merge adds least to the energy with the weights of formula (9); the cluster of largest number is merged into its
+/// `parent()`.
 ///
-/// What is stored are some numbers for each cluster of the finest level, which is that of the clustering given. The triangles
-/// of any level are made in time linear in their number.
+/// The finest level is the given clustering. Memory is proportional to its number of clusters, and the triangles of any level
+/// are computed in time linear in their number.
 ///
 /// \tparam Clustering an instance of `Mwcvd_clustering`
 template <class Clustering>
@@ -36,12 +36,12 @@ class Cluster_levels
   typedef internal::Index Index;
 
 public:
-  /// merges the clusters until the topology does not allow it any more.
+  /// merges clusters as long as the topology allows it.
   ///
-  /// \param clustering has clusters, and is not changed as long as the levels are used
-  /// \throws std::logic_error if it has none.
+  /// \param clustering a clustering with clusters, which must not change while the levels are in use
+  /// \throws std::logic_error if it has no clusters.
   /// \throws Invalid_input if it keeps features.
-  /// \throws Coarsening_cancelled if its visitor said so.
+  /// \throws Coarsening_cancelled if its visitor cancels.
   explicit Cluster_levels(const Clustering& clustering)
     : clustering_(clustering), levels_(clustering.state())
   {}
@@ -51,7 +51,8 @@ public:
   /// returns the number of clusters of the coarsest level.
   std::size_t coarsest() const { return levels_.coarsest(); }
 
-  /// returns the cluster that `cluster` is merged into from level `cluster + 1` to level `cluster`. It has a smaller number.
+  /// returns the cluster into which `cluster` is merged from level `cluster + 1` to level `cluster`. It has a smaller
+  /// number.
   /// \pre `coarsest() <= cluster < finest()`; `Invalid_input` is thrown otherwise.
   std::size_t parent(std::size_t cluster) const
   {
@@ -60,7 +61,8 @@ public:
     return levels_.parent(Index(cluster));
   }
 
-  /// writes, for each cluster of level `fine`, the cluster of level `coarse` that it is part of, in time linear in `fine`.
+  /// writes, for each cluster of level `fine`, the cluster of level `coarse` that contains it, in time linear in
+  /// `fine`.
   /// \pre `coarsest() <= coarse <= fine <= finest()`; `Unreachable_number_of_vertices` or `Invalid_input` is thrown otherwise.
   template <class OutputIterator>
   OutputIterator parents(std::size_t fine, std::size_t coarse, OutputIterator out) const
@@ -86,7 +88,7 @@ public:
     return out;
   }
 
-  /// writes the cluster of each face on a level. Faces of components that were dropped get `level`.
+  /// writes the cluster of each face on a level. Faces of removed components get `level`.
   /// \tparam FaceClusterMap a model of `WritablePropertyMap` with the faces as keys and an integral value type
   /// \throws Unreachable_number_of_vertices if there is no such level.
   template <class FaceClusterMap>
@@ -106,12 +108,12 @@ public:
   /// \tparam VertexPlacement a model of `VertexPlacement` or `GlobalVertexPlacement`
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \param level the number of clusters
-  /// \param output is cleared and filled; its `i`-th vertex is that of cluster `i`
-  /// \param placement gives each cluster in the interior its position
+  /// \param output is cleared and filled; its `i`-th vertex is the vertex of cluster `i`
+  /// \param placement computes the position of each cluster in the interior
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits`
   /// of `output`
   /// \throws Unreachable_number_of_vertices if there is no such level.
-  /// \throws Coarsening_cancelled if the visitor of the clustering said so.
+  /// \throws Coarsening_cancelled if the visitor of the clustering cancels.
   ///
   /// The placement takes time linear in the number of faces.
   template <class Output, class VertexPlacement = Centroid_placement,
@@ -131,16 +133,17 @@ public:
     filler.commit();
   }
 
-  /// returns about how far a level is from the mesh: the largest distance, both ways, at vertices of the mesh and at points of
-  /// the level's triangles. It is near the Hausdorff distance, and no bound of it; `measure_coarsening()` gives more figures.
+  /// estimates the distance of a level from the mesh: the largest distance, both ways, at vertices of the mesh and at points
+  /// of the level's triangles. It approximates the Hausdorff distance but does not bound it; `measure_coarsening()` computes
+  /// more measures.
   ///
   /// \tparam VertexPlacement a model of `VertexPlacement` or `GlobalVertexPlacement`
   /// \param level the number of clusters
-  /// \param placement gives each cluster its position, as for `extract_dual_mesh()`
+  /// \param placement computes the position of each cluster, as for `extract_dual_mesh()`
   /// \throws Unreachable_number_of_vertices if there is no such level.
-  /// \throws Coarsening_cancelled if the visitor of the clustering said so.
+  /// \throws Coarsening_cancelled if the visitor of the clustering cancels.
   ///
-  /// Besides the placement, it takes time about linear in the number of faces.
+  /// In addition to the placement, it takes time about linear in the number of faces.
   template <class VertexPlacement = Centroid_placement>
   double approximate_distance(std::size_t level, const VertexPlacement& placement = VertexPlacement()) const
   {

@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// What a vertex placement gets to see: the faces, with their geometry, cluster by cluster.
+/// The input of a vertex placement: the faces with their geometry, cluster by cluster.
 ///
 /// Faces, vertices and clusters are numbered from 0. Coordinates are relative to a local origin near the center of the
 /// mesh.
@@ -73,7 +73,7 @@ public:
   }
   /// returns the position of a vertex.
   const Point& point(std::size_t vertex) const { return input_.mesh.points[vertex]; }
-  /// returns whether a vertex lies on the boundary of its cluster: whether several clusters meet there, or the border of
+  /// returns whether a vertex lies on the boundary of its cluster, that is, between several clusters or on the border of
   /// the mesh.
   bool is_on_cluster_boundary(std::size_t vertex) const { return labels_.boundary_count(internal::Index(vertex)) != 0; }
   /// returns the centroid of a face.
@@ -84,8 +84,8 @@ public:
   double density(std::size_t face) const { return input_.density[face]; }
 
   /// returns the centroid (7) of a cluster: the mean of the centroids of its faces, weighted with density times area;
-  /// unweighted if the faces have no area. Coordinates are rounded to 43 binary digits of the largest, of which
-  /// compilers hardly ever make different ones.
+  /// unweighted if the faces have no area. Coordinates are rounded to 43 binary digits of the largest, so that they
+  /// hardly ever depend on the compiler.
   Point cluster_centroid(std::size_t cluster) const
   {
     using namespace internal;
@@ -97,16 +97,15 @@ public:
       mass += input_.mass(f);
       sum = sum + center;
     }
-    constexpr double least = (std::numeric_limits<double>::min)(); // has an inverse
+    constexpr double least = (std::numeric_limits<double>::min)(); // its inverse is finite
     return without_last_digits(mass >= least ? (1 / mass) * moment : (1 / double(faces(cluster).size())) * sum);
   }
 
-  /// returns the box that the vertex of a cluster has to lie in: the bounding box of the vertices of its faces, grown by half
-  /// its diagonal on all sides.
+  /// returns the box that has to contain the vertex of a cluster: the bounding box of the vertices of its faces, enlarged by
+  /// half its diagonal on all sides.
   const Bbox_3& vertex_bounds(std::size_t cluster) const { return bounds_[cluster]; }
 
-  /// returns the point of `vertex_bounds()` that is closest to `p`, which is `p` itself inside; the centroid of the cluster if
-  /// `p` is not finite.
+  /// returns the point of `vertex_bounds()` closest to `p`, or the centroid of the cluster if `p` is not finite.
   Point within_bounds(std::size_t cluster, const Point& p) const
   {
     const bool is_finite = std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
@@ -120,7 +119,7 @@ private:
   const internal::Coarse_features* features_; // null without features
   const internal::Cancellation_point cancellation_;
   internal::Bucketed_items<std::uint32_t> faces_; // of each cluster
-  std::vector<Bbox_3> bounds_;                     // of the vertex of each cluster
+  std::vector<Bbox_3> bounds_;                     // of each cluster's vertex
 };
 
 } // namespace Surface_mesh_coarsening

@@ -9,18 +9,18 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// What a coarsening did, in numbers.
+/// Statistics of a coarsening.
 struct Coarsening_report
 {
-  /// the level \f$ k \f$ of the neighborhoods of the seeds; where components were seeded apart, the largest.
+  /// the level \f$ k \f$ of the neighborhoods of the seeds; the largest if components were seeded separately.
   std::size_t level = 0;
-  /// the number of seeds that the walk over the faces found, before they were brought to the number asked for.
+  /// the number of seeds found, before splits and merges.
   std::size_t seeds = 0;
   /// the number of clusters, which is the number of vertices of the output.
   std::size_t clusters = 0;
-  /// the number of clusters that were split because the initial growth had made two of them meet twice.
+  /// the number of clusters that were split because after growth two of them met twice.
   std::size_t splits = 0;
-  /// the number of pairs of clusters that were merged to arrive at the number asked for.
+  /// the number of pairs of clusters that were merged to reach the requested number.
   std::size_t merges = 0;
   /// the number of rounds of the minimization.
   std::size_t rounds = 0;
@@ -30,31 +30,31 @@ struct Coarsening_report
   std::size_t tests = 0;
   /// the energy (8) of the clustering before the minimization.
   double initial_energy = 0;
-  /// the energy (8) of the clustering after it.
+  /// the energy (8) of the clustering after the minimization.
   double final_energy = 0;
-  /// whether the last round gained no more than parameter `convergence_tolerance` allows, or changed nothing.
+  /// whether the last round gained at most `convergence_tolerance`, or changed nothing.
   bool converged = false;
-  /// the number of connected components whose faces were subdivided internally, because face by face they could not carry the
-  /// number of clusters, or because parameter `subdivide_input` asked for it.
+  /// the number of connected components whose faces were subdivided internally, because whole faces could not form the number
+  /// of clusters, or because of parameter `subdivide_input`.
   std::size_t subdivided_components = 0;
-  /// the number of connected components that were left out because of parameter `minimum_component_area`.
+  /// the number of connected components removed because of parameter `minimum_component_area`.
   std::size_t dropped_components = 0;
-  /// the number of clusters that were moved to where the distance was large (parameter `error_feedback`).
+  /// the number of clusters relocated to places of large distance (parameter `error_feedback`).
   std::size_t exchanged_vertices = 0;
-  /// the number of pairs of triangles that intersected after the placement of the vertices where the input does not. This
+  /// the number of pairs of triangles that intersected after the placement of the vertices but not in the input. This
   /// number and the three below are 0 if parameter `repair_output` is `false`.
   std::size_t intersections_found = 0;
-  /// the number of such pairs that the repair left, or the least that it left of several clusterings.
+  /// the number of such pairs after the repair, the smallest if there were several clusterings.
   std::size_t intersections_left = 0;
-  /// the number of triangles that were degenerate after the placement, or looked away from the surface they stand for, where
-  /// that has an area.
+  /// the number of triangles that were degenerate after the placement, or faced away from the surface that they approximate,
+  /// if that has an area.
   std::size_t reversals_found = 0;
-  /// the number of such triangles that the repair left.
+  /// the number of such triangles after the repair.
   std::size_t reversals_left = 0;
-  /// the number of clusterings that were made: one, and more where triangles were left intersecting
-  /// (`Mwcvd_clustering::extract_embedded_dual_mesh()`). The other numbers are those of the one that was taken.
+  /// the number of clusterings: one, and more if triangles remained intersecting
+  /// (`Mwcvd_clustering::extract_embedded_dual_mesh()`). The other numbers describe the selected clustering.
   std::size_t clusterings = 1;
-  /// the number of feature lines that are kept, each from corner to corner, or closed.
+  /// the number of feature lines that are kept, each from corner to corner or closed.
   std::size_t feature_lines = 0;
   /// the number of feature corners that are kept.
   std::size_t feature_corners = 0;

@@ -13,8 +13,8 @@ namespace Surface_mesh_coarsening {
 enum class Coarsening_stage
 {
   PREPARATION,   ///< checks of the input, flat copies, face densities
-  SEEDING,       ///< the walk over the faces that chooses the seeds
-  GROWTH,        ///< growth of the clusters, and splits and merges that bring them to the number asked for
+  SEEDING,       ///< selection of the seeds
+  GROWTH,        ///< growth of the clusters, and splits and merges to the requested number
   MINIMIZATION,  ///< rounds of moves that lower the energy
   TRIANGULATION  ///< vertex placement and the dual mesh
 };
@@ -22,7 +22,7 @@ enum class Coarsening_stage
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// \cgalModels `CoarseningVisitor`
 ///
-/// A visitor that does nothing and never cancels; made to be derived from.
+/// A base class for visitors: does nothing and never cancels.
 struct Coarsening_visitor_base
 {
   /// is called when `stage` begins.
@@ -30,10 +30,10 @@ struct Coarsening_visitor_base
   /// is called when `stage` has ended.
   void stage_ends(Coarsening_stage /* stage */) {}
   /// is called after each round of the minimization with its number (the first is 1), the number of faces that
-  /// changed cluster in it, and the energy after it.
+  /// changed cluster, and the energy after the round.
   void round_done(std::size_t /* round */, std::size_t /* moves */, double /* energy */) {}
-  /// is asked when a stage begins, after each round, before the output is touched, and within the stages each time that some
-  /// 16,000 elementary steps have been taken; `false` ends the coarsening with `Coarsening_cancelled`.
+  /// is called when a stage begins, after each round, before the output changes, and within the stages about every 16,000
+  /// elementary steps; `false` ends the coarsening with `Coarsening_cancelled`.
   bool go_further() { return true; }
 };
 

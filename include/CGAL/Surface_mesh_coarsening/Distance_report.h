@@ -11,14 +11,15 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// What `coarsen_mesh_to_distance()` found.
+/// Statistics of `coarsen_mesh_to_distance()`.
 struct Distance_report
 {
   /// the number of vertices of the output.
   std::size_t vertices = 0;
-  /// an upper bound of the two-sided Hausdorff distance between the input and the output, at most the distance asked for.
+  /// an upper bound of the two-sided Hausdorff distance between the input and the output, at most the requested
+  /// distance.
   double distance_bound = 0;
-  /// the report of the clustering that the output is a level of. Its number of clusters is that of the output.
+  /// the report of the clustering with the output as a level. Its number of clusters is the number of the output.
   Coarsening_report clustering;
   /// the number of clusterings that were minimized.
   std::size_t clusterings = 0;

@@ -23,17 +23,18 @@ namespace Surface_mesh_coarsening {
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// clusters the faces of a polygon mesh by a multiplicatively weighted centroidal Voronoi diagram, step by step.
 ///
-/// The steps are those of the paper, in this order: `seed()` or `seed_from_level()`, then `grow()`, then any number of
-/// rounds of the minimization. From `grow()` on the clustering is valid after every step: each cluster is a closed disc,
-/// and the dual is a triangulated 2-manifold with one vertex per cluster and, component by component, the genus, the
-/// number of border loops and the orientation of the mesh.
+/// The steps follow the paper in this order: `seed()` or `seed_from_level()`, then `grow()`, then any number of rounds
+/// of the minimization. From `grow()` on the clustering is valid after every step: each cluster is a closed disc, and
+/// the dual is a triangulated 2-manifold with one vertex per cluster and, component by component, the genus, the number
+/// of border loops and the orientation of the mesh.
 ///
-/// The mesh is only read, and only by the constructor, `set_clusters()` and the functions that write into property maps.
+/// Only the constructor, `set_clusters()` and the functions that write into property maps access the mesh, and only for
+/// reading.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam ClusterWeight a model of `ClusterWeight`
-/// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the clusters are the
-/// same, whichever it is
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the clusters do
+/// not depend on it
 template <class FaceGraph, class ClusterWeight = Maximum_density_weight, class ConcurrencyTag = Sequential_tag>
 class Mwcvd_clustering
 {
@@ -50,10 +51,10 @@ public:
   ///
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \param mesh a 2-manifold polygon mesh
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `face_density_map`,
-  /// `maximum_density`, `border_densities`, `cluster_weight`, `minimum_component_area`, `subdivide_input`,
-  /// `repair_output`, `error_feedback`, `feature_angle`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `face_patch_map`,
-  /// `vertex_point_map`, `face_index_map`, `geom_traits` and `visitor`, as `coarsen_mesh()` describes them
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `face_density_map`, `maximum_density`,
+  /// `border_densities`, `cluster_weight`, `minimum_component_area`, `subdivide_input`, `repair_output`, `error_feedback`,
+  /// `feature_angle`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `face_patch_map`, `vertex_point_map`,
+  /// `face_index_map`, `geom_traits` and `visitor`, as in `coarsen_mesh()`
   /// \throws Invalid_input if the mesh has no faces, is not a 2-manifold, has a coordinate that is not finite, or if a
   /// parameter is out of range.
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -72,41 +73,41 @@ public:
   /// \name Seeds and growth (sections 6 and 8.1)
   /// @{
 
-  /// finds seeds from which `grow()` makes exactly `number_of_clusters` clusters: those of the highest level that gives
-  /// twice as many, or as many where the mesh is too coarse for that, component by component, the number being shared out by
-  /// mass, which is area times density.
+  /// finds seeds from which `grow()` computes exactly `number_of_clusters` clusters. The number is apportioned among
+  /// components by mass, which is area times density. The seeds of a component have the highest level that gives twice its
+  /// number, or just its number if the mesh is too coarse for that.
   /// \return the number of seeds
-  /// \throws Unreachable_number_of_vertices if the mesh has fewer vertices, or if its topology does not allow so few.
+  /// \throws Unreachable_number_of_vertices if the mesh has fewer vertices, or if its topology needs more.
   std::size_t seed(std::size_t number_of_clusters)
   {
     internal::seed(state_, {internal::Seeding::FOR_NUMBER, number_of_clusters});
     return state_.report.seeds;
   }
 
-  /// The number of faces for each cluster that subdivision provides, if parameter `subdivide_input` asks for it. Clusters of
-  /// so many faces can be round.
+  /// The number of faces per cluster that subdivision provides with parameter `subdivide_input`. Clusters of this many faces
+  /// can be round.
   static constexpr std::size_t faces_per_cluster = internal::faces_per_cluster;
 
   /// takes all seeds whose neighborhoods of `level` steps are disjoint.
-  /// \return the number of seeds, which is the number of clusters that `grow()` makes, unless the topology of the mesh
-  /// needs more
+  /// \return the number of seeds, which is the number of clusters after `grow()` unless the topology of the mesh needs
+  /// more
   std::size_t seed_from_level(std::size_t level)
   {
     internal::seed(state_, {internal::Seeding::AT_LEVEL, level});
     return state_.report.seeds;
   }
 
-  /// grows the clusters from the seeds, a layer a round, until they cover the mesh.
+  /// grows the clusters from the seeds, one layer per round, until they cover the mesh.
   /// \pre `seed()` or `seed_from_level()` was called.
   /// \throws std::logic_error if it was not.
   void grow() { internal::grow(state_); }
 
-  /// takes the clusters from a property map instead of growing them.
+  /// reads the clusters from a property map instead of growing them.
   ///
   /// \tparam FaceClusterMap a model of `ReadablePropertyMap` with the faces as keys and an integral value type
   /// \param clusters the clusters, numbered from 0 without gaps
-  /// \throws Invalid_input if a label is missing or out of range, or if the clustering is not valid in the sense of
-  /// `is_valid_clustering()`, or if there are features to be kept.
+  /// \throws Invalid_input if a label is missing or out of range, if the clustering is not valid in the sense of
+  /// `is_valid_clustering()`, or if features are kept.
   template <class FaceClusterMap>
   void set_clusters(const FaceClusterMap& clusters)
   {
@@ -131,13 +132,13 @@ public:
   /// \pre `grow()` or `set_clusters()` was called; `std::logic_error` is thrown otherwise.
   /// @{
 
-  /// runs one round: compares, for each edge between two clusters, the energy as it is with that after the face on one
-  /// side has joined the cluster across, and with that after the other has.
-  /// \return whether anything changed
+  /// runs one round: compares, for each edge between two clusters, the current energy with the energies after the face
+  /// on either side has joined the cluster across.
+  /// \return whether a face has changed cluster
   bool minimize_round() { return internal::minimize_round(state_); }
 
-  /// runs rounds until one lowers the energy by no more than a part `convergence_tolerance` of it, or changes nothing, or until
-  /// `number_of_iterations` have been run.
+  /// runs rounds until one lowers the energy by at most the relative amount `convergence_tolerance`, or changes nothing, or
+  /// until `number_of_iterations` have been run.
   /// \throws Invalid_input if the tolerance is negative or not a number.
   void minimize(std::size_t number_of_iterations = default_number_of_iterations,
                 double convergence_tolerance = default_convergence_tolerance)
@@ -147,12 +148,12 @@ public:
     internal::minimize(state_, {number_of_iterations, convergence_tolerance});
   }
 
-  /// The number of rounds after which `minimize()` ends if it is not told otherwise. Energy falls with each move, so
-  /// rounds come to an end by themselves; meshes that need more than some hundred are rare.
+  /// The default limit of rounds of `minimize()`. The energy decreases with each move, so the rounds end without a
+  /// limit, too; few meshes need more than some hundred.
   static constexpr std::size_t default_number_of_iterations = 1000;
 
-  /// The relative gain of a round below which `minimize()` ends if it is not told otherwise: more rounds would lower the energy
-  /// by about a percent, which neither distances nor angles show.
+  /// The default relative gain of a round below which `minimize()` ends: further rounds would lower the energy by about one
+  /// percent, without effect on distances and angles.
   static constexpr double default_convergence_tolerance = 1e-3;
 
   /// returns the energy (8) of the clustering, in the sixth (weighted area) or fourth power of the unit of length.
@@ -165,10 +166,10 @@ public:
   /// returns the number of clusters.
   std::size_t number_of_clusters() const { return state_.number_of_clusters(); }
 
-  /// returns what has been done so far, in numbers.
+  /// returns the statistics so far.
   const Coarsening_report& report() const { return state_.report; }
 
-  /// writes the seeds: before `grow()` those found, after it one face for each cluster.
+  /// writes the seeds, and after `grow()` one face of each cluster.
   template <class OutputIterator>
   OutputIterator seeds(OutputIterator out) const
   {
@@ -177,8 +178,8 @@ public:
     return out;
   }
 
-  /// returns the cluster of a face. Where the faces of a component had to be subdivided internally, it is the cluster of the
-  /// largest part of the face. Faces of components that were dropped get `number_of_clusters()`.
+  /// returns the cluster of a face. If the faces of a component are subdivided internally, this is the cluster of the
+  /// largest part of the face. Faces of removed components get `number_of_clusters()`.
   std::size_t cluster(face_descriptor f) const { return internal::cluster_of_face(state_, numbering_.number_of(f)); }
 
   /// writes the cluster of each face, see `cluster()`.
@@ -191,7 +192,7 @@ public:
       put(clusters, numbering_.faces[i], Value(internal::cluster_of_face(state_, Index(i))));
   }
 
-  /// writes the boundary-edge count (section 7) of each vertex: the number of edges at it between two clusters or on the
+  /// writes the boundary-edge count (section 7) of each vertex: the number of its edges between two clusters or on the
   /// border.
   /// \tparam VertexBoundaryCountMap a model of `WritablePropertyMap` with the vertices as keys and an integral value type
   template <class VertexBoundaryCountMap>
@@ -207,13 +208,14 @@ public:
   /// \name Output (section 8.3)
   /// @{
 
-  /// replaces `output` by the dual triangulation. Its `i`-th vertex is that of cluster `i`.
+  /// replaces `output` by the dual triangulation. Its `i`-th vertex is the vertex of cluster `i`.
   ///
   /// \tparam Output a model of `MutableFaceGraph`
   /// \tparam VertexPlacement a model of `VertexPlacement` or `GlobalVertexPlacement`
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \param output is cleared and filled
-  /// \param placement gives each cluster in the interior its position; those on the border, or on features, get theirs there
+  /// \param placement computes the position of each cluster in the interior; vertices of clusters on the border or on
+  /// features lie there
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `geom_traits`,
   /// `edge_is_constrained_map`, `vertex_is_constrained_map` and `face_patch_map` of `output`
   /// \pre `grow()` or `set_clusters()` was called; `std::logic_error` is thrown otherwise.
@@ -226,15 +228,14 @@ public:
                    output, np, [](const auto&) {});
   }
 
-  /// does the same, and where triangles are left intersecting reclusters the mesh, with four times the densities in those
-  /// that the triangles belong to: with more clusters there, and fewer elsewhere. What has the fewest intersections is taken.
+  /// does the same; if triangles remain intersecting, reclusters the mesh with four times the densities in their clusters,
+  /// which gives more clusters there and fewer elsewhere. The result with the fewest intersections is selected.
   ///
-  /// Seeds, growth and minimization are run as they were before, 4 times at the most, and once more to come back to what is
-  /// taken. They are not where the weight is `Uniform_weight`, which does not look at densities, where parameter `repair_output`
-  /// is `false`, where clusters were given, or edited or frozen by hand, or where more than half as many pairs of triangles
-  /// intersect as there are clusters.
-  /// The parameters are those of `extract_dual_mesh()`. `Coarsening_report::clusterings` tells how many clusterings were made.
-  /// Densities stay raised afterwards.
+  /// Seeding, growth and minimization are repeated at most 4 times, and once more to restore the selected result. They are
+  /// not repeated if the weight is `Uniform_weight`, which does not depend on densities, if parameter `repair_output` is
+  /// `false`, if clusters were given, edited or frozen, or if intersecting pairs of triangles number more than half the
+  /// clusters. The parameters are the parameters of `extract_dual_mesh()`. `Coarsening_report::clusterings` counts the
+  /// clusterings. Densities remain raised.
   template <class Output, class VertexPlacement = Centroid_placement,
             class NamedParameters = parameters::Default_named_parameters>
   void extract_embedded_dual_mesh(Output& output, const VertexPlacement& placement = VertexPlacement(),
@@ -245,9 +246,9 @@ public:
   /// @}
 
   /// \name Steering
-  /// An application steers the clusters by hand, between rounds of the minimization. After each of these functions the
-  /// clustering is as valid as before. All throw `std::logic_error` if there are no clusters yet, and `Invalid_input` if there
-  /// is no cluster of the number given.
+  /// These functions let an application edit the clusters between rounds of the minimization. They keep the clustering valid.
+  /// All throw `std::logic_error` if there are no clusters yet, and `Invalid_input` if there is no cluster of the given
+  /// number.
   /// @{
 
   /// freezes a cluster: no face joins or leaves it, until it is thawed or the mesh is reclustered.
@@ -259,10 +260,10 @@ public:
   /// returns whether a cluster is frozen.
   bool is_frozen(std::size_t cluster) const { return internal::is_frozen(state_, cluster); }
 
-  /// splits a cluster in two of about the same extent. The new one gets the next number.
+  /// splits a cluster into two of similar extent. The new one gets the next number.
   /// \throws Invalid_input if features are kept.
-  /// \return the number of the new cluster; nothing if the cluster is frozen, or if no way was found to make two of it, as
-  /// where it has only one face
+  /// \return the number of the new cluster; empty if the cluster is frozen, or if no valid split was found, for example of
+  /// a single face
   std::optional<std::size_t> split_cluster(std::size_t cluster)
   {
     if (!internal::split_cluster(state_, cluster))
@@ -270,16 +271,15 @@ public:
     return number_of_clusters() - 1;
   }
 
-  /// removes a cluster: its faces join a neighbor, the one for which the sum of the moments about the centers grows least of
-  /// those that are not frozen and allow it. The last cluster gets the number of the one that is gone.
+  /// removes a cluster: its faces join the neighbor for which the sum of the inertias grows least, among the neighbors that
+  /// are not frozen and allow it. The last cluster gets the number of the removed one.
   /// \throws Invalid_input if features are kept.
-  /// \return whether it was possible. It is not if the cluster is frozen, or if the topology of the mesh needs it.
+  /// \return whether this was possible. It is not if the cluster is frozen, or if the topology of the mesh needs it.
   bool remove_cluster(std::size_t cluster) { return internal::remove_cluster(state_, cluster); }
   /// @}
 
   /// \cond SKIP_IN_MANUAL
-  // `before` is called with the positions of the vertices when everything is done that can fail, and `output` has not changed
-  // yet.
+  // Calls `before` with the positions of the vertices when everything that can fail is done, and `output` is still unchanged.
   template <class Output, class VertexPlacement, class NamedParameters, class Before>
   void extract_embedded_dual_mesh(Output& output, const VertexPlacement& placement, const NamedParameters& np,
                                   const Before& before)
@@ -290,7 +290,7 @@ public:
                    output, np, before);
   }
 
-  // Gives memory back that only the minimization needs.
+  // Frees the memory of the minimization.
   void end_minimization() { state_.minimization.reset(); }
 
   const internal::Clustering_state& state() const { return state_; }

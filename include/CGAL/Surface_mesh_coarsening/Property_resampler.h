@@ -20,27 +20,27 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// How values of a mesh become values of its coarse mesh.
+/// The ways to transfer values of a mesh to its coarse mesh.
 enum class Transfer_policy
 {
-  /// The value at the nearest point of the mesh: colors, fields. Values that have no means are taken from where the point lies,
-  /// or from the corner it is nearest to.
+  /// The value at the nearest point of the mesh: for colors, fields. Values without means are taken from the element that
+  /// contains the point, or from its nearest corner.
   INTERPOLATED,
-  /// The integral over the cluster divided by the coarse area, for densities of something that must not get lost: the
-  /// integral over the coarse mesh is that over the mesh, to rounding.
+  /// The integral over the cluster divided by the coarse area: for densities of conserved quantities. The integrals
+  /// over the two meshes are equal up to rounding.
   CONSERVATIVE,
-  /// The value that has the largest area: labels, materials. Of values of the same area it is the smallest.
+  /// The value of largest area: for labels, materials. Ties go to the smallest value.
   MAJORITY
 };
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// carries property maps of a mesh over to its coarse mesh.
+/// transfers property maps of a mesh to its coarse mesh.
 ///
-/// Values that have means are numbers, colors (`CGAL::IO::Color`), points and vectors of a kernel, and `std::array` of numbers;
+/// Values with means are numbers, colors (`CGAL::IO::Color`), points and vectors of a kernel, and `std::array` of numbers;
 /// `bool` has none. Whole numbers and colors are rounded.
 ///
-/// The two meshes may have changed their positions since they were made of each other, but not their elements. What a
-/// component that was left out carries (see named parameter `minimum_component_area` of `coarsen_mesh()`) is left out, too.
+/// Positions of the two meshes may have changed after the coarsening, but not their elements. Values of removed components
+/// (see named parameter `minimum_component_area` of `coarsen_mesh()`) are ignored.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam CoarseFaceGraph a model of `FaceListGraph`
@@ -54,7 +54,7 @@ class Property_resampler
   using Value = typename boost::property_traits<Map>::value_type;
 
 public:
-  /// prepares for the transfer. The meshes have to live as long as the object.
+  /// prepares the transfer. The meshes have to live as long as the object.
   ///
   /// \tparam FaceClusterMap a model of `ReadablePropertyMap` with the faces as keys and an integral value type
   /// \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -83,7 +83,7 @@ public:
   Property_resampler& operator=(const Property_resampler&) = delete;
   /// \endcond
 
-  /// writes the source of each vertex of the coarse mesh, its nearest point of the mesh.
+  /// writes the source of each vertex of the coarse mesh, the nearest point of the mesh.
   /// \tparam VertexSourceMap a model of `WritablePropertyMap` with the vertices of the coarse mesh as keys and
   /// `Surface_location<FaceGraph>` as value
   template <class VertexSourceMap>
@@ -94,12 +94,12 @@ public:
   }
 
   /// \name Transfer
-  /// The value type of `to` has to be that of `from`. With `CONSERVATIVE`, values without means are refused: `Invalid_input` is
-  /// thrown before anything is written.
+  /// The value types of `from` and `to` have to be equal. With `CONSERVATIVE`, values without means are rejected:
+  /// `Invalid_input` is thrown before anything is written.
   /// @{
 
-  /// carries values of vertices over to vertices. A vertex of the mesh stands for its share of the area of the faces around
-  /// it; a vertex of the coarse mesh for a third of the triangles around it.
+  /// transfers values of vertices to vertices. A vertex of the mesh represents its share of the area of the faces around
+  /// it, a vertex of the coarse mesh a third of the triangles around it.
   template <class From, class To>
   void transfer_vertex_property(From from, To to, Transfer_policy policy = Transfer_policy::INTERPOLATED)
   {
@@ -118,7 +118,7 @@ public:
     }, [&](const internal::Nearest_point& p) { return Type(get(from, nearest_corner(location(p), mesh_))); });
   }
 
-  /// carries values of faces over to vertices: those of the faces of its cluster to each vertex.
+  /// transfers values of faces to vertices: each vertex gets values of the faces of its cluster.
   template <class From, class To>
   void transfer_face_property_to_vertices(From from, To to, Transfer_policy policy = Transfer_policy::INTERPOLATED)
   {
@@ -133,9 +133,9 @@ public:
                            [&](const internal::Nearest_point& p) { return value(p.face); });
   }
 
-  /// carries values of faces over to faces: interpolated, from the face nearest to the center of each coarse face, among those
-  /// of its three clusters; by majority of the faces that lie nearest to it; conservative, as the mean of the densities of
-  /// its three clusters.
+  /// transfers values of faces to faces: interpolated, from the face of its three clusters nearest to the center of the
+  /// coarse face; by majority, from the faces nearest to it; conservative, as the mean of the densities of its three
+  /// clusters.
   template <class From, class To>
   void transfer_face_property(From from, To to, Transfer_policy policy = Transfer_policy::INTERPOLATED)
   {
@@ -163,8 +163,8 @@ public:
     }
   }
 
-  /// carries values of edges over to edges: from the edge that is nearest to the middle of each coarse edge, in the face that
-  /// is nearest to it, among those of its two clusters.
+  /// transfers values of edges to edges: from the edge nearest to the midpoint of the coarse edge, in the face of its two
+  /// clusters nearest to it.
   template <class From, class To>
   void transfer_edge_property(From from, To to)
   {
@@ -175,24 +175,24 @@ public:
     }
   }
 
-  /// carries values of corners over to corners, such as texture coordinates. The value of a halfedge is that of its target
-  /// in its face; halfedges on the border have none.
+  /// transfers values of corners to corners, such as texture coordinates. A halfedge has the value of its target in its
+  /// face; border halfedges have none.
   ///
-  /// Values are interpolated within a single face of the mesh, and so never across a seam. Around each vertex of the coarse mesh,
-  /// the coarse faces on one side of a seam get the same value; where a coarse vertex does not lie on the seam that runs
-  /// between two of its faces, each gets the value of the nearest point on its own side.
+  /// Values are interpolated within a single face of the mesh, hence never across a seam. Around each vertex of the coarse
+  /// mesh, the coarse faces on one side of a seam get the same value; if the vertex does not lie on a seam between two of its
+  /// faces, each gets the value of the nearest point on its own side.
   ///
   /// \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` with the edges of the mesh as keys and `bool` as value
   /// \param from the values
   /// \param to receives the values
-  /// \param is_seam tells which edges are seams
+  /// \param is_seam whether an edge is a seam
   template <class From, class To, class EdgeIsConstrainedMap>
   void transfer_corner_property(From from, To to, const EdgeIsConstrainedMap& is_seam)
   {
     transfer_corners(from, to, [&](auto h) { return bool(get(is_seam, edge(h, mesh_))); });
   }
 
-  /// does the same with those edges as seams whose two faces have different values at an end.
+  /// does the same; an edge is a seam if its two faces have different values at an end.
   template <class From, class To>
   void transfer_corner_property(From from, To to)
   {
@@ -215,7 +215,7 @@ private:
     return internal::surface_location(mesh_, numbering_, surfaces_.mesh(), p, p.face);
   }
 
-  // `value(h)` is the value at the source of halfedge `h` of the face.
+  // `value(h)` returns the value at the source of halfedge `h` of the face.
   template <class Type, class Read>
   Type value_in_face(const Surface_location<FaceGraph>& l, const Read& value) const
   {
@@ -233,7 +233,7 @@ private:
     }
   }
 
-  // `visit(f, add)` calls `add(area, value)` for what face `f` contributes.
+  // `visit(f, add)` calls `add(area, value)` for each contribution of face `f`.
   template <class Type, class Visit>
   auto cluster_densities(const Visit& visit) const
   {
@@ -259,7 +259,7 @@ private:
     }
   }
 
-  // `value_at(p)` is the value for a cluster without faces, from the nearest point.
+  // `value_at(p)` returns the value for a cluster without faces, from its nearest point `p`.
   template <class Type, class To, class Visit, class Nearest>
   void tally_by_cluster(Transfer_policy policy, To to, const Visit& visit, const Nearest& value_at)
   {

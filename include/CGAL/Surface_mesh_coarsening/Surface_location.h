@@ -20,10 +20,9 @@ namespace Surface_mesh_coarsening {
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// A point of the surface of a mesh: a face and coordinates in it.
 ///
-/// The coordinates of a triangle are barycentric. Those of a polygon of more sides are mean value coordinates in the plane
-/// that it spans; where these would be negative, or where the polygon is bent so that they would give another point, they
-/// are the barycentric coordinates in one of the triangles of a fan, and 0 for the other corners. They are never negative
-/// and their sum is 1.
+/// In a triangle, coordinates are barycentric. In a larger polygon, they are mean value coordinates in its plane. If these
+/// would be negative, or would yield another point because the polygon is not planar, they are barycentric coordinates in
+/// one of the triangles of a fan, and 0 for the other corners. Coordinates are never negative and their sum is 1.
 ///
 /// \tparam FaceGraph a model of `FaceGraph`
 template <class FaceGraph>
@@ -34,7 +33,7 @@ struct Surface_location
 
   /// the face.
   face_descriptor face = boost::graph_traits<FaceGraph>::null_face();
-  /// the coordinates: the first for the source of `halfedge(face, mesh)`, and so on around the face. The order is that of
+  /// the coordinates: the first for the source of `halfedge(face, mesh)`, and so on around the face, in the order of
   /// `CGAL::Polygon_mesh_processing::Face_location`.
   std::vector<double> coordinates;
 };
@@ -42,7 +41,7 @@ struct Surface_location
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// The halfedge that begins at the nearest corner.
+// Returns the halfedge that begins at the nearest corner.
 template <class FaceGraph>
 auto halfedge_from_nearest_corner(const Surface_location<FaceGraph>& location, const FaceGraph& mesh)
 {
@@ -57,7 +56,7 @@ auto halfedge_from_nearest_corner(const Surface_location<FaceGraph>& location, c
 /// \endcond
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// returns the corner of a surface location that has the largest coordinate.
+/// returns the corner of largest coordinate of a surface location.
 /// \relates Surface_location
 template <class FaceGraph>
 typename boost::graph_traits<FaceGraph>::vertex_descriptor nearest_corner(const Surface_location<FaceGraph>& location,
@@ -76,14 +75,14 @@ Surface_location<FaceGraph> surface_location(const FaceGraph& mesh, const Number
   Surface_location<FaceGraph> location;
   location.face = n.faces[face_of_mesh];
   location.coordinates = coordinates_in_face(m, nearest, vector_area(m, nearest.face));
-  // The flat arrays begin with another corner.
+  // The arrays may begin the face at another corner.
   const Index first = n.number_of(source(halfedge(location.face, mesh), mesh));
   const Index shift = m.corner_of(nearest.face, first) - m.first_corner[nearest.face];
   std::rotate(location.coordinates.begin(), location.coordinates.begin() + shift, location.coordinates.end());
   return location;
 }
 
-// The locations of positions that belong to clusters of the faces of `input`.
+// Returns the locations of positions with clusters of the faces of `input`.
 template <class FaceGraph>
 std::vector<Surface_location<FaceGraph> > surface_locations(const FaceGraph& mesh, const Numbering<FaceGraph>& n,
                                                             const Clustering_input& input,

@@ -30,8 +30,8 @@ void read_clusters(Clustering&, const CGAL::internal_np::Param_not_found&)
   throw Invalid_input("start_from_face_clusters(true) was given without a face_cluster_map");
 }
 
-// Seeds as `seed` does and grows, unless the caller gives the clusters; they have to be `number` then, or any number
-// if that is 0.
+// Seeds by `seed` and grows, unless the caller gives the clusters: then `number` of them, or any number of them if
+// it is 0.
 template <class ConcurrencyTag, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
 Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
                                std::size_t number, const Seed& seed)
@@ -83,9 +83,9 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 /// and, component by component, the genus, the number of border loops and the orientation of the input. The input is not
 /// modified. The same input and parameters give the same output.
 ///
-/// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, the second of which
-/// needs oneTBB; the result is the same, whichever it is and however many threads there are. In parallel, `input` is read by many
-/// threads at a time, property maps by one
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, the second of
+/// which needs oneTBB; the result does not depend on the tag nor on the number of threads. In parallel, many threads read
+/// `input` at a time, and one thread reads property maps
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam OutputFaceGraph a model of `MutableFaceGraph`
 /// \tparam NamedParametersIn a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -94,7 +94,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 /// \param input a 2-manifold polygon mesh: any number of components, borders, faces of any number of sides
 /// \param number_of_vertices the number of vertices of the output, at least what the topology of the input needs
 /// and at most the number of vertices of the input
-/// \param output is cleared and filled; its `i`-th vertex is that of cluster `i`. It must not be the input.
+/// \param output is cleared and filled; its `i`-th vertex is the vertex of cluster `i`. It must not be the input.
 /// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 /// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
@@ -105,8 +105,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{`Maximum_density_weight()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_density}
-///     \cgalParamDescription{the density of the face whose normal deviates most from those around it, the paper's
-///                           \f$ \rho_{new} \f$, in \f$ [1, 10^{20}] \f$}
+///     \cgalParamDescription{the density of the face whose normal deviates most from the normals around it, the
+///                           paper's \f$ \rho_{new} \f$, in \f$ [1, 10^{20}] \f$}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`50`}
 ///     \cgalParamExtra{not used if `face_density_map` is given}
@@ -118,7 +118,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamExtra{not used if `face_density_map` is given}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_density_map}
-///     \cgalParamDescription{densities to be used instead of those of `compute_face_densities()`, in
+///     \cgalParamDescription{densities that replace the result of `compute_face_densities()`, in
 ///                           \f$ [10^{-20}, 10^{20}] \f$}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the faces as keys and values that `CGAL::to_double()` accepts}
 ///     \cgalParamDefault{densities from the deviation of normals}
@@ -129,14 +129,15 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{`7`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{the largest number of rounds of the minimization; with 0, the result is that of seeds and
-///                           growth alone}
+///     \cgalParamDescription{the maximal number of rounds of the minimization; with 0, there are only seeds and
+///                           growth}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{`1000`, which is hardly ever reached: the rounds end by `convergence_tolerance`}
+///     \cgalParamDefault{`1000`, which is rarely reached: `convergence_tolerance` ends the rounds earlier}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{convergence_tolerance}
-///     \cgalParamDescription{the relative gain of a round: the minimization ends with the first round that lowers the energy by
-///                           no more than this part of it. With 0, it ends when a round changes nothing, as in the paper}
+///     \cgalParamDescription{the relative gain of a round: the minimization ends with the first round that lowers the energy
+///                           by no more than this part of it. With 0, it ends with the first round without a change, as in
+///                           the paper}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.001`}
 ///   \cgalParamNEnd
@@ -144,38 +145,40 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDescription{the position of the vertex of a cluster}
 ///     \cgalParamType{a model of `VertexPlacement` or `GlobalVertexPlacement`}
 ///     \cgalParamDefault{`Centroid_placement()`}
-///     \cgalParamExtra{clusters on the border have their vertex on the border, whatever the placement}
+///     \cgalParamExtra{clusters on the border have their vertex on the border, for any placement}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{repair_output}
-///     \cgalParamDescription{whether vertices are moved and edges flipped where triangles of the output intersect that do not in
-///                           the input, and where they look away from it, and the mesh reclustered where that is not enough (see
-///                           `Mwcvd_clustering::extract_embedded_dual_mesh()`); the report tells what was found and left}
+///     \cgalParamDescription{whether to move vertices and flip edges where triangles of the output intersect that do not in
+///                           the input, or face away from it, and to recluster the mesh if this does not suffice (see
+///                           `Mwcvd_clustering::extract_embedded_dual_mesh()`); the report counts the faults found and left}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{error_feedback}
-///     \cgalParamDescription{the number of rounds of `Fitted_placement` in which vertices are taken from where they do little for
-///                           the distance to where it is large; clusters follow, their number stays, and what does not lower
-///                           the distance is taken back. With 0, vertices stay where the densities have put their clusters.}
+///     \cgalParamDescription{the number of rounds of `Fitted_placement` that relocate vertices from places where they hardly
+///                           lower the distance to places where it is large. Clusters follow, and keep their number;
+///                           relocations that do not lower the distance are undone. With 0, the densities alone distribute
+///                           the vertices.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`7`; `0` if `face_density_map` is given}
-///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, and where clusters are given, edited or
-///                     frozen. Clusters on features and borders are not split, so where features are kept the distance may
-///                     rise by some per cent instead.}
+///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, or if clusters are given, edited or
+///                     frozen. Clusters on features and borders are not split, so if features are kept, the distance may
+///                     instead increase by some per cent.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{feature_angle}
-///     \cgalParamDescription{edges at which the normals of the two faces are so many degrees or more apart are kept as lines of
-///                           edges of the output, and the corners where they end or meet as vertices; in \f$ [0, 180] \f$}
+///     \cgalParamDescription{edges whose two faces have normals that differ by this angle in degrees or more are kept as
+///                           lines of edges of the output, and the corners where lines end or meet as vertices; in
+///                           \f$ [0, 180] \f$}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`180`: no edge is kept for its angle}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{edges that are kept likewise; those of the border need no mark}
+///     \cgalParamDescription{further edges to keep; border edges need no mark}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the edges as keys and `bool` as value type}
 ///     \cgalParamDefault{no edge is marked}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_is_constrained_map}
-///     \cgalParamDescription{vertices that are kept, at their points, as corners are}
+///     \cgalParamDescription{vertices to keep at their points, like corners}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertices as keys and `bool` as value type}
 ///     \cgalParamDefault{no vertex is marked}
 ///   \cgalParamNEnd
@@ -185,18 +188,18 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{there are no regions}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{subdivide_input}
-///     \cgalParamDescription{whether the faces, in an internal copy, are cut into one quadrilateral per corner, again and again,
-///                           until there are 20 of them for each vertex of the output. Clusters of few faces are then
-///                           rounder, and there is no upper limit of `number_of_vertices`.}
+///     \cgalParamDescription{whether to subdivide the faces of an internal copy into one quadrilateral per corner,
+///                           repeatedly, until there are 20 for each vertex of the output. Clusters of few faces are then
+///                           rounder, and `number_of_vertices` has no upper limit.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{the cluster of a face is that of the largest part of it}
+///     \cgalParamExtra{the cluster of a face is the cluster of its largest part}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_component_area}
-///     \cgalParamDescription{connected components of a smaller area are left out; the report counts them}
+///     \cgalParamDescription{connected components of smaller area are removed; the report counts them}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0`: every component is kept}
-///     \cgalParamExtra{the faces left out get the number of clusters as their cluster}
+///     \cgalParamExtra{faces of removed components get the number of clusters as their cluster}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_cluster_map}
 ///     \cgalParamDescription{receives the cluster of each face of `input`}
@@ -204,18 +207,18 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{the clusters are not written}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_to_cluster_map}
-///     \cgalParamDescription{receives a cluster for each vertex of `input`: of the clusters of the faces around it, the one that
-///                           has the largest area of them}
+///     \cgalParamDescription{receives a cluster for each vertex of `input`: the cluster of largest area among the faces
+///                           around it}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertices as keys and an integral value type}
 ///     \cgalParamDefault{the clusters are not written}
-///     \cgalParamExtra{isolated vertices, and those of components that are left out, get the number of clusters}
+///     \cgalParamExtra{isolated vertices, and vertices of removed components, get the number of clusters}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{start_from_face_clusters}
-///     \cgalParamDescription{whether `face_cluster_map` holds clusters, valid in the sense of `is_valid_clustering()`, that the
-///                           minimization shall start from}
+///     \cgalParamDescription{whether the minimization starts from the clusters in `face_cluster_map`, which have to be valid
+///                           in the sense of `is_valid_clustering()`}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{the number of clusters has to be `number_of_vertices`; not possible where features are kept}
+///     \cgalParamExtra{the number of clusters has to be `number_of_vertices`; not possible if features are kept}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_boundary_count_map}
 ///     \cgalParamDescription{receives the boundary-edge count of each vertex of `input`: the number of edges at it between two
@@ -230,19 +233,18 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_index_map}
 ///     \cgalParamDescription{a property map associating to each face of `input` a unique index between `0` and
-///                           `num_faces(input) - 1`; faces are walked over in this order}
+///                           `num_faces(input) - 1`; faces are traversed in this order}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the faces as keys and `std::size_t` as value}
-///     \cgalParamDefault{the order in which `faces(input)` gives them}
+///     \cgalParamDefault{the order of `faces(input)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an object that gives the coordinates of points}
-///     \cgalParamType{a class with functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` and the functions that give them,
-///                    as every \cgal kernel has}
+///     \cgalParamDescription{an object that provides the coordinates of points}
+///     \cgalParamType{a class with functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` and the functions that return
+///                    them, as every \cgal kernel has}
 ///     \cgalParamDefault{a kernel deduced from the point type}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is notified of the progress, and may cancel; pass `std::ref(visitor)` to have it used itself instead of
-///                           a copy}
+///     \cgalParamDescription{is notified of the progress, and may cancel; it is copied unless passed as `std::ref(visitor)`}
 ///     \cgalParamType{a model of `CoarseningVisitor`}
 ///     \cgalParamDefault{`Coarsening_visitor_base`}
 ///   \cgalParamNEnd
@@ -255,20 +257,21 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, output)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an object that makes points}
-///     \cgalParamType{a class with the functor `Construct_point_3` and the function that gives it, as every \cgal kernel has}
+///     \cgalParamDescription{an object that constructs points}
+///     \cgalParamType{a class with the functor `Construct_point_3` and the function that returns it, as every \cgal
+///                    kernel has}
 ///     \cgalParamDefault{a kernel deduced from the point type}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_source_map}
 ///     \cgalParamDescription{receives the source of each vertex of `output`: the nearest point of the surface of `input`}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertices of `output` as keys and `Surface_location<FaceGraph>` as
 ///                    value}
-///     \cgalParamDefault{the sources are not looked for}
-///     \cgalParamExtra{the surface is that without components that are left out; faces of more than three sides are
-///                     fans of triangles}
+///     \cgalParamDefault{no sources are computed}
+///     \cgalParamExtra{the surface excludes removed components; faces of more than three sides are triangulated as
+///                     fans}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{receives for each edge whether it is one of a feature line}
+///     \cgalParamDescription{receives for each edge whether it belongs to a feature line}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the edges as keys and `bool` as value type}
 ///     \cgalParamDefault{not written}
 ///   \cgalParamNEnd
@@ -285,15 +288,17 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return what was done, in numbers.
+/// \return statistics of the coarsening.
 ///
-/// \throws Unreachable_number_of_vertices if the number of vertices cannot be reached; it carries the nearest number that can.
+/// \throws Unreachable_number_of_vertices if the number of vertices cannot be reached; it carries the nearest
+/// attainable number.
 /// \throws Invalid_input if the input has no faces, is not a 2-manifold or has a coordinate that is not finite, or if a
 /// parameter is out of range.
-/// \throws Coarsening_cancelled if the visitor said so.
-/// The output is as before the call if one of these is thrown.
+/// \throws Coarsening_cancelled if the visitor cancels.
 ///
-/// The time is linear in the number of faces for seeds, growth and each round of the minimization.
+/// The output does not change if an exception is thrown.
+///
+/// Seeds, growth and each round of the minimization take time linear in the number of faces.
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph,
           class NamedParametersIn = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters>
@@ -306,11 +311,11 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
 }
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// coarsens a polygon mesh to as many vertices as there are seeds of the given level.
+/// coarsens a polygon mesh to one vertex per seed of the given level.
 ///
 /// This overload takes the level from parameter `neighborhood_level`: the number of vertices is the number of seeds
-/// whose neighborhoods of that many steps are disjoint (see `neighborhood_seeds()`), unless the topology of the input
-/// needs more. Everything else is as in the overload that takes a number of vertices.
+/// with disjoint neighborhoods of this level (see `neighborhood_seeds()`), unless the topology of the input needs
+/// more. Otherwise it equals the overload that takes a number of vertices.
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph,
           class NamedParametersIn = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters

@@ -23,8 +23,8 @@ namespace Surface_mesh_coarsening {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// The placement by which the search finds out about how many vertices it takes: that which a placement starts from, if it says
-// so, or itself.
+// The placement for the first estimates of the number of vertices: the `Start` of a placement if it has one, otherwise the
+// placement itself.
 template <class Placement, class = void>
 struct Quick_placement
 {
@@ -43,14 +43,15 @@ struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
 /// coarsens a polygon mesh as far as a bound of the distance allows.
 ///
 /// The output is the coarsest result found whose two-sided Hausdorff distance to the input is at most `maximum_distance`. A
-/// fine clustering is made, and merged down to levels of detail (see `Cluster_levels`). Among these the search brackets the
-/// number of vertices, by distances estimated at points of both surfaces: first those of the placement's `Start`, if it has one
-/// (see `GlobalVertexPlacement`), then its own. The distance of the result is bounded by
-/// `CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance()`, which looks at all of both surfaces and not at
-/// points of them; if the bound is too large, a finer level is taken.
+/// fine clustering is merged to levels of detail (see `Cluster_levels`). Among these the search brackets the number of
+/// vertices, with distances estimated at points of both surfaces: first with the placement's `Start`, if it has one (see
+/// `GlobalVertexPlacement`), then with the placement.
+/// `CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance()` bounds the distance of the result over both
+/// surfaces, not only at points; if the bound is too large, the search continues with a finer level.
 ///
-/// The distance is that between surfaces: polygons of the input are fans of triangles around the corner of the smallest number,
-/// and triangles without area do not count. The output has the other properties that `coarsen_mesh()` promises.
+/// The distance is measured between surfaces: polygons of the input are triangulated as fans around the corner of smallest
+/// number, and degenerate triangles do not count. Otherwise the output has the properties of the output of
+/// `coarsen_mesh()`.
 ///
 /// \tparam ConcurrencyTag as in `coarsen_mesh()`
 /// \tparam FaceGraph a model of `FaceListGraph`
@@ -60,17 +61,19 @@ struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
 ///
 /// \param input a 2-manifold polygon mesh
 /// \param maximum_distance the distance, in the unit of length of the mesh
-/// \param output is cleared and filled; its `i`-th vertex is that of cluster `i`. It must not be the input.
-/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `coarsen_mesh()` but for
-/// `start_from_face_clusters`, `neighborhood_level` and `vertex_boundary_count_map`
-/// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `coarsen_mesh()`
+/// \param output is cleared and filled; its `i`-th vertex is the vertex of cluster `i`. It must not be the input.
+/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters": all parameters of
+/// `coarsen_mesh()` except `start_from_face_clusters`, `neighborhood_level` and `vertex_boundary_count_map`
+/// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters": the parameters of
+/// `coarsen_mesh()`
 ///
-/// \return what was found.
+/// \return statistics of the search.
 ///
-/// \throws Unreachable_distance if there is no such result, even with as many vertices as the input has.
+/// \throws Unreachable_distance if no such result is found, even with as many vertices as the input has.
 /// \throws Invalid_input if `maximum_distance` is not positive and finite, and as `coarsen_mesh()` does.
-/// \throws Coarsening_cancelled if the visitor said so. It is not asked while the distance is bounded.
-/// The output is as before the call if one of these is thrown.
+/// \throws Coarsening_cancelled if the visitor cancels. It is not called while the distance is being bounded.
+///
+/// The output does not change if an exception is thrown.
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph,
           class NamedParametersIn = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters>

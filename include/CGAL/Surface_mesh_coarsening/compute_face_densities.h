@@ -9,19 +9,18 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// computes the density of each face from the deviation of its normal from those around it (section 5.2 of the paper), and from
-/// the turn of borders.
+/// computes the density of each face from the deviation of its normal from the normals around it (section 5.2 of the paper),
+/// and from the turn of borders.
 ///
-/// The deviation of a face is the mean of \f$ \| n - n_k \| \f$ over all pairs of a vertex of the face and a face
-/// \f$ k \f$ around that vertex. It is mapped linearly from \f$ [0, m] \f$, with \f$ m \f$ the largest deviation, to
-/// \f$ [1, r] \f$, with \f$ r \f$ the maximum density. If no face deviates by more than \f$ 10^{-6} \f$, all densities
-/// are 1. Faces without area deviate from nothing. Around a vertex of more than 256 faces each is compared with 256 of them,
-/// evenly spread.
+/// The deviation of a face is the mean of \f$ \| n - n_k \| \f$ over all pairs of a vertex of the face and a face \f$ k \f$
+/// around that vertex. It is mapped linearly from \f$ [0, m] \f$, with \f$ m \f$ the largest deviation, to \f$ [1, r] \f$,
+/// with \f$ r \f$ the maximum density. If no face deviates by more than \f$ 10^{-6} \f$, all densities are 1. Faces without
+/// area have no deviation. Around a vertex of more than 256 faces, each face is compared with 256 evenly spread ones.
 ///
-/// Near a border that is curved, deviations are raised to at least \f$ 32 \sqrt{A} / (R + s) \f$, but not above
-/// \f$ 4 m \f$. Here \f$ A \f$ is the area of the face, \f$ R \f$ the radius of curvature of the border, measured over three
-/// edges on either side of a vertex, and \f$ s \f$ the distance from it, along edges, up to a tenth of the length of the border
-/// loop. The user manual says why.
+/// Near a curved border, deviations are raised to at least \f$ 32 \sqrt{A} / (R + s) \f$, but not above \f$ 4 m \f$. Here
+/// \f$ A \f$ is the area of the face, \f$ R \f$ the radius of curvature of the border, measured over three edges on either
+/// side of a vertex, and \f$ s \f$ the distance from it, along edges, up to a tenth of the length of the border loop. The
+/// user manual explains these constants.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam FaceDensityMap a model of `WritablePropertyMap` with the faces as keys and values that `double` converts to
@@ -38,7 +37,7 @@ namespace Surface_mesh_coarsening {
 ///     \cgalParamDefault{`50`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{border_densities}
-///     \cgalParamDescription{whether densities are raised near borders; if not, they are those of the paper}
+///     \cgalParamDescription{whether to raise densities near borders; if not, the densities are as in the paper}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
@@ -48,9 +47,9 @@ namespace Surface_mesh_coarsening {
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an object that gives the coordinates of points}
-///     \cgalParamType{a class with functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` and the functions that give them,
-///                    as every \cgal kernel has}
+///     \cgalParamDescription{an object that provides the coordinates of points}
+///     \cgalParamType{a class with functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` and the functions that return
+///                    them, as every \cgal kernel has}
 ///     \cgalParamDefault{a kernel deduced from the point type}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
@@ -58,7 +57,7 @@ namespace Surface_mesh_coarsening {
 /// \throws Invalid_input if the mesh is not a 2-manifold, if a coordinate is not finite, or if the maximum density is out
 /// of range.
 ///
-/// The time is linear in the sum of the squared valences of the vertices, with valences above 256 counted once only, plus
+/// The time is linear in the sum of the squared valences of the vertices, where valences above 256 count only once, plus
 /// \f$ k \log k \f$ with the number \f$ k \f$ of vertices near borders.
 template <class FaceGraph, class FaceDensityMap, class NamedParameters = parameters::Default_named_parameters>
 void compute_face_densities(const FaceGraph& mesh, FaceDensityMap densities,

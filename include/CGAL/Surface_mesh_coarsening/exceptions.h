@@ -11,8 +11,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// reports an input that breaks a precondition: a mesh that is not a 2-manifold, a coordinate or a density that is
-/// not a number in range, a label out of range. The message names the first offending element and its value.
+/// reports an input that violates a precondition: a mesh that is not a 2-manifold, a coordinate, density or label
+/// out of range. The message names the first offending element and its value.
 class Invalid_input
   : public std::invalid_argument
 {
@@ -28,12 +28,12 @@ class Unreachable_number_of_vertices
   : public Invalid_input
 {
 public:
-  /// \param message says what was asked and why it cannot be reached.
-  /// \param nearest is the nearest number of vertices that can.
+  /// \param message names the requested number and the reason.
+  /// \param nearest is the nearest attainable number of vertices.
   Unreachable_number_of_vertices(const std::string& message, std::size_t nearest)
     : Invalid_input(message), nearest_(nearest) {}
 
-  /// returns the number of vertices nearest to the one asked for with which the same call succeeds.
+  /// returns the number of vertices nearest to the requested one with which the same call succeeds.
   std::size_t nearest() const noexcept { return nearest_; }
 
 private:
@@ -41,16 +41,16 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// reports a distance that no result was found to keep to.
+/// reports a distance for which no result was found.
 class Unreachable_distance
   : public Invalid_input
 {
 public:
-  /// \param message says what was asked.
-  /// \param nearest is the bound of the distance of the closest result that was found.
+  /// \param message names the requested distance.
+  /// \param nearest is the bound of the distance of the closest result found.
   Unreachable_distance(const std::string& message, double nearest) : Invalid_input(message), nearest_(nearest) {}
 
-  /// returns the bound of the distance of the closest result that was found.
+  /// returns the bound of the distance of the closest result found.
   double nearest() const noexcept { return nearest_; }
 
 private:

@@ -69,8 +69,8 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// makes the dual triangulation of clusters of faces of any origin: one vertex per cluster, one triangle where three
-/// clusters meet, a fan of triangles where more do (section 8.3 of the paper).
+/// constructs the dual triangulation of clusters of faces of any origin: one vertex per cluster, one triangle where
+/// three clusters meet, a fan of triangles where more do (section 8.3 of the paper).
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam FaceClusterMap a model of `ReadablePropertyMap` with the faces as keys and an integral value type
@@ -79,15 +79,15 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
 /// \tparam NamedParametersOut a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh a 2-manifold polygon mesh
-/// \param clusters the labels of the faces, any numbers. The vertex of a cluster comes in the order of the labels.
+/// \param clusters the labels of the faces, any numbers; vertices are in the order of the labels
 /// \param output is cleared and filled
 /// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `face_index_map`,
 /// `geom_traits`, `vertex_placement` and `repair_output` as in `coarsen_mesh()`, and `face_density_map`, which is 1 by default
 /// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
 /// `output`
 ///
-/// \throws Invalid_input if the mesh is not a 2-manifold, if a cluster is not a closed disc, or if two clusters meet in
-/// such a way that the dual cannot be a simplicial surface. `output` is as before then.
+/// \throws Invalid_input if the mesh is not a 2-manifold, if a cluster is not a closed disc, or if two clusters meet
+/// such that the dual cannot be a simplicial surface. `output` then does not change.
 template <class FaceGraph, class FaceClusterMap, class OutputFaceGraph,
           class NamedParametersIn = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters>
@@ -101,17 +101,18 @@ void extract_dual_mesh(const FaceGraph& mesh, const FaceClusterMap& clusters, Ou
 }
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// makes the dual triangulation of clusters of faces of any origin as a polygon soup. See `extract_dual_mesh()`.
+/// constructs the dual triangulation of clusters of faces of any origin as a polygon soup. See `extract_dual_mesh()`.
 ///
 /// \tparam PointRange a model of `BackInsertionSequence` of points that the geometry traits construct
-/// \tparam PolygonRange a model of `BackInsertionSequence` of ranges of indices that can be made from three of them in
-/// braces, such as `std::vector<std::size_t>` and `std::array<std::size_t, 3>`
+/// \tparam PolygonRange a model of `BackInsertionSequence` of ranges of indices that can be constructed from three
+/// indices in braces, such as `std::vector<std::size_t>` and `std::array<std::size_t, 3>`
 ///
 /// \param mesh a 2-manifold polygon mesh
 /// \param clusters the labels of the faces, any numbers
-/// \param points receives the points, after those that it holds already
+/// \param points the points are appended to it
 /// \param triangles receives the triangles, with indices into `points`
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `np_in` in `extract_dual_mesh()`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": the parameters of `np_in` in
+/// `extract_dual_mesh()`
 template <class FaceGraph, class FaceClusterMap, class PointRange, class PolygonRange,
           class NamedParameters = parameters::Default_named_parameters>
 void extract_dual_soup(const FaceGraph& mesh, const FaceClusterMap& clusters, PointRange& points, PolygonRange& triangles,

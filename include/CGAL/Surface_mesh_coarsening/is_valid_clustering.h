@@ -13,14 +13,14 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// tells what keeps labels of the faces of a mesh from being a valid clustering; the answer is empty if nothing does.
+/// describes why labels of the faces of a mesh are not a valid clustering; returns an empty string if they are.
 ///
 /// A clustering is valid if
-/// - the faces of each cluster form a closed disc: they are connected across edges, those around any vertex follow each
-///   other, and there are no holes;
-/// - its dual triangulation is a simplicial surface: going around a cluster, no neighbor comes twice, there are at least
-///   three, and the border of the mesh is met in one arc at the most. Neighbors are the clusters across edges and, where
-///   more than three clusters meet in a vertex, those that the fan of triangles joins there.
+/// - the faces of each cluster form a closed disc: they are connected across edges, the faces around any vertex are
+///   consecutive, and there are no holes;
+/// - its dual triangulation is a simplicial surface: around a cluster, no neighbor occurs twice, there are at least
+///   three, and the cluster meets the border of the mesh in at most one arc. Neighbors are the clusters across edges
+///   and, where more than three clusters meet in a vertex, the clusters joined by the fan of triangles there.
 ///
 /// Then the dual triangulation is a 2-manifold with the Euler characteristic and the border loops of the mesh.
 ///

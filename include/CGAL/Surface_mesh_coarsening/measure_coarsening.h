@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// How far two meshes are apart, and what shape the triangles of the second have. Lengths are in the units of the meshes,
+/// The distance of two meshes, and the shape of the triangles of the second. Lengths are in the units of the meshes,
 /// angles in degrees.
 struct Coarsening_quality
 {
@@ -30,13 +30,13 @@ struct Coarsening_quality
   double mean_distance = 0;
   /// The largest distance of a sample, the larger of the two directions.
   double maximum_distance = 0;
-  /// The mean angle between the normals of the second mesh and those at the closest points of the first.
+  /// The mean angle between the normals of the second mesh and the normals at the closest points of the first.
   double mean_normal_deviation = 0;
   /// The mean over the triangles of the second mesh of their smallest angle.
   double mean_smallest_angle = 0;
   /// The smallest angle of all triangles of the second mesh.
   double smallest_angle = 0;
-  /// The part of the triangles of the second mesh that have an angle of less than 30 degrees.
+  /// The fraction of the triangles of the second mesh with an angle of less than 30 degrees.
   double part_below_30_degrees = 0;
   /// The number of pairs of faces of the second mesh that intersect.
   std::size_t self_intersections = 0;
@@ -71,10 +71,10 @@ inline void measure_borders(const Triangle_mesh& a, const Triangle_mesh& b, std:
 /// \endcond
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// measures how well a mesh stands for another.
+/// measures how well a mesh approximates another.
 ///
-/// Distances are measured from samples on each mesh to the other: as many as asked for, spread over the faces by area, at
-/// points that depend on nothing but the mesh; and likewise along the borders. Polygons are triangulated by a fan for this.
+/// Distances are measured from samples on each mesh to the other, and likewise along the borders. The samples are
+/// distributed over the faces by area, at points that depend on the mesh only. Polygons are triangulated as fans.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam CoarseFaceGraph a model of `FaceListGraph`
@@ -90,7 +90,7 @@ inline void measure_borders(const Triangle_mesh& a, const Triangle_mesh& b, std:
 /// `coarse`
 ///
 /// \pre Both meshes have a face.
-/// \throws Invalid_input if one has none, or if a coordinate is not finite.
+/// \throws Invalid_input if a mesh has no face, or if a coordinate is not finite.
 template <class FaceGraph, class CoarseFaceGraph,
           class NamedParameters1 = parameters::Default_named_parameters,
           class NamedParameters2 = parameters::Default_named_parameters>

@@ -15,9 +15,9 @@ namespace Surface_mesh_coarsening {
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// finds faces that are spread evenly over a mesh, by their adjacency alone (section 6 of the paper).
 ///
-/// The faces are walked over in order. A face is taken as a seed if its neighborhood, which is the faces within `level`
-/// steps across edges, has no face in common with the neighborhood of an earlier seed. On a regular triangle mesh a
-/// neighborhood has \f$ 1 + 3 k (k + 1) / 2 \f$ faces for level \f$ k \f$.
+/// The faces are traversed in order. A face becomes a seed if its neighborhood, the faces within `level` steps across
+/// edges, is disjoint from the neighborhoods of earlier seeds. On a regular triangle mesh a neighborhood has
+/// \f$ 1 + 3 k (k + 1) / 2 \f$ faces for level \f$ k \f$.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam OutputIterator a model of `OutputIterator` that accepts face descriptors
@@ -25,21 +25,21 @@ namespace Surface_mesh_coarsening {
 ///
 /// \param mesh a 2-manifold polygon mesh
 /// \param level the number of steps; with 0, every face is a seed
-/// \param seeds receives the seeds in the order of the walk
+/// \param seeds receives the seeds in the order of traversal
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{face_index_map}
 ///     \cgalParamDescription{a property map associating to each face of `mesh` a unique index between `0` and
-///                           `num_faces(mesh) - 1`: the walk goes over the faces in the order of their indices}
+///                           `num_faces(mesh) - 1`, the order of traversal}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the faces as keys and `std::size_t` as value}
-///     \cgalParamDefault{the order in which `faces(mesh)` gives them}
+///     \cgalParamDefault{the order of `faces(mesh)`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return `seeds`, past the last seed.
 ///
-/// \throws Invalid_input if the mesh is not a 2-manifold or the face index map is not a numbering.
+/// \throws Invalid_input if the mesh is not a 2-manifold or the face index map is not a bijection.
 ///
 /// The time is linear in the number of faces, for every level.
 template <class FaceGraph, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>

@@ -8,9 +8,9 @@
 #include <functional>
 
 /// \file parameters.h
-/// The named parameters of the package. A chain begins in `CGAL::Surface_mesh_coarsening::parameters` and goes on with
-/// the parameters of this package and of CGAL in any order; packs that hold parameters of CGAL alone are accepted by
-/// all functions of the package as they are.
+/// The named parameters of the package. A chain begins in `CGAL::Surface_mesh_coarsening::parameters` and continues
+/// with parameters of this package and of CGAL in any order. All functions of the package also accept packs of CGAL's
+/// parameters alone.
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -21,8 +21,9 @@ namespace internal_np {
 #include <CGAL/Surface_mesh_coarsening/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
-// Marks the rest of a pack. CGAL puts `.name()` members into its class of named parameters from a header that a
-// package outside its tree cannot add to; the partial specialization for this tail below adds ours to them.
+// Marks the tail of a pack. CGAL defines the `.name()` members of its class of named parameters in a header that a
+// package outside its tree cannot extend; the partial specialization for this tail below adds the members of this
+// package.
 template <class Rest>
 struct Chain
   : Rest

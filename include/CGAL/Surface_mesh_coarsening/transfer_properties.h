@@ -26,7 +26,7 @@ template <class... Types>
 struct Type_list
 {};
 
-// The property maps of a `Surface_mesh`, carried over one by one by their names.
+// Transfers the property maps of a `Surface_mesh` one by one by name.
 template <class P, class Q>
 class Surface_mesh_transfer
 {
@@ -47,7 +47,7 @@ public:
     : mesh_(mesh), coarse_(coarse), policies_(policies), transfer_(mesh, clusters, coarse, np1, np2)
   {}
 
-  // Returns the names of what is of none of the types.
+  // Returns the names of property maps of other types.
   std::vector<std::string> run()
   {
     check();
@@ -67,7 +67,7 @@ public:
   }
 
 private:
-  // Throws what there is to throw before the coarse mesh changes.
+  // Throws all exceptions before the coarse mesh changes.
   void check()
   {
     const auto nothing = [](auto, auto, Transfer_policy) {};
@@ -161,14 +161,14 @@ private:
 /// \endcond
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// carries all property maps of a `CGAL::Surface_mesh` over to its coarse mesh, which gets property maps of the same names and
-/// types. Those that it has already are overwritten.
+/// transfers all property maps of a `CGAL::Surface_mesh` to its coarse mesh, which gets property maps of the same names and
+/// types. Existing ones are overwritten.
 ///
-/// Types known are the numbers, `bool`, `std::string`, `CGAL::IO::Color`, `std::array` of 2, 3 or 4 `float` or `double`, and the
-/// points and vectors of the kernel in two and three dimensions. Numbers with fractions, colors, points, vectors and arrays
-/// are interpolated if `policies` does not say otherwise; whole numbers, `bool` and strings go by majority. Values of edges and
-/// halfedges are carried over as `Property_resampler` describes it, seams being where the values of halfedges say so. Points
-/// are not carried over; neither are properties whose names begin with `v:connectivity` and the like, which belong to the mesh.
+/// Supported types are the numbers, `bool`, `std::string`, `CGAL::IO::Color`, `std::array` of 2, 3 or 4 `float` or `double`,
+/// and the points and vectors of the kernel in two and three dimensions. Floating-point numbers, colors, points, vectors and
+/// arrays are interpolated unless `policies` overrides it; integers, `bool` and strings go by majority. `Property_resampler`
+/// describes the transfer of values of edges and halfedges; seams follow from the values of halfedges. Points are not
+/// transferred, nor properties that belong to the mesh, whose names begin with `v:connectivity` and the like.
 ///
 /// \tparam P a point type
 /// \tparam Q a point type
@@ -184,9 +184,9 @@ private:
 /// \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
 /// `coarse`
 ///
-/// \return the names of the property maps whose type is not known, which are left out.
-/// \throws Invalid_input as the constructor of `Property_resampler` does, before `coarse` changes, and if values without means
-/// are to be transferred conservatively.
+/// \return the names of the property maps of unsupported types, which are not transferred.
+/// \throws Invalid_input as the constructor of `Property_resampler` does, before `coarse` changes, and if values without
+/// means are to be transferred with `CONSERVATIVE`.
 template <class P, class Q, class FaceClusterMap, class NamedParameters1 = parameters::Default_named_parameters,
           class NamedParameters2 = parameters::Default_named_parameters>
 std::vector<std::string> transfer_properties(const Surface_mesh<P>& mesh, const FaceClusterMap& clusters,

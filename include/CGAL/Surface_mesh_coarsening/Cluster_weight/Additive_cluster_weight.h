@@ -9,17 +9,17 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningWeights
-/// adds to a weight that is a function of sums over the faces of a cluster what the concept `ClusterWeight` asks for
-/// beyond `add()`, `remove()` and `weight()`: the weight that a cluster would have with a face more, or a face less.
-/// Both are computed on a copy of the cluster's data, which should therefore be small.
+/// completes a weight that is a function of sums over the faces of a cluster: given `add()`, `remove()` and
+/// `weight()`, provides the other members that the concept `ClusterWeight` requires, the weight with one face more
+/// or less. Both are computed on a copy of the cluster's data, which should therefore be small.
 ///
 /// \tparam Derived the weight, derived from this class.
 template <class Derived>
 class Additive_cluster_weight
 {
 public:
-  /// returns the weight of a cluster with data `data` after face `face` has joined it, when its mass is `mass` and it has
-  /// `faces` faces.
+  /// returns the weight of a cluster with data `data` after face `face` has joined it; `mass` and `faces` are its mass
+  /// and number of faces then.
   template <class Cluster_data, class Face_data>
   double weight_with(Cluster_data data, const Face_data& face, double mass, std::size_t faces) const
   {
@@ -27,8 +27,8 @@ public:
     return derived().weight(data, mass, faces);
   }
 
-  /// returns the weight of a cluster with data `data` after face `face` has left it, when its mass is `mass` and it has
-  /// `faces` faces.
+  /// returns the weight of a cluster with data `data` after face `face` has left it; `mass` and `faces` are its mass
+  /// and number of faces then.
   template <class Cluster_data, class Face_data>
   double weight_without(Cluster_data data, const Face_data& face, double mass, std::size_t faces) const
   {

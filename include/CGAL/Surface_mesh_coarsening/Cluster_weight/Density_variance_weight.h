@@ -13,7 +13,7 @@ namespace Surface_mesh_coarsening {
 /// \ingroup PkgSurfaceMeshCoarseningWeights
 /// \cgalModels `ClusterWeight`
 ///
-/// One more than the sum of the squared deviations of the densities of the cluster's \f$ n \f$ faces from their mean,
+/// One plus the sum of the squared deviations of the densities of the cluster's \f$ n \f$ faces from their mean,
 /// \f$ 1 + \sum_j \rho_j^2 - (\sum_j \rho_j)^2 / n \f$ (section 5.3, formulas (11) and (12) of the paper). Clusters
 /// stretch along lines of high density. The densities enter squared: the paper maps them to \f$ [1, 3] \f$.
 class Density_variance_weight
@@ -30,7 +30,7 @@ public:
     double sum_of_squares = 0; ///< of the densities
   };
 
-  /// returns what the weight needs of a face.
+  /// returns the data of a face.
   Face_data face_data(double density, double /* area */) const { return density; }
   /// adds a face to the data of a cluster.
   void add(Cluster_data& data, Face_data density) const
@@ -38,7 +38,7 @@ public:
     data.sum += density;
     data.sum_of_squares += density * density;
   }
-  /// takes a face from the data of a cluster.
+  /// removes a face from the data of a cluster.
   void remove(Cluster_data& data, Face_data density) const
   {
     data.sum -= density;

@@ -15,21 +15,21 @@ namespace Surface_mesh_coarsening {
 /// \cgalModels `ClusterWeight`
 ///
 /// The largest density of a face of the cluster, \f$ \max_j \rho_j \f$ (section 5.3, formula (10) of the paper), without
-/// the approximation of `Maximum_density_weight`. It keeps the densities of each cluster in order: a move costs the
-/// logarithm of the number of faces of the cluster, and each face some 50 bytes.
+/// the approximation of `Maximum_density_weight`. It stores the sorted densities of each cluster: a move takes time
+/// logarithmic in the number of faces of the cluster, and each face about 50 bytes.
 class Exact_maximum_density_weight
 {
 public:
   /// The density.
   typedef double Face_data;
-  /// How many faces of the cluster have each density.
+  /// The number of faces of the cluster per density.
   typedef std::map<double, std::size_t> Cluster_data;
 
-  /// returns what the weight needs of a face.
+  /// returns the data of a face.
   Face_data face_data(double density, double /* area */) const { return density; }
   /// adds a face to the data of a cluster.
   void add(Cluster_data& data, Face_data density) const { ++data[density]; }
-  /// takes a face from the data of a cluster.
+  /// removes a face from the data of a cluster.
   void remove(Cluster_data& data, Face_data density) const
   {
     const auto i = data.find(density);

@@ -19,8 +19,8 @@ namespace Surface_mesh_coarsening {
 /// The p-norm of the densities of the faces of the cluster, \f$ (\sum_j \rho_j^p)^{1/p} \f$, which approximates their
 /// maximum (section 8.4, formulas (10) and (13) of the paper). Clusters stretch along lines of high density.
 ///
-/// Powers of densities in \f$ [1, 50] \f$ span 17 decimal digits for `p` = 10: the sum is kept as a sum of two numbers,
-/// so that it is not lost when the face of the highest density leaves the cluster.
+/// Powers of densities in \f$ [1, 50] \f$ span 17 decimal digits for `p` = 10. The sum is stored as a sum of two
+/// numbers, so that it remains accurate when the face of highest density leaves the cluster.
 class Maximum_density_weight
   : public Additive_cluster_weight<Maximum_density_weight>
 {
@@ -28,11 +28,11 @@ public:
   /// The `p`-th power of the density.
   typedef double Face_data;
 
-  /// A sum and what rounding has left out of it.
+  /// A sum with its rounding error.
   struct Cluster_data
   {
     double sum = 0;   ///< the sum, rounded
-    double error = 0; ///< what is missing in it
+    double error = 0; ///< its rounding error
   };
 
   /// \param p the exponent, at least 1 and finite; the paper uses 10.
@@ -44,14 +44,14 @@ public:
       throw Invalid_input("the exponent of the maximum density weight is " + internal::number_text(p));
   }
 
-  /// returns what the weight needs of a face.
+  /// returns the data of a face.
   Face_data face_data(double density, double /* area */) const
   {
     return whole_p_ != 0 ? whole_power(density, whole_p_) : std::pow(density, p_);
   }
   /// adds a face to the data of a cluster.
   void add(Cluster_data& data, Face_data power) const { accumulate(data, power); }
-  /// takes a face from the data of a cluster.
+  /// removes a face from the data of a cluster.
   void remove(Cluster_data& data, Face_data power) const { accumulate(data, -power); }
   /// returns the p-norm.
   double weight(const Cluster_data& data, double /* mass */, std::size_t /* faces */) const
@@ -61,8 +61,9 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  // Lower bounds of the weights after a face has joined and after it has left, where the weight is `weight` now: with q = 1 / p and
-  // t the part of the sum, (1 + t)^q >= 1 + q t - q (1 - q) t^2 / 2, and (1 - t)^q >= 1 / (1 + q t / (1 - t)).
+  // Lower bounds of the weights after a face has joined and after it has left, with the current weight `weight`. For
+  // q = 1 / p and the share t of the face in the sum, (1 + t)^q >= 1 + q t - q (1 - q) t^2 / 2, and
+  // (1 - t)^q >= 1 / (1 + q t / (1 - t)).
   double min_weight_with(const Cluster_data& data, Face_data power, double weight) const
   {
     const double sum = data.sum + data.error, q = inverse_of_p_;
@@ -79,7 +80,7 @@ public:
   /// \endcond
 
 private:
-  static constexpr double rounding = 1 - 1e-8; // what roundings of sum and weight may amount to at most
+  static constexpr double rounding = 1 - 1e-8; // bounds the rounding errors of sum and weight
 
   static double whole_power(double x, unsigned n)
   {
@@ -99,7 +100,7 @@ private:
   }
 
   double p_, inverse_of_p_;
-  unsigned whole_p_; // the same if it is a whole number; 0 if not
+  unsigned whole_p_; // `p` if it is an integer; otherwise 0
 };
 
 } // namespace Surface_mesh_coarsening

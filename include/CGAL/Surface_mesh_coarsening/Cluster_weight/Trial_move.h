@@ -9,25 +9,26 @@ namespace Surface_mesh_coarsening {
 /// \ingroup PkgSurfaceMeshCoarseningWeights
 ///
 /// The moments of two clusters before a face leaves the first of them, the source, for the second, the target. A model of
-/// `ClusterWeight` may judge from them that the move gains nothing.
+/// `ClusterWeight` may conclude from them that the move gains nothing.
 ///
-/// A face of mass \f$ m \f$ at distance \f$ d \f$ from the centroid of a cluster of mass \f$ M \f$ takes
-/// \f$ m M d^2 / (M - m) \f$ from its inertia when it leaves, and adds \f$ m M d^2 / (M + m) \f$ when it joins.
+/// Consider a face of mass \f$ m \f$ at distance \f$ d \f$ from the centroid of a cluster of mass \f$ M \f$. It
+/// decreases the inertia of the cluster by \f$ m M d^2 / (M - m) \f$ when it leaves, and increases it by
+/// \f$ m M d^2 / (M + m) \f$ when it joins.
 struct Trial_move
 {
-  /// the mass of the face, density times area; it is less than that of the source.
+  /// the mass of the face, density times area; it is smaller than the mass of the source.
   double face_mass;
   /// the mass of the source.
   double source_mass;
   /// the inertia (7) of the source about its centroid.
   double source_inertia;
-  /// the squared distance of the centroid of the face from that of the source.
+  /// the squared distance between the centroids of the face and of the source.
   double source_squared_distance;
   /// the mass of the target.
   double target_mass;
   /// the inertia (7) of the target about its centroid.
   double target_inertia;
-  /// the squared distance of the centroid of the face from that of the target.
+  /// the squared distance between the centroids of the face and of the target.
   double target_squared_distance;
 };
 

@@ -18,23 +18,23 @@ class Uniform_weight
   : public Additive_cluster_weight<Uniform_weight>
 {
 public:
-  /// Reclustering with other densities is not expected to help: clusters are of about the same size whatever they are.
+  /// Reclustering with other densities is not expected to help: sizes of clusters hardly depend on densities.
   static constexpr bool depends_on_densities = false;
 
-  /// Nothing is kept of a face.
+  /// No data is stored per face.
   struct Face_data {};
-  /// Nothing is kept of a cluster.
+  /// No data is stored per cluster.
   struct Cluster_data {};
 
-  /// returns what the weight needs of a face.
+  /// returns the data of a face.
   Face_data face_data(double /* density */, double /* area */) const { return {}; }
   /// adds a face to the data of a cluster.
   void add(Cluster_data&, const Face_data&) const {}
-  /// takes a face from the data of a cluster.
+  /// removes a face from the data of a cluster.
   void remove(Cluster_data&, const Face_data&) const {}
   /// returns 1.
   double weight(const Cluster_data&, double /* mass */, std::size_t /* faces */) const { return 1; }
-  /// returns whether the sum of the two inertias does not fall, which a comparison of products shows.
+  /// returns whether the sum of the two inertias does not decrease, by a comparison of products.
   bool cannot_gain(const Trial_move& t) const
   {
     return (t.target_mass + t.face_mass) * t.source_mass * t.source_squared_distance <=

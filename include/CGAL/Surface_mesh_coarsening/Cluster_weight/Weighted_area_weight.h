@@ -18,20 +18,20 @@ class Weighted_area_weight
   : public Additive_cluster_weight<Weighted_area_weight>
 {
 public:
-  /// Nothing is kept of a face.
+  /// No data is stored per face.
   struct Face_data {};
-  /// Nothing is kept of a cluster, whose mass is the weight.
+  /// No data is stored per cluster: its mass is the weight.
   struct Cluster_data {};
 
-  /// returns what the weight needs of a face.
+  /// returns the data of a face.
   Face_data face_data(double /* density */, double /* area */) const { return {}; }
   /// adds a face to the data of a cluster.
   void add(Cluster_data&, const Face_data&) const {}
-  /// takes a face from the data of a cluster.
+  /// removes a face from the data of a cluster.
   void remove(Cluster_data&, const Face_data&) const {}
   /// returns the mass of the cluster.
   double weight(const Cluster_data&, double mass, std::size_t /* faces */) const { return mass; }
-  /// returns whether the energy does not fall. With \f$ M \f$ as the weight it falls if and only if
+  /// returns whether the energy does not decrease. With \f$ M \f$ as the weight it decreases if and only if
   /// \f$ I + M d^2 > I' + M' d'^2 \f$.
   bool cannot_gain(const Trial_move& t) const
   {

@@ -21,23 +21,23 @@ namespace Surface_mesh_coarsening {
 /// \ingroup PkgSurfaceMeshCoarseningPlacements
 /// \cgalModels `GlobalVertexPlacement`
 ///
-/// fits all vertices together to the input, starting from `Quadric_placement`: in turns, looks for the closest points between
-/// samples of the input and the coarse mesh, and of the coarse mesh and the input, and solves the sparse linear least squares
-/// problem for the movements that bring them together. In between, edges of the coarse mesh are flipped where that lowers the
-/// distance most for what it takes from the angles, until the mean over the triangles of their smallest angle has come down
-/// to a bound.
+/// fits all vertices together to the input, starting from `Quadric_placement`. Each round finds the closest points of samples
+/// of the input on the coarse mesh, and of samples of the coarse mesh on the input, and solves a sparse linear least squares
+/// problem for the movements that bring them together. Between rounds it flips edges of the coarse mesh, preferring flips
+/// that lower the distance most for the loss in angles, until the mean over the triangles of their smallest angle has
+/// decreased to a bound.
 ///
-/// Where features are kept, polylines are fitted to their lines together with the surface; corners stay where they are.
+/// If features are kept, polylines are fitted to their lines together with the surface; corners do not move.
 class Fitted_placement
 {
 public:
-  /// the placement that it starts from
+  /// the initial placement
   typedef Quadric_placement Start;
 
   /// \param rounds the number of fits
-  /// \param mean_angle the mean over the triangles of their smallest angle, in degrees, that flips work towards: those that
-  /// lower the distance are made until it is reached; if it is not reached from the start, flips that raise it are made
-  /// where they add little to the distance. Between 0 and 60.
+  /// \param mean_angle the mean over the triangles of their smallest angle, in degrees, that flips aim at: flips that lower
+  /// the distance are made while the mean is larger; if it is smaller at the start, flips that raise it are made if they
+  /// add little to the distance. Between 0 and 60.
   /// \throws Invalid_input if `mean_angle` is out of range.
   explicit Fitted_placement(std::size_t rounds = 5, double mean_angle = 40) : rounds_(rounds), mean_angle_(mean_angle)
   {
@@ -47,9 +47,9 @@ public:
 
   /// places the vertices of all clusters, and may flip edges of the coarse mesh.
   /// \param surface the clusters
-  /// \param border tells which vertices are on the border, and stay where they are, but for those on feature lines
+  /// \param border the vertices on the border, which do not move, and on feature lines, which may move
   /// \param triangles the triangles of the coarse mesh
-  /// \param positions the positions of the vertices; those on the border are placed already
+  /// \param positions the positions of the vertices; vertices on the border are placed already
   void operator()(const Clustered_surface& surface, const Border_arcs& border,
                   std::vector<std::array<std::uint32_t, 3> >& triangles,
                   std::vector<Clustered_surface::Point>& positions) const
@@ -58,7 +58,7 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  // The same, with rounds that exchange vertices.
+  // The same with rounds of vertex exchange.
   void place_and_exchange(const Clustered_surface& surface, const Border_arcs& border, std::vector<internal::Triangle>& triangles,
                           std::vector<Clustered_surface::Point>& positions, const internal::Vertex_relocation& relocation) const
   {

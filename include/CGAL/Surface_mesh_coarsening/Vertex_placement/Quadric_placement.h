@@ -17,13 +17,13 @@ namespace Surface_mesh_coarsening {
 /// \ingroup PkgSurfaceMeshCoarseningPlacements
 /// \cgalModels `VertexPlacement`
 ///
-/// places the vertex of a cluster where the sum over its faces of area times squared distance from the plane of the face is
-/// smallest (Valette, Kompatsiaris, Chassery: Adaptive polygonal mesh simplification with discrete centroidal Voronoi
-/// diagrams, 2005): on edges and in corners where the cluster has some, and on the surface where it is curved.
+/// places the vertex of a cluster at the minimum of the sum over its faces of area times squared distance from the plane of
+/// the face (Valette, Kompatsiaris, Chassery: Adaptive polygonal mesh simplification with discrete centroidal Voronoi
+/// diagrams, 2005): on sharp edges and corners of the cluster, and on curved surfaces.
 ///
-/// Where the planes do not determine a position, in a plane and along a straight edge, it is the one nearest the centroid: a
-/// small part of the squared distance from the centroid is added to the sum. The vertex does not go farther away from the
-/// centroid of the cluster than its faces do.
+/// On planar parts and along straight edges, where the planes do not determine the position, the vertex is close to the
+/// centroid: a small part of the squared distance from the centroid is added to the sum. The vertex is never farther from
+/// the centroid of the cluster than its faces are.
 class Quadric_placement
 {
 public:
@@ -33,8 +33,8 @@ public:
   /// the default of `pull`.
   static constexpr double default_pull = 0.002;
 
-  /// \param pull the weight of the squared distance from the centroid, relative to that from the planes; positive and at
-  /// most 1.
+  /// \param pull the weight of the squared distance from the centroid, relative to the distance from the planes;
+  /// positive and at most 1.
   /// \throws Invalid_input if it is not.
   explicit Quadric_placement(double pull = default_pull) : pull_(pull)
   {
