@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_BORDER_ARCS_H
 
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Border_fit.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/fit_border_loop.h>
 
 #include <vector>
 
@@ -67,24 +67,18 @@ private:
 
   void choose_places(const std::vector<Index>& loop)
   {
-    const std::size_t n = loop.size();
-    std::size_t begin = 0; // of a part of the loop in one cluster
-    while (begin < n && label_after(loop[begin]) == label_after(loop[(begin + n - 1) % n]))
-      ++begin;
-    std::vector<internal::Border_arc> arcs;
-    std::vector<Index> clusters;
-    for (std::size_t i = 0; i < n;) {
-      clusters.push_back(label_after(loop[(begin + i) % n]));
-      std::vector<Index> vertices;
-      do
-        vertices.push_back(loop[(begin + i++) % n]);
-      while (i < n && label_after(loop[(begin + i) % n]) == clusters.back());
-      vertices.push_back(loop[(begin + i) % n]);
-      arcs.push_back(arc(vertices, clusters.back()));
-    }
-    const std::vector<std::size_t> chosen = internal::Border_fit(arcs).run();
-    for (std::size_t k = 0; k < arcs.size(); ++k)
-      set_place(clusters[k], arcs[k][chosen[k]]);
+    std::vector<Index> cluster_after;
+    for (const Index v : loop)
+      cluster_after.push_back(label_after(v));
+    internal::fit_border_loop(
+      cluster_after,
+      [&](const std::vector<std::size_t>& places, Index cluster) {
+        std::vector<Index> vertices;
+        for (const std::size_t i : places)
+          vertices.push_back(loop[i]);
+        return arc(vertices, cluster);
+      },
+      [this](Index cluster, const Vector& place) { set_place(cluster, place); });
   }
 
   void place_on_features(const internal::Coarse_features& features)

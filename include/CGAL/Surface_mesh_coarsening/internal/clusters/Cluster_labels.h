@@ -50,6 +50,13 @@ public:
     if (label < is_frozen_.size())
       is_frozen_[label] = is_frozen;
   }
+  // Whether a face may not change its cluster.
+  bool is_pinned(Index f) const { return !is_pinned_.empty() && is_pinned_[f]; }
+  void pin(Index f)
+  {
+    is_pinned_.resize(label_.size(), false);
+    is_pinned_[f] = true;
+  }
   Index boundary_count(Index v) const { return boundary_count_[v]; }
   const std::vector<Index>& boundary_counts() const { return boundary_count_; }
 
@@ -166,6 +173,7 @@ private:
   std::vector<Index> label_;
   std::vector<Index> boundary_count_;
   std::vector<bool> is_frozen_; // per cluster, for the first clusters
+  std::vector<bool> is_pinned_; // per face; empty if no face is pinned
   bool has_hubs_ = false;
   std::unordered_map<std::uint64_t, Index> faces_at_hub_; // by hub and label
 };

@@ -58,6 +58,12 @@ public:
     return {};
   }
 
+  // The edge that follows on the boundary of the cluster, counterclockwise.
+  Directed_edge next_on_boundary(const Directed_edge e) const
+  {
+    return turn(e, mesh_.corner_vertex[mesh_.next_corner(e.face, e.corner)]);
+  }
+
   // Calls `visit(label)` for each neighbor of the cluster in the dual triangulation, in order around it.
   template <class Visit>
   void along_link(const Directed_edge start, const Visit& visit)

@@ -35,7 +35,7 @@ public:
   bool keeps_discs(Index f, Index to) const
   {
     return labels_.stays_disc_without(f) && labels_.stays_disc_with(f, to) && !labels_.is_frozen(labels_[f]) &&
-           !labels_.is_frozen(to) && (!rules_ || rules_->may_take(f, to));
+           !labels_.is_frozen(to) && !labels_.is_pinned(f) && (!rules_ || rules_->may_take(f, to));
   }
 
   // Prefetch the data that `keeps_discs()` reads of a face in three steps; each reads data prefetched by the one

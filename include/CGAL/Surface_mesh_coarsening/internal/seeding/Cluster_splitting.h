@@ -18,17 +18,21 @@ namespace internal {
 // Splits the clusters of a component, all closed discs numbered from 0, until their dual is a simplicial surface, that
 // is, until the neighbors of every cluster form a simple cycle. Each split divides a disc into smaller discs; this ends
 // at the latest with clusters of one face. If faults remain then, the mesh itself causes them.
+//
+// Clusters with the first numbers may be foreign: they have none of the faces, and they are neither checked nor split.
 template <class FaceRange>
 class Cluster_splitting
 {
 public:
   Cluster_splitting(Cluster_labels& labels, const FaceRange& faces, Index number_of_clusters,
-                    const Cancellation_point& cancellation, Execution execution, Feature_rules* rules)
+                    const Cancellation_point& cancellation, Execution execution, Feature_rules* rules,
+                    Index foreign_clusters = 0)
     : labels_(labels), mesh_(labels.mesh()), walk_(labels), growth_(labels, cancellation, rules), cancellation_(cancellation),
       execution_(execution), rules_(rules), faces_(faces),
-      clusters_(number_of_clusters) {}
+      foreign_(foreign_clusters), clusters_(number_of_clusters) {}
 
-  // Returns whether the clusters are valid now. They are not if single faces remain faulty.
+  // Returns whether the clusters are valid now. They are not if single faces remain faulty. With foreign clusters, such faces
+  // are ignored.
   bool run()
   {
     for (;;) {
@@ -71,8 +75,10 @@ private:
     std::vector<bool> listed(clusters_, false);
     for (const auto& [x, fault] : faults()) {
       const Index larger = cluster_to_split(x, fault);
-      if (larger == NONE)
+      if (larger == NONE && foreign_ == 0)
         return false;
+      if (larger == NONE)
+        continue;
       if (!listed[larger]) {
         listed[larger] = true;
         to_split_.push_back(larger);
@@ -93,12 +99,12 @@ private:
     };
     std::vector<std::pair<Index, Index> > all;
     for_each_part<Part>(
-      execution_, clusters_, 1024, cancellation_,
+      execution_, clusters_ - foreign_, 1024, cancellation_,
       [this](Part& part, std::size_t begin, std::size_t end) {
         Dual_walk walk(labels_);
         part.faults.clear();
         part.stamp_of_cluster.resize(clusters_, 0);
-        for (Index x = Index(begin); x != end; ++x) {
+        for (Index x = foreign_ + Index(begin); x != foreign_ + end; ++x) {
           const Index fault =
             edge_[x].face == NONE ? x : walk.first_link_defect(edge_[x], part.stamp_of_cluster, part.stamp);
           if (fault != NONE)
@@ -150,6 +156,7 @@ private:
   Execution execution_;
   Feature_rules* rules_;
   FaceRange faces_;
+  const Index foreign_;
   Index clusters_;
   std::size_t splits_ = 0;
   std::vector<Index> size_, face_;
