@@ -17,7 +17,7 @@ fi
 mkdir -p "$target"/{include/CGAL,examples/$name,test/$name,doc/$name,package_info/$name}
 cp -r "$here/include/CGAL/$name" "$target/include/CGAL/"
 cp "$here"/examples/$name/*.cpp "$target/examples/$name/"
-cp -r "$here"/doc/$name/{Concepts,fig,PackageDescription.txt,$name.txt,examples.txt} "$target/doc/$name/"
+cp -r "$here"/doc/$name/{Concepts,fig,PackageDescription.txt,$name.txt,distributed_meshes.txt,examples.txt} "$target/doc/$name/"
 cp -r "$here"/test/$name/support "$target/test/$name/"
 # Those tests that need neither the tool nor models that CGAL does not have.
 for test in "$here"/test/$name/test_*.cpp; do

@@ -5,8 +5,8 @@
 
 cmake_minimum_required(VERSION 3.25)
 
-set(rooms base mesh clusters features seeding minimization refinement geometry placement repair output pipeline distance transfer
-  entry)
+set(rooms base mesh clusters features seeding minimization refinement geometry placement repair output pipeline distributed
+  distance transfer entry)
 
 # The rooms of the public headers. Headers that are not listed are entry points, which may include everything.
 set(base internal/parameters_interface.h exceptions.h Distance_report.h version.h parameters.h Coarsening_report.h Coarsening_visitor_base.h Cluster_weight/.*)

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_COARSEN_DISTRIBUTED_MESH_H
+#define CGAL_SURFACE_MESH_COARSENING_COARSEN_DISTRIBUTED_MESH_H
+
+#include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_coarsening.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Piece_reader.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Weighted_energy_model.h>
+
+#include <boost/mpi/communicator.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+template <class Parameter, class NamedParameters>
+void refuse_across_ranks(const NamedParameters&, Parameter, const char* name)
+{
+  if constexpr (has_parameter<Parameter, NamedParameters>)
+    throw Invalid_input(std::string("the parameter ") + name + " is not available for distributed meshes");
+}
+
+// The same for a parameter that may be given where it says no.
+template <class Parameter, class NamedParameters>
+void refuse_if_set(const NamedParameters& np, Parameter parameter, const char* name)
+{
+  if constexpr (has_parameter<Parameter, NamedParameters>)
+    if (get_parameter(np, parameter))
+      refuse_across_ranks(np, parameter, name);
+}
+
+template <class NPIn, class NPOut>
+void refuse_unavailable(const NPIn& np_in, const NPOut& np_out)
+{
+  refuse_across_ranks(np_in, internal_np::feature_angle_p, "feature_angle");
+  refuse_across_ranks(np_in, CGAL::internal_np::edge_is_constrained, "edge_is_constrained_map");
+  refuse_across_ranks(np_in, CGAL::internal_np::vertex_is_constrained, "vertex_is_constrained_map");
+  refuse_across_ranks(np_in, CGAL::internal_np::face_patch, "face_patch_map");
+  refuse_across_ranks(np_in, CGAL::internal_np::face_index, "face_index_map");
+  refuse_across_ranks(np_in, internal_np::neighborhood_level_p, "neighborhood_level");
+  refuse_across_ranks(np_in, internal_np::minimum_component_area_p, "minimum_component_area");
+  refuse_across_ranks(np_in, internal_np::vertex_to_cluster, "vertex_to_cluster_map");
+  refuse_across_ranks(np_in, internal_np::vertex_boundary_count, "vertex_boundary_count_map");
+  refuse_if_set(np_in, internal_np::start_from_face_clusters_p, "start_from_face_clusters");
+  refuse_if_set(np_in, internal_np::subdivide_input_p, "subdivide_input");
+  refuse_if_set(np_in, internal_np::border_densities_p, "border_densities");
+  refuse_if_set(np_in, internal_np::repair_output_p, "repair_output");
+  refuse_if_set(np_in, internal_np::error_feedback_p, "error_feedback");
+  refuse_across_ranks(np_out, internal_np::vertex_source, "vertex_source_map");
+  refuse_across_ranks(np_out, CGAL::internal_np::edge_is_constrained, "edge_is_constrained_map");
+  refuse_across_ranks(np_out, CGAL::internal_np::vertex_is_constrained, "vertex_is_constrained_map");
+  refuse_across_ranks(np_out, CGAL::internal_np::face_patch, "face_patch_map");
+}
+
+template <class Weight>
+Cluster_energies cluster_energies(const Weight& weight)
+{
+  return [weight](const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters) {
+    std::vector<Cluster_sums<Weight> > sums(clusters);
+    Cluster_energy<Weight>(weight).add_up(input, labels, sums, Cancellation_point());
+    std::vector<double> energies;
+    for (const Cluster_sums<Weight>& x : sums)
+      energies.push_back(x.energy);
+    return energies;
+  };
+}
+
+template <class NamedParameters>
+Minimization_end distributed_minimization_end(const NamedParameters& np)
+{
+  typedef Mwcvd_clustering<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> > Defaults;
+  const double tolerance =
+    choose_parameter(get_parameter(np, internal_np::convergence_tolerance_p), Defaults::default_convergence_tolerance);
+  if (!(tolerance >= 0))
+    throw Invalid_input("the convergence tolerance is " + std::to_string(tolerance));
+  return {std::size_t(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
+                                       Defaults::default_number_of_iterations)),
+          tolerance};
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// coarsens a mesh that lies in pieces on the ranks of an MPI communicator to a triangle mesh with a given number of vertices.
+///
+/// All ranks of the communicator call this function with the same number and the same parameters. Pieces match where their
+/// vertices have the same global numbers; coordinates play no part in that. Vertices of one piece that have the same number are
+/// one vertex, too. A piece may be any set of faces, and it may be empty.
+///
+/// The output is what `coarsen_mesh()` promises: a 2-manifold with exactly `number_of_vertices` vertices, and the connected
+/// components, genus, border loops and orientation of the input. It is the same to the last bit for any number of ranks and
+/// threads, and for any distribution of the faces over the pieces. See \ref smc_distributed for the method, its costs and its
+/// limits.
+///
+/// The header needs Boost.MPI, which the rest of the package does not.
+///
+/// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` for several threads on each rank
+/// \tparam FaceGraph a model of `FaceListGraph`
+/// \tparam VertexNumberMap a model of `ReadablePropertyMap` with the vertices as keys and an integral value type of up to 64 bits
+/// \tparam OutputFaceGraph a model of `MutableFaceGraph`
+/// \tparam NamedParametersIn a sequence of named parameters
+/// \tparam NamedParametersOut a sequence of named parameters
+/// \param communicator the ranks
+/// \param piece the piece of this rank. No two faces of all pieces may have the same edge in the same direction: two faces of the
+///              same vertices, and orientations that differ, are refused, and so are two edges with the same ends.
+/// \param vertex_numbers the global numbers of the vertices of the piece
+/// \param number_of_vertices the number of vertices of the output
+/// \param output receives the coarse mesh on rank 0. On other ranks it is not touched.
+/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below. With a parameter
+///              of `coarsen_mesh()` that is not listed, the function throws `Invalid_input`, unless its value is `false` or 0.
+/// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{cluster_weight}
+///     \cgalParamDescription{the weight of a cluster in the energy}
+///     \cgalParamType{a model of `ClusterWeight`}
+///     \cgalParamDefault{`Maximum_density_weight()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_density}
+///     \cgalParamDescription{the density of the face whose normal deviates most from those around it, in \f$ [1, 10^{20}] \f$}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`50`}
+///     \cgalParamExtra{not used if `face_density_map` is given; densities are not raised near borders}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_density_map}
+///     \cgalParamDescription{densities to be used instead of computed ones, in \f$ [10^{-20}, 10^{20}] \f$}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the faces as keys and values that `CGAL::to_double()` accepts}
+///     \cgalParamDefault{densities from the deviation of normals}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{the largest number of rounds of the minimization, of cells and, again, of faces}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{`1000`}
+///     \cgalParamExtra{faces of several tasks have 20 rounds at most in each of four passes}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{convergence_tolerance}
+///     \cgalParamDescription{the relative gain of a round with which the minimization ends}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`0.001`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_placement}
+///     \cgalParamDescription{the position of the vertex of a cluster}
+///     \cgalParamType{a model of `VertexPlacement`; one of `GlobalVertexPlacement`, as `Fitted_placement`, is refused}
+///     \cgalParamDefault{`Centroid_placement()`}
+///     \cgalParamExtra{clusters on the border have their vertex on the border, whatever the placement}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{faces_per_block}
+///     \cgalParamDescription{the number of faces that are worked on together. The result depends on it, as it does not on ranks}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{`262144`, and in the refinement as many as 500 clusters have, if that is more, up to `4194304`}
+///     \cgalParamExtra{there are more where the centers of more faces coincide up to a millionth of the extent of the mesh, and
+///                     where a single cluster has more}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_cluster_map}
+///     \cgalParamDescription{receives the cluster of each face of `piece`}
+///     \cgalParamType{a model of `WritablePropertyMap` with the faces as keys and an integral value type}
+///     \cgalParamDefault{the clusters are not written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `piece`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertices as keys and a point type as value}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, piece)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an object that gives the coordinates of points}
+///     \cgalParamType{a class with functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` and the functions that give them,
+///                    as every \cgal kernel has}
+///     \cgalParamDefault{a kernel deduced from the point type}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is notified of the progress on its rank, and may cancel: then the function throws on all ranks}
+///     \cgalParamType{a model of `CoarseningVisitor`}
+///     \cgalParamDefault{`Coarsening_visitor_base`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `output`}
+///     \cgalParamType{a model of `WritablePropertyMap` with the vertices as keys and a point type as value}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, output)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an object that makes points}
+///     \cgalParamType{a class with the functor `Construct_point_3` and the function that gives it, as every \cgal kernel has}
+///     \cgalParamDefault{a kernel deduced from the point type}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return what was done, in numbers, on all ranks. Seeds, splits, merges, moves, tests and the initial energy are those of the
+/// clustering of cells.
+///
+/// \throws Unreachable_number_of_vertices if the number of vertices cannot be reached; it carries the nearest number that can.
+/// \throws Invalid_input if the pieces have no faces, do not form a 2-manifold, contradict each other, or have a coordinate that
+/// is not finite, if a parameter is out of range or not available, or if the ranks want different numbers of vertices. Messages
+/// name the piece and the face, or the number of the vertex.
+/// \throws Coarsening_cancelled if the visitor of a rank said so.
+/// \throws std::runtime_error if a rank has failed otherwise, say for want of memory.
+/// All ranks throw the same, and the output is as before the call then.
+template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class VertexNumberMap, class OutputFaceGraph,
+          class NamedParametersIn = parameters::Default_named_parameters,
+          class NamedParametersOut = parameters::Default_named_parameters>
+Coarsening_report coarsen_distributed_mesh(const boost::mpi::communicator& communicator, const FaceGraph& piece,
+                                           const VertexNumberMap& vertex_numbers, std::size_t number_of_vertices,
+                                           OutputFaceGraph& output,
+                                           const NamedParametersIn& np_in = parameters::default_values(),
+                                           const NamedParametersOut& np_out = parameters::default_values())
+{
+  using namespace internal;
+  typedef Parameter_type<internal_np::cluster_weight_t, NamedParametersIn, Maximum_density_weight> Weight;
+  typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Centroid_placement> Placement;
+  const auto weight = choose_parameter<Weight>(get_parameter(np_in, internal_np::cluster_weight_p));
+  const auto placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
+  const auto cluster_map = get_parameter(np_in, internal_np::face_cluster);
+  Distributed_choice choice;
+  Face_set set;
+  on_all_ranks(communicator, [&] {
+    refuse_unavailable(np_in, np_out);
+    choice.number_of_vertices = number_of_vertices;
+    if constexpr (has_parameter<internal_np::faces_per_block_t, NamedParametersIn>) {
+      choice.faces_per_block = std::size_t(get_parameter(np_in, internal_np::faces_per_block_p));
+      if (*choice.faces_per_block == 0)
+        throw Invalid_input("the number of faces per block is 0");
+    }
+    choice.end = distributed_minimization_end(np_in);
+    choice.has_densities = has_parameter<internal_np::face_density_t, NamedParametersIn>;
+    choice.maximum_density = density_choice(np_in).maximum;
+    choice.execution = execution<ConcurrencyTag>();
+    choice.visitor = Visitor_handle(get_parameter(np_in, CGAL::internal_np::visitor));
+    choice.energy = std::make_shared<Weighted_energy_model<Weight> >(weight);
+    choice.energies = cluster_energies(weight);
+    choice.placement = placement_model(placement);
+    if (!choice.placement.local)
+      throw Invalid_input("a placement of all vertices together, as Fitted_placement is, is not available for distributed "
+                          "meshes");
+    Piece_reader(piece, vertex_numbers, np_in, communicator.rank()).run(set, Cancellation_point(choice.visitor));
+  });
+  const std::size_t faces_of_piece = set.size();
+  Distributed_coarsening coarsening(communicator, choice);
+  coarsening.run(std::move(set));
+  const std::vector<Index> clusters = coarsening.clusters_of_piece(faces_of_piece);
+  typedef Face_graph_filler<OutputFaceGraph, NamedParametersOut> Filler;
+  std::optional<Filler> filler;
+  on_all_ranks(communicator, [&] {
+    if (communicator.rank() == 0)
+      filler.emplace(coarsening.positions(), coarsening.frame(), coarsening.triangles(), output, np_out,
+                     Cancellation_point(choice.visitor));
+    choice.visitor.throw_if_cancelled();
+  });
+  on_all_ranks(communicator, [&] {
+    if constexpr (has_parameter<internal_np::face_cluster_t, NamedParametersIn>) {
+      std::size_t i = 0;
+      for (const auto f : faces(piece))
+        put(cluster_map, f, clusters[i++]);
+    }
+    if (filler)
+      filler->commit();
+  });
+  return coarsening.report();
+}
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_COARSEN_DISTRIBUTED_MESH_H

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_CELL_MESH_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_CELL_MESH_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Words.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The mesh of all cells, on one rank.
+//
+// An edge of it is a path of edges between two cells. These know it by its first edge, seen from one side, and by its last,
+// seen from the other: two cells may have several edges with the same ends. The stars begin where those of the faces do, so the
+// dual of clusters of cells is the dual of the same clusters of faces.
+class Cell_mesh
+{
+public:
+  // Adds the cells that `Cells` has written.
+  void read(const Words& words)
+  {
+    for (std::size_t i = 0; i < words.size();) {
+      const Index corners = high_half(words[i]);
+      faces_.push_back(low_half(words[i++]));
+      area_.push_back(to_double(words[i]));
+      mass_.push_back(to_double(words[i + 1]));
+      moment_.push_back({{to_double(words[i + 2]), to_double(words[i + 3]), to_double(words[i + 4])}});
+      i += 5;
+      for (Index c = 0; c < corners; ++c, i += 7) {
+        begins_star_.push_back(char(words[i]));
+        number_.push_back(words[i + 1]);
+        before_.push_back(words[i + 2]);
+        after_.push_back(words[i + 3]);
+        point_.push_back({{to_double(words[i + 4]), to_double(words[i + 5]), to_double(words[i + 6])}});
+      }
+      first_corner_.push_back(number_.size());
+    }
+  }
+
+  std::size_t number_of_cells() const { return faces_.size(); }
+  const std::vector<Index>& faces() const { return faces_; } // how many each cell has
+
+  Clustering_input make(bool cells_are_faces, const Cancellation_point& cancellation, Execution execution)
+  {
+    if (number_.size() >= NONE / 2)
+      throw Invalid_input("the mesh of cells has " + std::to_string(number_.size()) + " corners, more than the " +
+                          std::to_string(NONE / 2 - 1) + " that can be numbered");
+    Clustering_input input;
+    Flat_mesh& m = input.mesh;
+    m.first_corner.reserve(first_corner_.size());
+    for (const std::size_t c : first_corner_)
+      m.first_corner.push_back(Index(c));
+    pair_edges(m);
+    const std::size_t vertices = number_vertices(m);
+    complete_topology(m, vertices, cancellation, execution);
+    begin_stars(m);
+    set_sums(input, cells_are_faces);
+    return input;
+  }
+
+private:
+  struct End
+  {
+    std::uint64_t vertex, next; // the two ends of the first edge
+    Index cell, corner;
+    bool operator<(const End& e) const { return std::tie(vertex, next) < std::tie(e.vertex, e.next); }
+  };
+
+  void pair_edges(Flat_mesh& m) const
+  {
+    std::vector<End> ends;
+    ends.reserve(number_.size());
+    for (Index x = 0; x < faces_.size(); ++x)
+      for (Index c = m.first_corner[x]; c != m.first_corner[x + 1]; ++c)
+        ends.push_back({number_[c], after_[c], x, c});
+    std::sort(ends.begin(), ends.end());
+    m.face_across.assign(number_.size(), NONE);
+    for (Index x = 0; x < faces_.size(); ++x)
+      for (Index c = m.first_corner[x]; c != m.first_corner[x + 1]; ++c) {
+        const End back{number_[c], before_[c], 0, 0};
+        const auto i = std::lower_bound(ends.begin(), ends.end(), back);
+        if (i != ends.end() && i->vertex == back.vertex && i->next == back.next)
+          m.face_across[m.previous_corner(x, c)] = i->cell;
+      }
+  }
+
+  std::size_t number_vertices(Flat_mesh& m) const
+  {
+    std::vector<std::uint64_t> numbers = number_;
+    sort_unique(numbers);
+    m.points.resize(numbers.size());
+    m.corner_vertex.resize(number_.size());
+    for (std::size_t c = 0; c < number_.size(); ++c) {
+      const auto v = std::size_t(std::lower_bound(numbers.begin(), numbers.end(), number_[c]) - numbers.begin());
+      m.corner_vertex[c] = Index(v);
+      m.points[v] = point_[c];
+    }
+    return numbers.size();
+  }
+
+  void begin_stars(Flat_mesh& m) const
+  {
+    for (Index x = 0; x < faces_.size(); ++x)
+      for (Index c = m.first_corner[x]; c != m.first_corner[x + 1]; ++c) {
+        const Index v = m.corner_vertex[c];
+        if (begins_star_[c] && !m.is_on_border(v))
+          std::rotate(m.star.begin() + m.first_in_star[v], m.star.begin() + m.position_in_star(v, x),
+                      m.star.begin() + m.first_in_star[v + 1]);
+      }
+  }
+
+  void set_sums(Clustering_input& input, bool cells_are_faces)
+  {
+    input.area = area_;
+    for (std::size_t x = 0; x < faces_.size(); ++x)
+      input.density.push_back(area_[x] > 0 ? mass_[x] / area_[x] : 1);
+    if (cells_are_faces)
+      return;
+    for (std::size_t x = 0; x < faces_.size(); ++x) {
+      input.item_faces.push_back(faces_[x]);
+      input.item_centroid.push_back(mass_[x] > 0 ? (1 / mass_[x]) * moment_[x] : mean_of_corners(input.mesh, Index(x)));
+    }
+  }
+
+  // Of each cell:
+  std::vector<Index> faces_;
+  std::vector<double> area_, mass_;
+  std::vector<Vector> moment_; // sum of mass times centroid
+  std::vector<std::size_t> first_corner_ = std::vector<std::size_t>(1, 0);
+  // Of each corner, in global numbers:
+  std::vector<char> begins_star_;
+  std::vector<std::uint64_t> number_, before_, after_;
+  std::vector<Vector> point_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_CELL_MESH_H

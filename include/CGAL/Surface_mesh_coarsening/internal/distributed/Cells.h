@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_CELLS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_CELLS_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_splitting.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Seed_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Divides the own faces of a patch into cells, closed discs that are clustered as if they were faces. A face at a vertex where
+// other patches have faces, or at the border of the mesh, is a cell of its own. So cells of several faces meet others
+// of the same patch only, and all tests of them are local.
+class Cells
+{
+public:
+  // Level 0: each face is a cell.
+  Cells(const Patch& patch, Index level, const Cancellation_point& cancellation)
+    : patch_(patch),
+      mesh_(patch.mesh),
+      labels_(patch.mesh),
+      cancellation_(cancellation)
+  {
+    std::vector<Index> inner;
+    for (Index f = 0; f < mesh_.number_of_faces(); ++f)
+      if (level > 0 && is_inner(f))
+        inner.push_back(f);
+      else
+        labels_.set(f, single_++);
+    cells_ = single_;
+    if (!inner.empty())
+      grow(inner, level);
+    labels_.recount();
+    number_cells();
+    choose_corners();
+  }
+
+  std::size_t size() const { return boundary_edge_.size(); }
+  // NONE for faces of other patches.
+  Index cell_of(Index f) const { return number_[labels_[f]]; }
+
+  // Writes all cells, one after the other: sums, and corners with their neighbors along the boundary.
+  void write(const std::vector<double>& density, Words& words) const
+  {
+    std::vector<Sums> sums(size());
+    for (Index f = 0; f < mesh_.number_of_faces(); ++f)
+      if (patch_.is_own[f])
+        sums[cell_of(f)].add(mesh_, f, density[f]);
+    std::vector<Corner> corners;
+    for (std::size_t i = 0; i < size(); ++i) {
+      corners.clear();
+      list_corners(boundary_edge_[i], corners);
+      words.push_back(packed(Index(corners.size()), sums[i].faces));
+      for (const double x : {sums[i].area, sums[i].mass, sums[i].moment[0], sums[i].moment[1], sums[i].moment[2]})
+        words.push_back(to_word(x));
+      for (const Corner& c : corners)
+        write(c, words);
+    }
+  }
+
+private:
+  struct Sums
+  {
+    Index faces = 0;
+    double area = 0, mass = 0;
+    Vector moment{{0, 0, 0}};
+
+    void add(const Flat_mesh& m, Index f, double density)
+    {
+      const Face_geometry geometry = face_geometry(m, f);
+      ++faces;
+      area += geometry.area;
+      mass += density * geometry.area;
+      moment = moment + (density * geometry.area) * geometry.centroid;
+    }
+  };
+
+  // A vertex of a cell, with those before and after it on the boundary, and whether the star there begins in the cell.
+  struct Corner
+  {
+    Index vertex, before, after;
+    bool begins_star;
+  };
+
+  bool is_inner(Index f) const
+  {
+    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+      if (!patch_.is_inner[mesh_.corner_vertex[c]] || mesh_.is_on_border(mesh_.corner_vertex[c]))
+        return false;
+    return true;
+  }
+
+  void grow(const std::vector<Index>& faces, Index level)
+  {
+    std::vector<Index> seeds;
+    Seed_walk(mesh_, cancellation_).run(faces, level, seeds);
+    Cluster_growth growth(labels_, cancellation_);
+    for (const Index f : seeds)
+      growth.plant(f, cells_++);
+    growth.run();
+    cells_ = growth.cover(faces, cells_);
+    Cluster_splitting<std::vector<Index> > splitting(labels_, faces, cells_, cancellation_, Execution::SEQUENTIAL, nullptr,
+                                                     single_);
+    splitting.run();
+    cells_ = splitting.number_of_clusters();
+  }
+
+  // In the order of their first faces.
+  void number_cells()
+  {
+    const Dual_walk walk(labels_);
+    number_.assign(cells_, NONE);
+    for (Index f = 0; f < mesh_.number_of_faces(); ++f)
+      if (patch_.is_own[f]) {
+        Index& number = number_[labels_[f]];
+        if (number == NONE) {
+          number = Index(boundary_edge_.size());
+          boundary_edge_.push_back({});
+        }
+        if (boundary_edge_[number].face == NONE)
+          boundary_edge_[number] = walk.boundary_edge(f);
+      }
+  }
+
+  // A vertex is a corner of the cells around it if these are three or more, or if one of them is a single face. Cells that have
+  // fewer than three corners then get some more.
+  void choose_corners()
+  {
+    is_corner_.assign(mesh_.number_of_vertices(), false);
+    std::vector<Index> runs;
+    for (Index v = 0; v < is_corner_.size(); ++v) {
+      clusters_around_vertex(labels_, v, runs);
+      is_corner_[v] = runs.size() > 2 || std::any_of(runs.begin(), runs.end(), [this](Index x) { return x < single_; });
+    }
+    std::vector<Index> boundary;
+    for (const Directed_edge& start : boundary_edge_) {
+      if (labels_[start.face] < single_)
+        continue;
+      list_boundary(start, boundary);
+      auto corners = std::count_if(boundary.begin(), boundary.end(), [this](Index v) { return is_corner_[v]; });
+      for (std::size_t i = 0; corners < 3; ++i)
+        if (!is_corner_[boundary[i]]) {
+          is_corner_[boundary[i]] = true;
+          ++corners;
+        }
+    }
+  }
+
+  // The vertices around a cell, counterclockwise.
+  void list_boundary(const Directed_edge& start, std::vector<Index>& boundary) const
+  {
+    boundary.clear();
+    const Dual_walk walk(labels_);
+    Directed_edge e = start;
+    do {
+      boundary.push_back(mesh_.corner_vertex[e.corner]);
+      e = walk.next_on_boundary(e);
+    } while (!(e == start));
+  }
+
+  void list_corners(const Directed_edge& start, std::vector<Corner>& corners) const
+  {
+    std::vector<Index> boundary;
+    list_boundary(start, boundary);
+    const std::size_t n = boundary.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index v = boundary[i];
+      if (!is_corner_[v])
+        continue;
+      const Index first = mesh_.star[mesh_.first_in_star[v]];
+      corners.push_back({v, boundary[(i + n - 1) % n], boundary[(i + 1) % n], labels_[first] == labels_[start.face]});
+    }
+  }
+
+  void write(const Corner& c, Words& words) const
+  {
+    words.push_back(c.begins_star);
+    words.push_back(patch_.number[c.vertex]);
+    words.push_back(patch_.number[c.before]);
+    words.push_back(patch_.number[c.after]);
+    for (const double x : mesh_.points[c.vertex])
+      words.push_back(to_word(x));
+  }
+
+  const Patch& patch_;
+  const Flat_mesh& mesh_;
+  Cluster_labels labels_;
+  Cancellation_point cancellation_;
+  Index single_ = 0, cells_ = 0;             // labels below `single_` belong to single faces, own or not
+  std::vector<Index> number_;                // of the cell of each label; NONE for faces of other patches
+  std::vector<Directed_edge> boundary_edge_; // of each cell
+  std::vector<char> is_corner_;              // of each vertex
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_CELLS_H

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_DUAL_PARTS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_DUAL_PARTS_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch_clusters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/fit_border_loop.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The energies of all clusters, for any weight.
+typedef std::function<std::vector<double>(const Clustering_input&, const Cluster_labels&, std::size_t)> Cluster_energies;
+
+// What the dual of all clusters is made of.
+struct Dual_parts
+{
+  struct Cluster_part
+  {
+    Index cluster;
+    double energy;
+    Vector position;
+  };
+  struct Border_part // an edge of the border
+  {
+    std::uint64_t source, target;
+    Index cluster;
+    Vector point; // at the source
+  };
+  struct Meeting_point // a vertex where several clusters meet, counterclockwise
+  {
+    std::uint64_t vertex;
+    std::vector<Index> clusters;
+  };
+
+  std::vector<Cluster_part> clusters;
+  std::vector<Border_part> border;
+  std::vector<Meeting_point> meeting_points;
+
+  void add(const Patch& patch, const Patch_clusters& clusters_of_patch, const Placement_model& placement,
+           const Cluster_energies& energies, Execution execution, const Cancellation_point& cancellation)
+  {
+    const Clustering_input& input = clusters_of_patch.input();
+    const Cluster_labels& labels = clusters_of_patch.labels();
+    std::vector<char> is_on_border(clusters_of_patch.size(), false);
+    for (Index f = 0; f < input.mesh.number_of_faces(); ++f)
+      if (patch.is_own[f])
+        add_border(patch, clusters_of_patch, f, is_on_border);
+    const Clustered_surface surface(input, labels, clusters_of_patch.size(), execution, nullptr, cancellation);
+    const std::vector<double> energy = energies(input, labels, clusters_of_patch.size());
+    for (Index x = 0; x < clusters_of_patch.number_of_own(); ++x) {
+      cancellation.poll(surface.faces(x).size());
+      const Vector p = is_on_border[x] ? Vector{{0, 0, 0}} : checked_position(surface, x, placement.local(surface, x));
+      clusters.push_back({clusters_of_patch.global_number(x), energy[x], p});
+    }
+    for_each_meeting_point(labels, [&](Index v, const std::vector<Index>& runs) {
+      if (!patch.is_own[input.mesh.star[input.mesh.first_in_star[v]]])
+        return; // another patch has the first face around it
+      meeting_points.push_back({patch.number[v], {}});
+      for (const Index x : runs)
+        meeting_points.back().clusters.push_back(clusters_of_patch.global_number(x));
+    });
+  }
+
+  Words words() const
+  {
+    Words words{clusters.size(), border.size()};
+    for (const Cluster_part& x : clusters) {
+      words.push_back(x.cluster);
+      words.push_back(to_word(x.energy));
+      write(x.position, words);
+    }
+    for (const Border_part& e : border) {
+      words.insert(words.end(), {e.source, e.target, e.cluster});
+      write(e.point, words);
+    }
+    for (const Meeting_point& p : meeting_points) {
+      words.push_back(p.vertex);
+      words.push_back(p.clusters.size());
+      words.insert(words.end(), p.clusters.begin(), p.clusters.end());
+    }
+    return words;
+  }
+
+  void read(const Words& words)
+  {
+    std::size_t i = 2;
+    for (std::size_t k = 0; k < words[0]; ++k, i += 5)
+      clusters.push_back({Index(words[i]), to_double(words[i + 1]), vector_at(words, i + 2)});
+    for (std::size_t k = 0; k < words[1]; ++k, i += 6)
+      border.push_back({words[i], words[i + 1], Index(words[i + 2]), vector_at(words, i + 3)});
+    while (i < words.size()) {
+      meeting_points.push_back({words[i], {}});
+      const std::size_t end = i + 2 + words[i + 1];
+      for (i += 2; i < end; ++i)
+        meeting_points.back().clusters.push_back(Index(words[i]));
+    }
+  }
+
+  double energy() const
+  {
+    std::vector<double> energies(clusters.size());
+    for (const Cluster_part& x : clusters)
+      energies[x.cluster] = x.energy;
+    double sum = 0;
+    for (const double e : energies)
+      sum += e;
+    return sum;
+  }
+
+  // In the order of the numbers of the vertices where the clusters meet.
+  std::vector<Triangle> triangles()
+  {
+    std::sort(meeting_points.begin(), meeting_points.end(),
+              [](const Meeting_point& a, const Meeting_point& b) { return a.vertex < b.vertex; });
+    std::vector<Triangle> triangles;
+    for (const Meeting_point& p : meeting_points)
+      for (std::size_t i = 2; i < p.clusters.size(); ++i)
+        triangles.push_back({p.clusters[0], p.clusters[i - 1], p.clusters[i]});
+    return triangles;
+  }
+
+  std::vector<Vector> positions()
+  {
+    std::vector<Vector> positions(clusters.size());
+    for (const Cluster_part& x : clusters)
+      positions[x.cluster] = x.position;
+    place_on_border(positions);
+    return positions;
+  }
+
+private:
+  static void write(const Vector& p, Words& words)
+  {
+    for (const double x : p)
+      words.push_back(to_word(x));
+  }
+  static Vector vector_at(const Words& words, std::size_t i)
+  {
+    return {{to_double(words[i]), to_double(words[i + 1]), to_double(words[i + 2])}};
+  }
+
+  void add_border(const Patch& patch, const Patch_clusters& clusters_of_patch, Index f, std::vector<char>& is_on_border)
+  {
+    const Flat_mesh& m = clusters_of_patch.input().mesh;
+    const Index x = clusters_of_patch.labels()[f];
+    for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
+      if (m.face_across[c] == NONE) {
+        const Index v = m.corner_vertex[c], w = m.corner_vertex[m.next_corner(f, c)];
+        border.push_back({patch.number[v], patch.number[w], clusters_of_patch.global_number(x), m.points[v]});
+        is_on_border[x] = true;
+      }
+  }
+
+  void place_on_border(std::vector<Vector>& positions)
+  {
+    std::sort(border.begin(), border.end(), [](const Border_part& a, const Border_part& b) { return a.source < b.source; });
+    std::vector<char> done(border.size(), false);
+    for (std::size_t i = 0; i < border.size(); ++i) {
+      if (done[i])
+        continue;
+      std::vector<Index> cluster_after;
+      std::vector<Vector> points;
+      for (std::size_t j = i; !done[j]; j = after(border[j])) {
+        done[j] = true;
+        cluster_after.push_back(border[j].cluster);
+        points.push_back(border[j].point);
+      }
+      fit_border_loop(
+        cluster_after,
+        [&](const std::vector<std::size_t>& places, Index) {
+          std::vector<Vector> arc;
+          for (const std::size_t place : places)
+            arc.push_back(points[place]);
+          return Border_arc(arc);
+        },
+        [&](Index cluster, const Vector& p) { positions[cluster] = p; });
+    }
+  }
+
+  std::size_t after(const Border_part& e) const
+  {
+    return std::size_t(std::lower_bound(border.begin(), border.end(), e.target,
+                                        [](const Border_part& a, std::uint64_t number) { return a.source < number; }) -
+                       border.begin());
+  }
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_DUAL_PARTS_H

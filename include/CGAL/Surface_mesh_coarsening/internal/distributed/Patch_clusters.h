@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PATCH_CLUSTERS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PATCH_CLUSTERS_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Featured_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/cut_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The clusters of a patch whose own faces are all faces of some clusters. A face moves only where all faces around its vertices
+// belong to these clusters. Such moves neither change what moves in other patches depend on, nor depend on them: the patches can
+// be worked on at the same time, and in any order.
+class Patch_clusters
+{
+public:
+  explicit Patch_clusters(Patch& patch) : patch_(patch), input_{input_of(patch), nullptr}, labels_(input_.items.mesh)
+  {
+    for (std::size_t f = 0; f < patch.is_own.size(); ++f)
+      if (patch.is_own[f])
+        global_.push_back(patch.faces.cluster[f]);
+    sort_unique(global_);
+    own_ = global_.size();
+    number_foreign();
+    for (std::size_t f = 0; f < patch.is_own.size(); ++f)
+      labels_.set(Index(f), local_number(patch.faces.cluster[f]));
+    labels_.recount();
+  }
+
+  const Clustering_input& input() const { return input_.items; }
+  const Cluster_labels& labels() const { return labels_; }
+  std::size_t size() const { return global_.size(); }
+  // The first ones are those of the own faces.
+  std::size_t number_of_own() const { return own_; }
+  Index global_number(Index x) const { return global_[x]; }
+
+  // Up to `end.max_rounds` rounds of the ordinary minimization. Returns how many.
+  std::size_t minimize(const Energy_model& energy, const Minimization_end& end, const Cancellation_point& cancellation,
+                       Execution execution)
+  {
+    for (Index f = 0; f < input().mesh.number_of_faces(); ++f)
+      if (!may_move(f))
+        labels_.pin(f);
+    const std::unique_ptr<Minimization> minimization = energy.minimization(input_, labels_, size(), cancellation, execution);
+    std::size_t rounds = 0;
+    bool has_ended = false;
+    double before = minimization->energy();
+    while (rounds < end.max_rounds && !has_ended) {
+      const std::size_t moves = minimization->round();
+      const double after = minimization->energy();
+      has_ended = moves == 0 || before - after <= end.tolerance * before;
+      before = after;
+      ++rounds;
+    }
+    for (std::size_t f = 0; f < patch_.is_own.size(); ++f)
+      patch_.faces.cluster[f] = global_[labels_[Index(f)]];
+    return rounds;
+  }
+
+private:
+  // Takes the mesh of the patch.
+  static Clustering_input input_of(Patch& patch)
+  {
+    Clustering_input input;
+    input.mesh = std::move(patch.mesh);
+    input.density = patch.faces.density;
+    compute_areas(input);
+    return input;
+  }
+
+  void number_foreign()
+  {
+    std::vector<Index> foreign;
+    for (std::size_t f = 0; f < patch_.is_own.size(); ++f)
+      if (!patch_.is_own[f])
+        foreign.push_back(patch_.faces.cluster[f]);
+    sort_unique(foreign);
+    global_.insert(global_.end(), foreign.begin(), foreign.end());
+  }
+
+  Index local_number(Index cluster) const
+  {
+    const auto middle = global_.begin() + std::ptrdiff_t(own_);
+    const auto i = std::lower_bound(global_.begin(), middle, cluster);
+    return Index((i != middle && *i == cluster ? i : std::lower_bound(middle, global_.end(), cluster)) - global_.begin());
+  }
+
+  bool may_move(Index f) const
+  {
+    const Flat_mesh& m = input().mesh;
+    for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
+      if (!patch_.is_inner[m.corner_vertex[c]])
+        return false;
+    return true;
+  }
+
+  Patch& patch_;
+  Featured_input input_; // without features
+  Cluster_labels labels_;
+  std::vector<Index> global_; // number of each cluster
+  std::size_t own_ = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PATCH_CLUSTERS_H

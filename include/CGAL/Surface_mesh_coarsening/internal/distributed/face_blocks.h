@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_BLOCKS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_BLOCKS_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
+
+#include <boost/mpi/collectives.hpp>
+#include <boost/mpi/communicator.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+struct Box_of_all
+{
+  Vector low, high;
+};
+
+// The box of the points of all ranks; minima and maxima do not depend on the order in which they are taken.
+inline Box_of_all box_of_all(const boost::mpi::communicator& communicator, const std::vector<Vector>& points)
+{
+  const double inf = std::numeric_limits<double>::infinity();
+  std::array<double, 6> own{{inf, inf, inf, inf, inf, inf}}, all;
+  for (const Vector& p : points)
+    for (std::size_t i = 0; i < 3; ++i) {
+      own[i] = (std::min)(own[i], p[i]);
+      own[i + 3] = (std::min)(own[i + 3], -p[i]);
+    }
+  boost::mpi::all_reduce(communicator, own.data(), 6, all.data(), boost::mpi::minimum<double>());
+  return {{{all[0], all[1], all[2]}}, {{-all[3], -all[4], -all[5]}}};
+}
+
+// The place of a point on the curve of Morton: the binary digits of the three coordinates in turn.
+class Morton_curve
+{
+public:
+  static constexpr int bits = 20; // of each coordinate
+
+  explicit Morton_curve(const Box_of_all& box) : low_(box.low)
+  {
+    double extent = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      extent = (std::max)(extent, box.high[i] - box.low[i]);
+    scale_ = extent > 0 ? double(std::uint64_t(1) << bits) / extent : 0;
+  }
+
+  std::uint64_t operator()(const Vector& p) const
+  {
+    std::uint64_t place = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      constexpr double last = double((std::uint64_t(1) << bits) - 1);
+      const std::uint64_t x = std::uint64_t((std::min)((std::max)(scale_ * (p[i] - low_[i]), 0.), last));
+      for (int b = 0; b < bits; ++b)
+        place |= ((x >> b) & 1) << (3 * b + int(i));
+    }
+    return place;
+  }
+
+private:
+  Vector low_;
+  double scale_;
+};
+
+// Divides the curve into blocks of at most `max_faces` faces, as far as their places differ, and returns the first place of each.
+// The cubes of an octree that have few enough faces are joined in their order as long as they fit.
+inline std::vector<std::uint64_t> block_starts(const boost::mpi::communicator& communicator, std::vector<std::uint64_t> places,
+                                               std::size_t max_faces)
+{
+  std::sort(places.begin(), places.end());
+  struct Cube
+  {
+    std::uint64_t first, faces;
+  };
+  std::vector<Cube> leaves, open(1, {0, (std::numeric_limits<std::uint64_t>::max)()});
+  for (int level = Morton_curve::bits; level > 0 && !open.empty(); --level) {
+    const std::uint64_t side = std::uint64_t(1) << (3 * (level - 1)); // places in a child
+    std::vector<std::uint64_t> own, all(8 * open.size());
+    for (const Cube& cube : open)
+      for (std::uint64_t child = 0; child < 8; ++child) {
+        const std::uint64_t first = cube.first + child * side;
+        own.push_back(std::uint64_t(std::lower_bound(places.begin(), places.end(), first + side) -
+                                    std::lower_bound(places.begin(), places.end(), first)));
+      }
+    boost::mpi::all_reduce(communicator, own.data(), int(own.size()), all.data(), std::plus<std::uint64_t>());
+    std::vector<Cube> divided;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Cube child{open[i / 8].first + i % 8 * side, all[i]};
+      if (child.faces > max_faces && level > 1)
+        divided.push_back(child);
+      else if (child.faces > 0)
+        leaves.push_back(child);
+    }
+    open.swap(divided);
+  }
+  std::sort(leaves.begin(), leaves.end(), [](const Cube& a, const Cube& b) { return a.first < b.first; });
+  std::vector<std::uint64_t> starts;
+  std::uint64_t faces = 0;
+  for (const Cube& leaf : leaves) {
+    if (starts.empty() || faces + leaf.faces > max_faces) {
+      starts.push_back(leaf.first);
+      faces = 0;
+    }
+    faces += leaf.faces;
+  }
+  return starts;
+}
+
+inline Index block_of(const std::vector<std::uint64_t>& starts, std::uint64_t place)
+{
+  return Index(std::upper_bound(starts.begin(), starts.end(), place) - starts.begin() - 1);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_BLOCKS_H

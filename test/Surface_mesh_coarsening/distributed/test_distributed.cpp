@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Meshes in pieces on several ranks. The program runs on any number of ranks; cases that need fewer use the first ones.
+
+#define BOOST_TEST_MODULE distributed
+#include "support/face_graphs.h"
+#include "support/generate_meshes.h"
+#include "support/reference_energy.h"
+
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Exact_maximum_density_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Closest_vertex_placement.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
+#include <CGAL/Surface_mesh_coarsening/coarsen_distributed_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
+
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <boost/mpi/collectives.hpp>
+#include <boost/mpi/environment.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace SMC = CGAL::Surface_mesh_coarsening;
+namespace mpi = boost::mpi;
+using generated::Soup;
+using test::Mesh;
+
+namespace {
+
+struct Mpi
+{
+  Mpi() : environment(mpi::threading::multiple, false) {}
+  mpi::environment environment;
+};
+
+// A piece, with the numbers of its vertices, and of its faces in the whole mesh.
+struct Piece
+{
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Vertex_index, std::uint64_t> number;
+  std::vector<std::size_t> face;
+
+  Piece() { number = mesh.add_property_map<Mesh::Vertex_index, std::uint64_t>("v:number", 0).first; }
+};
+
+// Numbers that need more than 32 bits, in another order than that of the vertices.
+std::uint64_t number_of_vertex(std::size_t v) { return (std::uint64_t(1) << 40) + 1000003 * std::uint64_t(v ^ 5); }
+
+// Each face has vertices of its own in the piece: they are one by their numbers.
+void add_face(Piece& piece, const Soup& soup, std::size_t f, const std::vector<std::size_t>& polygon)
+{
+  std::vector<Mesh::Vertex_index> vertices;
+  for (const std::size_t v : polygon) {
+    vertices.push_back(piece.mesh.add_vertex(test::Point(soup.points[v][0], soup.points[v][1], soup.points[v][2])));
+    piece.number[vertices.back()] = number_of_vertex(v);
+  }
+  piece.mesh.add_face(vertices);
+  piece.face.push_back(f);
+}
+
+Piece piece_of(const Soup& soup, const mpi::communicator& ranks)
+{
+  Piece piece;
+  for (std::size_t f = 0; f < soup.polygons.size(); ++f)
+    if (f * 2654435761u / 64 % std::size_t(ranks.size()) == std::size_t(ranks.rank()))
+      add_face(piece, soup, f, soup.polygons[f]);
+  return piece;
+}
+
+struct Result
+{
+  std::vector<double> coordinates;
+  std::vector<std::size_t> corners, clusters;
+  double energy = 0;
+
+  bool operator==(const Result& r) const
+  {
+    return coordinates == r.coordinates && corners == r.corners && clusters == r.clusters && energy == r.energy;
+  }
+};
+
+// What rank 0 has of the output, and the clusters of all faces.
+Result result_of(const mpi::communicator& ranks, const Soup& soup, const Piece& piece, const std::vector<std::size_t>& clusters,
+                 const Mesh& output, double energy)
+{
+  Result result;
+  result.energy = energy;
+  std::vector<std::size_t> own(soup.polygons.size(), 0);
+  for (std::size_t i = 0; i < piece.face.size(); ++i)
+    own[piece.face[i]] = clusters[i];
+  result.clusters.resize(own.size());
+  mpi::all_reduce(ranks, own.data(), int(own.size()), result.clusters.data(), std::plus<std::size_t>());
+  for (const auto v : output.vertices())
+    for (int i = 0; i < 3; ++i)
+      result.coordinates.push_back(output.point(v)[i]);
+  for (const auto f : output.faces())
+    for (const auto v : output.vertices_around_face(output.halfedge(f)))
+      result.corners.push_back(v);
+  return result;
+}
+
+template <class ConcurrencyTag, class NamedParameters>
+Result coarsened(const mpi::communicator& ranks, const Soup& soup, std::size_t n, const NamedParameters& np)
+{
+  const Piece piece = piece_of(soup, ranks);
+  std::vector<std::size_t> clusters(piece.face.size());
+  Mesh output;
+  const auto map = boost::make_iterator_property_map(clusters.begin(), get(CGAL::face_index, piece.mesh));
+  const SMC::Coarsening_report report =
+    SMC::coarsen_distributed_mesh<ConcurrencyTag>(ranks, piece.mesh, piece.number, n, output, np.face_cluster_map(map));
+  BOOST_TEST(report.clusters == n);
+  BOOST_TEST(output.number_of_vertices() == (ranks.rank() == 0 ? n : 0));
+  return result_of(ranks, soup, piece, clusters, output, report.final_energy);
+}
+
+// Calls `work(ranks)` on the first so many ranks, if there are so many.
+template <class Work>
+void on_first_ranks(int number, const Work& work)
+{
+  const mpi::communicator world;
+  if (world.size() < number)
+    return;
+  const bool takes_part = world.rank() < number;
+  const mpi::communicator ranks = world.split(takes_part);
+  if (takes_part)
+    work(ranks);
+  world.barrier();
+}
+
+// The promises: clusters are discs, and the output is a surface of the input's topology.
+void check_validity(const Soup& soup, const Result& result, std::size_t n)
+{
+  const reference::Reference_mesh m(soup);
+  BOOST_TEST(reference::number_of_clusters(result.clusters) == n);
+  BOOST_TEST(reference::fault_of_discs(m, result.clusters) == "");
+  std::vector<std::size_t> component(n);
+  for (std::size_t f = 0; f < result.clusters.size(); ++f)
+    component[result.clusters[f]] = m.component()[f];
+  std::vector<reference::Triangle> triangles;
+  for (std::size_t i = 0; i < result.corners.size(); i += 3)
+    triangles.push_back({result.corners[i], result.corners[i + 1], result.corners[i + 2]});
+  BOOST_TEST(reference::fault_of_surface(m, triangles, component) == "");
+  for (const double x : result.coordinates)
+    BOOST_TEST(std::isfinite(x));
+}
+
+// Handles, loops and several components, of triangles and quadrilaterals.
+Soup mixed_surfaces()
+{
+  Soup soup = generated::torus(40, 20);
+  soup = generated::joined(soup, generated::translated(generated::triangulated(generated::tube(24, 30)), 4, 0, 0));
+  soup = generated::joined(soup, generated::translated(generated::with_holes(generated::triangle_sphere(4), 3), 0, 4, 0));
+  return generated::joined(soup, generated::translated(generated::plate_with_windows(2, 4), 5, 5, 0));
+}
+
+template <class NamedParameters>
+void check_all_numbers_of_ranks(const Soup& soup, std::size_t n, const NamedParameters& np)
+{
+  Result on_one;
+  for (const int number : {1, 2, 3, 4, 7})
+    on_first_ranks(number, [&](const mpi::communicator& ranks) {
+      const Result result = coarsened<CGAL::Sequential_tag>(ranks, soup, n, np);
+      if (ranks.rank() != 0)
+        return;
+      check_validity(soup, result, n);
+      if (number == 1)
+        on_one = result;
+      else
+        BOOST_TEST((result == on_one), "the result on " << number << " ranks is another one");
+    });
+}
+
+// The message with which the coarsening of pieces fails, the same on all ranks.
+template <class NamedParameters>
+std::string message_of(const mpi::communicator& ranks, const Piece& piece, std::size_t n, const NamedParameters& np)
+{
+  Mesh output;
+  output.add_vertex();
+  std::string message;
+  try {
+    SMC::coarsen_distributed_mesh(ranks, piece.mesh, piece.number, n, output, np);
+  } catch (const SMC::Invalid_input& e) {
+    message = e.what();
+  }
+  BOOST_TEST((message.empty() || output.number_of_vertices() == 1));
+  std::vector<std::string> messages;
+  mpi::all_gather(ranks, message, messages);
+  for (const std::string& m : messages)
+    BOOST_TEST(m == message);
+  return message;
+}
+
+std::string message_of(const mpi::communicator& ranks, const Piece& piece, std::size_t n = 10)
+{
+  return message_of(ranks, piece, n, SMC::parameters::faces_per_block(50));
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::string vertex(std::size_t v) { return "vertex " + std::to_string(number_of_vertex(v)); }
+
+} // namespace
+
+BOOST_TEST_GLOBAL_FIXTURE(Mpi);
+
+BOOST_AUTO_TEST_CASE(result_does_not_depend_on_ranks)
+{
+  const auto blocks = [](std::size_t n) { return SMC::parameters::faces_per_block(n); };
+  check_all_numbers_of_ranks(generated::with_noise(generated::triangle_sphere(4), 0.01), 30, blocks(100));
+  check_all_numbers_of_ranks(mixed_surfaces(), 120, blocks(200));
+  check_all_numbers_of_ranks(mixed_surfaces(), 60, blocks(30).vertex_placement(SMC::Quadric_placement()));
+  check_all_numbers_of_ranks(mixed_surfaces(), 1500, blocks(500)); // too many for cells
+  check_all_numbers_of_ranks(generated::tetrahedron(), 4, blocks(1));
+}
+
+BOOST_AUTO_TEST_CASE(result_does_not_depend_on_threads)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const Soup soup = mixed_surfaces();
+  on_first_ranks(1, [&](const mpi::communicator& ranks) {
+    const auto np = SMC::parameters::faces_per_block(3000);
+    const Result sequential = coarsened<CGAL::Sequential_tag>(ranks, soup, 80, np);
+    for (const std::size_t threads : {1, 2}) {
+      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      BOOST_TEST((coarsened<CGAL::Parallel_tag>(ranks, soup, 80, np) == sequential));
+    }
+  });
+#endif
+}
+
+BOOST_AUTO_TEST_CASE(weights_and_placements)
+{
+  on_first_ranks(2, [](const mpi::communicator& ranks) {
+    const Soup soup = mixed_surfaces();
+    const auto check = [&](const auto& np) {
+      const Result result = coarsened<CGAL::Sequential_tag>(ranks, soup, 70, np.faces_per_block(400));
+      if (ranks.rank() == 0)
+        check_validity(soup, result, 70);
+    };
+    check(SMC::parameters::cluster_weight(SMC::Uniform_weight()));
+    check(SMC::parameters::cluster_weight(SMC::Density_variance_weight()).maximum_density(3));
+    check(SMC::parameters::cluster_weight(SMC::Exact_maximum_density_weight()).number_of_iterations(0));
+    check(SMC::parameters::cluster_weight(SMC::Weighted_area_weight()).vertex_placement(SMC::Closest_vertex_placement()));
+  });
+}
+
+// The energy of the report is that of the clusters, with densities that the caller gives.
+BOOST_AUTO_TEST_CASE(energy_of_own_densities)
+{
+  on_first_ranks(2, [](const mpi::communicator& ranks) {
+    const Soup soup = generated::with_noise(generated::triangle_sphere(4), 0.02);
+    const Piece piece = piece_of(soup, ranks);
+    std::vector<double> density;
+    for (std::size_t f = 0; f < soup.polygons.size(); ++f)
+      density.push_back(1 + double(f % 7));
+    std::vector<double> own;
+    for (const std::size_t f : piece.face)
+      own.push_back(density[f]);
+    const auto map = boost::make_iterator_property_map(own.begin(), get(CGAL::face_index, piece.mesh));
+    const Result result = coarsened<CGAL::Sequential_tag>(
+      ranks, soup, 25, SMC::parameters::faces_per_block(300).face_density_map(map).cluster_weight(SMC::Weighted_area_weight()));
+    const double expected = reference::energy(reference::faces_of(soup), density, result.clusters, SMC::Weighted_area_weight());
+    BOOST_TEST(std::abs(result.energy - expected) <= 1e-9 * expected);
+  });
+}
+
+// With some hundred clusters in a task, users see no difference: in the energy, in the distance, in the angles.
+BOOST_AUTO_TEST_CASE(agrees_with_the_coarsening_in_memory)
+{
+  on_first_ranks(2, [](const mpi::communicator& ranks) {
+    const Soup soup = generated::triangulated(generated::scaled(generated::torus(300, 250), 1, 2, 3));
+    const std::size_t n = 1500;
+    const Piece piece = piece_of(soup, ranks);
+    Mesh distributed, in_memory;
+    const auto np = SMC::parameters::vertex_placement(SMC::Quadric_placement());
+    const SMC::Coarsening_report report =
+      SMC::coarsen_distributed_mesh(ranks, piece.mesh, piece.number, n, distributed, np.faces_per_block(50000));
+    if (ranks.rank() != 0)
+      return;
+    const Mesh whole = test::to_mesh(soup);
+    const SMC::Coarsening_report expected = SMC::coarsen_mesh(whole, n, in_memory, np.repair_output(false));
+    BOOST_TEST(report.final_energy <= 1.01 * expected.final_energy);
+    const SMC::Coarsening_quality a = SMC::measure_coarsening(whole, distributed), b = SMC::measure_coarsening(whole, in_memory);
+    BOOST_TEST(a.rms_distance <= 1.03 * b.rms_distance);
+    BOOST_TEST(a.mean_smallest_angle >= b.mean_smallest_angle - 0.5);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_topology_forbids)
+{
+  on_first_ranks(2, [](const mpi::communicator& ranks) {
+    const Soup soup = generated::torus(30, 30);
+    const Piece piece = piece_of(soup, ranks);
+    Mesh output;
+    for (const std::size_t n : {0, 6, 901}) {
+      std::size_t nearest = 0;
+      try {
+        SMC::coarsen_distributed_mesh(ranks, piece.mesh, piece.number, n, output, SMC::parameters::faces_per_block(100));
+      } catch (const SMC::Unreachable_number_of_vertices& e) {
+        nearest = e.nearest();
+      }
+      if (n == 901)
+        BOOST_TEST(nearest == 900);
+      else
+        BOOST_TEST(nearest >= 7);
+      const Result result = coarsened<CGAL::Sequential_tag>(ranks, soup, nearest, SMC::parameters::faces_per_block(100));
+      if (ranks.rank() == 0)
+        check_validity(soup, result, nearest);
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(faults_of_pieces)
+{
+  on_first_ranks(2, [](const mpi::communicator& ranks) {
+    const Soup soup = generated::triangulated(generated::torus(12, 10));
+    const auto rank = std::size_t(ranks.rank());
+    const auto piece_with = [&](const auto& change) {
+      Piece piece;
+      for (std::size_t f = rank * 120; f < (rank + 1) * 120; ++f)
+        add_face(piece, soup, f, soup.polygons[f]);
+      change(piece);
+      return piece;
+    };
+    const Piece twice = piece_with([&](Piece& p) {
+      if (rank == 1)
+        add_face(p, soup, 7, soup.polygons[7]);
+    });
+    BOOST_TEST(message_of(ranks, twice) == "face 7 of piece 0 is face 120 of piece 1, too");
+    const Piece moved = piece_with([&](Piece& p) {
+      if (rank == 0)
+        p.mesh.point(Mesh::Vertex_index(0)) = test::Point(9, 9, 9);
+    });
+    BOOST_TEST(contains(message_of(ranks, moved), vertex(soup.polygons[0][0]) + " has two positions, in face "));
+    const Piece reversed = piece_with([&](Piece& p) {
+      if (rank == 1)
+        CGAL::Polygon_mesh_processing::reverse_face_orientations(p.mesh);
+    });
+    BOOST_TEST(contains(message_of(ranks, reversed), "has two faces on the same side, face "));
+    const Piece repeated = piece_with([&](Piece& p) {
+      if (rank == 1)
+        p.number[Mesh::Vertex_index(1)] = p.number[Mesh::Vertex_index(0)];
+    });
+    BOOST_TEST(contains(message_of(ranks, repeated), "face 0 of piece 1 visits vertex "));
+    const Piece infinite = piece_with([&](Piece& p) {
+      if (rank == 1)
+        p.mesh.point(Mesh::Vertex_index(5)) = test::Point(0, std::numeric_limits<double>::infinity(), 0);
+    });
+    BOOST_TEST(contains(message_of(ranks, infinite), "in face 1 of piece 1, has a coordinate that is inf"));
+    BOOST_TEST(message_of(ranks, Piece()) == "the input has no faces");
+    BOOST_TEST(contains(message_of(ranks, piece_with([](Piece&) {}), 10 + rank), "is 10 on one rank and 11 on another"));
+  });
+}
+
+BOOST_AUTO_TEST_CASE(vertices_that_are_not_manifold)
+{
+  on_first_ranks(2, [](const mpi::communicator& ranks) {
+    Soup soup = generated::joined(generated::triangle_sphere(2), generated::triangle_sphere(2));
+    const std::size_t half = soup.points.size() / 2;
+    for (auto& polygon : soup.polygons)
+      for (std::size_t& v : polygon)
+        v = v == half ? 0 : v;
+    BOOST_TEST(contains(message_of(ranks, piece_of(soup, ranks)), vertex(0) + " is not a manifold vertex"));
+  });
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_available)
+{
+  on_first_ranks(2, [](const mpi::communicator& ranks) {
+    const Piece piece = piece_of(generated::triangle_sphere(2), ranks);
+    BOOST_TEST(contains(message_of(ranks, piece, 10, SMC::parameters::feature_angle(40)), "feature_angle is not available"));
+    BOOST_TEST(contains(message_of(ranks, piece, 10, SMC::parameters::repair_output(true)), "repair_output is not available"));
+    BOOST_TEST(contains(message_of(ranks, piece, 10, SMC::parameters::vertex_placement(SMC::Fitted_placement())),
+                        "Fitted_placement is, is not available"));
+    BOOST_TEST(message_of(ranks, piece, 10, SMC::parameters::repair_output(false)) == "");
+  });
+}
+
+namespace {
+
+struct Impatient_visitor : SMC::Coarsening_visitor_base
+{
+  int rank;
+  SMC::Coarsening_stage last;
+  bool is_over = false;
+
+  Impatient_visitor(int r, SMC::Coarsening_stage s) : rank(r), last(s) {}
+  void stage_begins(SMC::Coarsening_stage stage) { is_over = is_over || (rank == 1 && stage == last); }
+  bool go_further() { return !is_over; }
+};
+
+} // namespace
+
+// One rank says stop, and all do.
+BOOST_AUTO_TEST_CASE(cancelling_on_one_rank)
+{
+  on_first_ranks(3, [](const mpi::communicator& ranks) {
+    const Piece piece = piece_of(generated::triangle_sphere(4), ranks);
+    for (const auto stage :
+         {SMC::Coarsening_stage::PREPARATION, SMC::Coarsening_stage::MINIMIZATION, SMC::Coarsening_stage::TRIANGULATION}) {
+      Mesh output;
+      Impatient_visitor visitor(ranks.rank(), stage);
+      BOOST_CHECK_THROW(SMC::coarsen_distributed_mesh(ranks, piece.mesh, piece.number, 20, output,
+                                                      SMC::parameters::faces_per_block(200).visitor(std::ref(visitor))),
+                        SMC::Coarsening_cancelled);
+      BOOST_TEST(output.number_of_vertices() == 0);
+    }
+  });
+}
