@@ -9,7 +9,7 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK_DIR})
 if(WAY STREQUAL "find_package")
-  # What is installed must not depend on where it was installed to.
+  # The installed files must not depend on the prefix.
   run(${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${WORK_DIR}/installed)
   file(RENAME ${WORK_DIR}/installed ${WORK_DIR}/moved)
   set(way_option -D CMAKE_PREFIX_PATH=${WORK_DIR}/moved)
@@ -36,7 +36,7 @@ elseif(WAY STREQUAL "debian_package")
       "import surface_mesh_coarsening; print(surface_mesh_coarsening.__version__)")
   endif()
 elseif(WAY STREQUAL "FetchContent")
-  # As an application without a network does it; the repository named in consumer/ is not asked. With the headers alone.
+  # As in an application without a network; the repository named in consumer/ is not accessed. Uses the headers alone.
   set(way_option -D FETCH=ON -D SURFACE_MESH_COARSENING_HEADER_ONLY=ON -D FETCHCONTENT_SOURCE_DIR_SURFACE_MESH_COARSENING=${PROJECT_SOURCE_DIR})
 else()
   set(way_option -D SURFACE_MESH_COARSENING_SOURCE_DIR=${PROJECT_SOURCE_DIR})
@@ -51,7 +51,7 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK_DIR}/build 
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build --parallel 1)
 run(${WORK_DIR}/build/consumer)
 
-# Nothing of the project but the library belongs to an application's build.
+# An application's build contains only the library of the project.
 file(GLOB_RECURSE others ${WORK_DIR}/build/*coarsen_mesh* ${WORK_DIR}/build/*test_*.o)
 if(others)
   message(FATAL_ERROR "The application's build holds more than the application: ${others}")

@@ -57,7 +57,7 @@ foreach(header IN LISTS headers)
   endforeach()
 endforeach()
 
-# Removes headers whose includes are all removed, as long as there are any: a circle remains.
+# Repeatedly removes headers whose includes are all removed: circles remain.
 set(left ${headers})
 set(progress TRUE)
 while(progress)

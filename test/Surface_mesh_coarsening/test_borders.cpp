@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The border of the output against that of the input, and what measure_coarsening() says of meshes whose distances are known.
+// The border of the output against the border of the input, and measure_coarsening() on meshes of known distances.
 
 #define BOOST_TEST_MODULE borders
 #include "support/face_graphs.h"
@@ -70,7 +70,7 @@ double squared_distance_from_side(const SMC::internal::Vector& p, const SMC::int
 
 } // namespace
 
-// Four corners, each in the arc of one cluster, are met exactly: the square stays a square.
+// Four corners, each in the arc of one cluster, are vertices of the output: the square remains a square.
 BOOST_AUTO_TEST_CASE_TEMPLATE(corners_are_kept, Weight, Weights)
 {
   const Mesh mesh = test::to_mesh(generated::triangulated(generated::grid(30, 30)));
@@ -83,8 +83,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(corners_are_kept, Weight, Weights)
   }
 }
 
-// The vertices on the border lie on the input's border, and the polygon is about as close to it as one can be that has as
-// many vertices; half way along the arcs it is not.
+// The vertices on the border lie on the input's border, and the polygon is about as close to it as possible with its
+// number of vertices; with vertices at the middle of the arcs it is not.
 BOOST_AUTO_TEST_CASE_TEMPLATE(close_to_a_curved_border, Weight, Weights)
 {
   const Mesh mesh = test::to_mesh(wavy_disc(240));
@@ -104,12 +104,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(close_to_a_curved_border, Weight, Weights)
     const double per_vertex = double(border_length(output));
     const double rms = SMC::measure_coarsening(mesh, output, 10000).border_rms_distance;
     BOOST_TEST_MESSAGE("border distance " << rms << " with " << per_vertex << " vertices");
-    // A circle of radius 1 has about pi^2 / 2 / n^2 * sqrt(8 / 15) from a regular polygon; the waves are sharper.
+    // The distance of a circle of radius 1 from a regular polygon is about pi^2 / 2 / n^2 * sqrt(8 / 15); the waves are
+    // sharper.
     BOOST_CHECK_LT(rms, 4 * 3.6 / (per_vertex * per_vertex) * 3);
   }
 }
 
-// Dynamic programming finds what trying everything finds.
+// Dynamic programming agrees with exhaustive search.
 BOOST_AUTO_TEST_CASE(best_of_all_polygons)
 {
   std::mt19937 engine(5);
@@ -128,7 +129,7 @@ BOOST_AUTO_TEST_CASE(best_of_all_polygons)
       for (std::size_t i = 0; i <= edges; ++i)
         points.push_back(loop[(k * edges + i) % loop.size()]);
       arcs.emplace_back(points);
-      BOOST_CHECK_EQUAL(arcs.back().size(), edges + 2); // the one more is half way
+      BOOST_CHECK_EQUAL(arcs.back().size(), edges + 2); // the additional one is at the middle
     }
     const auto error = [&](const std::vector<std::size_t>& chosen) {
       double sum = 0;
@@ -167,7 +168,7 @@ BOOST_AUTO_TEST_CASE(best_of_all_polygons)
   }
 }
 
-// Arcs of very many edges are thinned out; the sharp corner stays.
+// Arcs of very many edges are simplified; the sharp corner remains.
 BOOST_AUTO_TEST_CASE(long_arcs)
 {
   std::vector<SMC::internal::Vector> points;
@@ -205,8 +206,8 @@ BOOST_AUTO_TEST_CASE(parallel_grids)
   BOOST_CHECK_CLOSE(q.diagonal, std::sqrt(136.), 1e-9);
 }
 
-// A square of side 1 and the same shifted by s along a side. The shifted side is s away, less near its ends; the other
-// two sides stick out by s.
+// A square of side 1 and its translation by s along a side. The translated side is at distance s, less near its ends;
+// the other two sides protrude by s.
 BOOST_AUTO_TEST_CASE(shifted_square)
 {
   const Soup square = generated::scaled(generated::grid(10, 10), 0.1);
@@ -221,7 +222,7 @@ BOOST_AUTO_TEST_CASE(shifted_square)
 
 BOOST_AUTO_TEST_CASE(directions_and_angles)
 {
-  // The larger direction counts: the whole is far from its half, not the half from the whole.
+  // The larger direction counts: a mesh is far from its half, but the half is not far from the mesh.
   const SMC::Coarsening_quality q = quality(generated::grid(2, 1), generated::grid(1, 1));
   BOOST_CHECK_CLOSE(q.maximum_distance, 1, 1);
   BOOST_CHECK_CLOSE(q.mean_distance, 0.25, 1);

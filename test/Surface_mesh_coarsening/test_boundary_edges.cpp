@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The list of the edges between clusters, held against looking at all edges of the mesh.
+// Compares the list of edges between clusters with a search of all edges of the mesh.
 
 #define BOOST_TEST_MODULE boundary_edges
 #include "support/face_graphs.h"
@@ -29,7 +29,7 @@ typedef std::vector<std::array<Index, 2> > Pairs_of_faces;
 
 constexpr Index number_of_clusters = 5;
 
-// Square faces with labels at random; the list does not ask whether clusters are discs.
+// Square faces with random labels; the list does not require clusters to be discs.
 struct Labelled_grid
 {
   explicit Labelled_grid(std::size_t n) : mesh(test::to_mesh(generated::grid(n, n)))
@@ -42,7 +42,7 @@ struct Labelled_grid
       labels->set(f, engine() % number_of_clusters);
   }
 
-  // Gives a part of the faces other labels.
+  // Relabels a part of the faces.
   void change(double part, Edges& edges)
   {
     for (std::size_t i = 0; i < part * double(input.mesh.number_of_faces()); ++i) {
@@ -75,7 +75,7 @@ struct Labelled_grid
   std::mt19937 engine;
 };
 
-// In their order. Those taken out are in no cluster that can change.
+// In their order. Removed edges lie at no cluster that can change.
 Pairs_of_faces listed(const Edges& edges, const Labelled_grid& grid)
 {
   std::vector<Index> numbers;
@@ -108,7 +108,7 @@ struct Refusing_visitor : SMC::Coarsening_visitor_base
 
 BOOST_AUTO_TEST_CASE(same_as_all_edges_of_the_mesh)
 {
-  // The list of the second is a long one.
+  // The second mesh has a long list.
   for (const std::size_t n : {20, 310}) {
     Labelled_grid grid(n);
     const Cluster_energy<SMC::Uniform_weight> energy((SMC::Uniform_weight()));

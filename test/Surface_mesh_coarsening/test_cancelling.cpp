@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A visitor can cancel soon, wherever the coarsening is, and nothing has changed then. No clock is read: what counts is how
-// often the visitor is asked.
+// A visitor can cancel quickly at any stage of the coarsening, and nothing has changed then. The test reads no clock but
+// counts the calls of the visitor.
 
 #define BOOST_TEST_MODULE cancelling
 #include "support/face_graphs.h"
@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t never = (std::numeric_limits<std::size_t>::max)();
 
-// Counts, stage by stage, how often it is asked, and refuses from a given time on.
+// Counts its calls stage by stage, and cancels from a given call on.
 struct Asked_visitor : SMC::Coarsening_visitor_base
 {
   std::size_t refused;
@@ -62,7 +62,7 @@ bool is_cancelled(const Mesh& mesh, std::size_t number, Asked_visitor& visitor, 
     BOOST_CHECK(test::to_soup(output).points == other.points);
     BOOST_CHECK_EQUAL(std::count(clusters.begin(), clusters.end(), untouched), clusters.size());
     BOOST_CHECK_EQUAL(std::count(counts.begin(), counts.end(), untouched), counts.size());
-    BOOST_CHECK_EQUAL(visitor.total, visitor.refused + 1); // not asked again
+    BOOST_CHECK_EQUAL(visitor.total, visitor.refused + 1); // not called again
     return true;
   }
   BOOST_CHECK_EQUAL(output.number_of_vertices(), number);
@@ -70,7 +70,7 @@ bool is_cancelled(const Mesh& mesh, std::size_t number, Asked_visitor& visitor, 
   return false;
 }
 
-// Refuses at each question, at most `runs` of them, evenly spread.
+// Cancels at each call, for at most `runs` evenly spread calls.
 template <class Parameters>
 void check_refusals(const Mesh& mesh, std::size_t number, std::size_t runs, const Parameters& parameters)
 {
@@ -85,7 +85,7 @@ void check_refusals(const Mesh& mesh, std::size_t number, std::size_t runs, cons
   BOOST_CHECK(is_cancelled(mesh, number, last, parameters));
 }
 
-// At least once for each 100,000 faces and each pass over all of them.
+// At least once per 100,000 faces and pass over all of them.
 void check_questions(const Mesh& mesh, std::size_t number)
 {
   const std::size_t faces = num_faces(mesh), often = faces / 100000;
@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(refused_at_any_question)
 
 BOOST_AUTO_TEST_CASE(refused_while_pieces_are_cut)
 {
-  // Clusters of whole faces cannot be so many.
+  // Whole faces cannot form this many clusters.
   const Mesh mesh = test::to_mesh(generated::many_tetrahedra(3000));
   check_refusals(mesh, 12000, 40, SMC::parameters::number_of_iterations(3));
 }
@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(other_output)
   }
 }
 
-// After a refusal the object can start again, and gives the result of an object that was never refused.
+// After a cancellation the object can start again, with the result of an object that was never cancelled.
 BOOST_AUTO_TEST_CASE(steps_restart)
 {
   typedef SMC::Mwcvd_clustering<Mesh> Clustering;

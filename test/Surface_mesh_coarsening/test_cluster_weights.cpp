@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The weights, held against formulas (9) to (13) of the paper while faces come and go at random.
+// Compares the weights with formulas (9) to (13) of the paper while random faces join and leave.
 
 #define BOOST_TEST_MODULE cluster_weights
 #include "support/face_graphs.h"
@@ -92,7 +92,7 @@ struct Cluster_face
   double density, area;
 };
 
-// A cluster kept by a weight, beside the faces themselves.
+// A cluster with the data of a weight, and the list of its faces.
 template <class Weight>
 struct Cluster
 {
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(random_adds_and_removes, Weight, Weights)
         c.remove(i);
         BOOST_CHECK_EQUAL(without, c.value());
       }
-      // The sum of squared deviations is a difference: what it loses is relative to the sum of squares.
+      // The sum of squared deviations is a difference: its error is relative to the sum of squares.
       const double scale = double(c.faces.size()) * highest * highest;
       const double value = expected(c.weight, c.faces);
       check_near(c.value(), value,
@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(values_by_hand)
   BOOST_CHECK_CLOSE(variance.value(), 1.5, 1e-12);
   variance.remove(0);
   BOOST_CHECK_CLOSE(variance.value(), 1, 1e-12);
-  // Equal densities deviate by rounding alone, which never makes the weight less than 1.
+  // Equal densities deviate by rounding only, which never lowers the weight below 1.
   Cluster<SMC::Density_variance_weight> equal;
   for (int i = 0; i < 1000; ++i) {
     equal.add({2.7182818284590452, 1});
@@ -250,8 +250,8 @@ BOOST_AUTO_TEST_CASE(values_by_hand)
   }
 }
 
-// Two clusters of faces in the plane next to each other, from one of which a face moves to the other: a quick answer that this
-// gains nothing is right, and weights for which there is one exactly do not miss it.
+// A face moves between two adjacent clusters in the plane. A quick rejection is correct, and weights with an exact quick
+// rejection reject all such moves.
 BOOST_AUTO_TEST_CASE_TEMPLATE(moves_that_cannot_gain, Weight, Weights_and_own)
 {
   namespace internal = SMC::internal;
@@ -305,7 +305,7 @@ BOOST_AUTO_TEST_CASE(exponents_that_are_refused)
   BOOST_CHECK_NO_THROW(SMC::Maximum_density_weight(1.));
 }
 
-// The optional members spare work and change nothing else: three weights of equal values give the same clusters.
+// The optional members save work and change nothing else: three weights of equal values give the same clusters.
 BOOST_AUTO_TEST_CASE(own_weights_with_optional_members)
 {
   const test::Mesh mesh = test::to_mesh(generated::with_noise(generated::triangulated(generated::torus(30, 20)), 0.1, 1));

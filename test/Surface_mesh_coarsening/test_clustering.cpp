@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Seeds, growth, minimization and dual, held against brute force: on generated meshes and on models, for each weight.
+// Compares seeds, growth, minimization and dual with brute force, on generated meshes and on models, for each weight.
 
 #define BOOST_TEST_MODULE clustering
 #include "support/face_graphs.h"
@@ -47,7 +47,7 @@ void check_close(double a, double b, double relative, const std::string& what)
                       what << ": " << a << " and " << b << " differ");
 }
 
-// Elements and points are what they were.
+// Elements and points have not changed.
 bool same_mesh(const Mesh& a, const Mesh& b)
 {
   if (a.number_of_vertices() != b.number_of_vertices() || a.number_of_halfedges() != b.number_of_halfedges() ||
@@ -64,7 +64,7 @@ bool same_mesh(const Mesh& a, const Mesh& b)
   return true;
 }
 
-// How many dual triangles look the way that the surface looks around the vertex where their clusters meet.
+// Counts dual triangles oriented like the surface around the vertex where their clusters meet.
 template <class Positions>
 double fraction_of_upright_triangles(const Reference_mesh& m, const Labels& labels, const Positions& position)
 {
@@ -98,8 +98,8 @@ void check_dual(Clustering& clustering, const Reference_mesh& m, const Labels& l
   BOOST_CHECK_EQUAL(soup.points.size(), clustering.number_of_clusters());
   for (const auto v : vertices(output))
     BOOST_CHECK(!output.is_isolated(v));
-  // The very triangles, in the orientation of the mesh, that brute force makes of the labels: with
-  // fault_of_clustering() that is a 2-manifold of the right topology and orientation.
+  // The triangles equal the triangles that brute force computes from the labels, in the orientation of the mesh: by
+  // fault_of_clustering(), a 2-manifold of the right topology and orientation.
   BOOST_CHECK(test::normalized(test::triangles_of(soup)) == test::normalized(reference::dual_triangles(m, labels)));
   const double upright = fraction_of_upright_triangles(m, labels, soup.points);
   BOOST_CHECK_MESSAGE(upright >= min_upright, "only " << upright << " of the dual triangles look outwards");
@@ -198,7 +198,7 @@ void check_clustering(const Soup& input, std::size_t n, const How how = How())
   }
   BOOST_CHECK(c.report().converged);
   BOOST_CHECK_EQUAL(c.report().rounds, rounds);
-  BOOST_CHECK(!c.minimize_round()); // and it stays so
+  BOOST_CHECK(!c.minimize_round()); // and remains so
 
   labels = test::labels_in(c, mesh);
   BOOST_CHECK_EQUAL(reference::number_of_clusters(labels), n);
@@ -211,7 +211,7 @@ void check_clustering(const Soup& input, std::size_t n, const How how = How())
   if (how.local_minimum)
     check_local_minimum(m, labels, faces, densities, weight);
 
-  // The one call does the same, and does it again.
+  // The single call gives the same, repeatedly.
   for (int i = 0; i < 2; ++i) {
     const auto clusters = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
     Mesh output;
@@ -225,7 +225,7 @@ void check_clustering(const Soup& input, std::size_t n, const How how = How())
         .convergence_tolerance(0));
     BOOST_CHECK(test::labels_of(mesh, clusters) == labels);
     BOOST_CHECK_EQUAL(report.moves, moves);
-    check_close(report.final_energy, c.energy(), 1e-12, "energies of two ways"); // one has summed up in between
+    check_close(report.final_energy, c.energy(), 1e-12, "energies of two ways"); // sums were recomputed in between
     Mesh same;
     c.extract_dual_mesh(same);
     BOOST_CHECK(same_mesh(output, same));
@@ -308,7 +308,7 @@ BOOST_AUTO_TEST_CASE(no_iterations_are_seeds_and_growth)
   c.seed(70);
   c.grow();
   BOOST_CHECK(test::labels_of(mesh, clusters) == test::labels_in(c, mesh));
-  // Each seed stands for its own cluster.
+  // Each seed lies in its own cluster.
   std::vector<Mesh::Face_index> seeds;
   c.seeds(std::back_inserter(seeds));
   BOOST_REQUIRE_EQUAL(seeds.size(), 70u);
@@ -320,7 +320,7 @@ BOOST_AUTO_TEST_CASE(no_iterations_are_seeds_and_growth)
   BOOST_CHECK_LT(limited.final_energy, limited.initial_energy);
 }
 
-// The minimization ends with the first round that lowers the energy by no more than the tolerance says.
+// The minimization ends with the first round that lowers the energy by at most the tolerance.
 BOOST_AUTO_TEST_CASE(convergence_tolerance)
 {
   typedef SMC::Mwcvd_clustering<Mesh> Clustering;
@@ -356,7 +356,7 @@ BOOST_AUTO_TEST_CASE(convergence_tolerance)
       SMC::coarsen_mesh(mesh, 70, output, SMC::parameters::face_cluster_map(clusters));
       BOOST_CHECK(test::labels_of(mesh, clusters) == labels);
     }
-    // Without more rounds than were made, there is no last round that gained little.
+    // With no more rounds than before, no round gains little.
     begin(c);
     c.minimize(by_hand.report().rounds - 1, tolerance);
     BOOST_CHECK(!c.report().converged);

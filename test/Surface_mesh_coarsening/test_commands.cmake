@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Every command of the tool that README, manual, manual page and pages for contributors show runs as it stands there, and every
-# preset and target that they name is there. Files that a command reads and that were not found are replaced by the Fandisk.
-#   cmake -D COARSEN_MESH=... -D FANDISK=... -D CGAL_DATA_DIR=... -D PROJECT_SOURCE_DIR=... -D PROJECT_BINARY_DIR=...
-#     -P test_commands.cmake
+# Every command of the tool in README, manual, manual page and pages for contributors runs unchanged, and every preset and
+# target that they name exists. The Fandisk replaces missing input files. cmake -D COARSEN_MESH=... -D FANDISK=... -D
+# CGAL_DATA_DIR=... -D PROJECT_SOURCE_DIR=... -D PROJECT_BINARY_DIR=... -P test_commands.cmake
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -13,7 +12,7 @@ foreach(page README.md CONTRIBUTING.md doc/Surface_mesh_coarsening/Surface_mesh_
   string(APPEND text "\n${content}\n")
 endforeach()
 string(REPLACE "\\-" "-" text "${text}") # as manual pages write it
-string(REGEX REPLACE "[][;]" "|" text "${text}") # which lists take for their own
+string(REGEX REPLACE "[][;]" "|" text "${text}") # which are special in lists
 
 # Lines that begin with the command, and commands between backquotes.
 string(REGEX MATCHALL "\n *(\\.B )?coarsen_mesh [^\n]*(off|ply|stl|obj) [^\n]*" lines "${text}")
@@ -26,7 +25,7 @@ if(number LESS 6)
   message(FATAL_ERROR "only ${number} commands were found: ${commands}")
 endif()
 
-# The first file of a command is the one it reads.
+# The first file of a command is its input.
 function(provide file)
   string(REGEX REPLACE "\\.[a-z]+$" "" name ${file})
   if(EXISTS ${CGAL_DATA_DIR}/meshes/${file})

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Completes command lines of coarsen_mesh as bash would.
-#   test_completion.bash COARSEN_MESH COMPLETION
+# Completes command lines of coarsen_mesh like bash. test_completion.bash COARSEN_MESH COMPLETION
 set -u
 tool=$1
 source "$2"
@@ -30,12 +29,12 @@ expect()
     failures=$((failures + 1))
   fi
 }
-# The values as the tool lists them in its message about a wrong one.
+# The values in the tool's message about an invalid one.
 values()
 {
   "$tool" in.off out.off "$1" none 2>&1 | sed -n 's/.*is one of \([a-z, -]*\), not.*/\1/p' | sed 's/, /\n/g' | sort | tr '\n' '|'
 }
-# A list in the order in which expect() has it.
+# A list in the order of expect().
 sorted() { sort | tr '\n' '|'; }
 
 long=$("$tool" --help | grep -oE '^  (-[a-z] \[ )?--[a-z-]+' | grep -oE -- '--[a-z-]+' | sorted)

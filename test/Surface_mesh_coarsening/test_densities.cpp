@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Section 5.2 of the paper: densities from the deviation of normals; and those near borders.
+// Section 5.2 of the paper: densities from the deviation of normals; and densities near borders.
 
 #define BOOST_TEST_MODULE densities
 #include "support/face_graphs.h"
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(by_hand)
     const Mesh mesh = test::to_mesh(soup);
     for (const double r : densities(mesh, SMC::parameters::maximum_density(7.)))
       BOOST_CHECK_CLOSE(r, 7, 1e-10);
-    // Where they may be at most 1, they are 1.
+    // With maximum 1, they are 1.
     for (const double r : densities(mesh, SMC::parameters::maximum_density(1.)))
       BOOST_CHECK_EQUAL(r, 1);
   }
@@ -78,8 +78,8 @@ BOOST_AUTO_TEST_CASE(by_hand)
     BOOST_CHECK_CLOSE(r[f], 1 + 9 * deviation / at_corner, 1e-10);
   }
 
-  // Two triangles at a right angle. The normals of both ends of the common edge differ by sqrt(2): 2 sqrt(2) of
-  // 2 + 2 + 1 pairs. A third triangle, in the plane of the second, deviates from the first at one vertex.
+  // Two triangles at a right angle. At both ends of the common edge, normals differ by sqrt(2): 2 sqrt(2) of 2 + 2
+  // + 1 pairs. A third triangle, in the plane of the second, deviates from the first at one vertex.
   const Soup fold{{{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 1, 1}}, {{0, 1, 2}, {1, 0, 3}, {1, 3, 4}}};
   const std::vector<double> d = densities(test::to_mesh(fold), SMC::parameters::maximum_density(11.).border_densities(false));
   const double first = 3 * s / 6, second = 2 * s / 7, third = s / 6; // pairs: 2 + 3 + 1, 2 + 3 + 2, 3 + 2 + 1
@@ -101,8 +101,8 @@ BOOST_AUTO_TEST_CASE(agrees_with_the_definition)
   check_against_definition(joined(with_noise(triangle_sphere(2), 0.1), grid(5, 5)));
 }
 
-// The ends of a tube have radius 1 everywhere. At distance s the density asks for the deviation 32 sqrt(A) / (1 + s), up to a
-// tenth of the loop's length and not above four times the largest of the normals.
+// The ends of a tube have radius 1 everywhere. At distance s the deviation is raised to 32 sqrt(A) / (1 + s), up to a tenth
+// of the loop's length and at most to four times the largest deviation of normals.
 BOOST_AUTO_TEST_CASE(near_borders)
 {
   const std::size_t m = 100, n = 60;
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(near_borders)
   const Mesh mesh = test::to_mesh(soup);
   const double r_new = 50;
   const std::vector<double> paper = densities(mesh, SMC::parameters::border_densities(false)), raised = densities(mesh);
-  const double largest = (raised[0] - 1) / (r_new - 1); // is checked against the definition below
+  const double largest = (raised[0] - 1) / (r_new - 1); // checked against the definition below
   BOOST_REQUIRE_EQUAL(paper.size(), m * n + 4);
   BOOST_CHECK(std::equal(paper.begin() + m * n, paper.end(), raised.begin() + m * n)); // no border there, the same scale
   const double unit = (paper[m * n / 2] - 1) / std::sin(pi / m); // density for each unit of deviation
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(flat_meshes)
   }
 }
 
-// What rounding makes of the normals of a plane is no deviation.
+// Rounding errors of the normals of a plane are no deviation.
 BOOST_AUTO_TEST_CASE(tilted_flat_meshes)
 {
   using namespace generated;
@@ -159,13 +159,13 @@ BOOST_AUTO_TEST_CASE(tilted_flat_meshes)
   }
 }
 
-// Faces without area have no normal: they deviate from nothing, and nothing from them.
+// Faces without area have no normal and cause no deviation.
 BOOST_AUTO_TEST_CASE(degenerate_faces)
 {
   using namespace generated;
   Soup soup = with_noise(triangle_sphere(3), 0.05);
   for (std::size_t f = 0; f < soup.polygons.size();
-       f += 37) { // some triangles become needles without width, others points
+       f += 37) { // some triangles become degenerate needles, others points
     const Polygon& p = soup.polygons[f];
     soup.points[p[0]] = soup.points[p[1]];
     if (f % 2 == 0)
@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(degenerate_faces)
       BOOST_CHECK_EQUAL(r, 1);
 }
 
-// Beyond a valence of 256 each face is compared with a part of the others.
+// Above valence 256 each face is compared with a part of the others.
 BOOST_AUTO_TEST_CASE(large_valence)
 {
   const Mesh mesh = test::to_mesh(generated::with_noise(generated::bipyramid(3000), 1e-4));
@@ -198,13 +198,13 @@ BOOST_AUTO_TEST_CASE(maps)
   SMC::compute_face_densities(mesh, boost::make_assoc_property_map(map));
   for (const auto f : faces(mesh))
     BOOST_CHECK_EQUAL(map[f], float(expected[f]));
-  // The result is independent of size and place.
+  // The result does not depend on size and position.
   const std::vector<double> scaled =
     densities(test::to_mesh(generated::scaled(generated::with_noise(generated::triangle_sphere(3), 0.05), 1024)));
   BOOST_CHECK(scaled == expected);
 }
 
-// Positive densities of the caller's are accepted over a wide range and have the effect that they should.
+// The caller's positive densities are accepted over a wide range and have the proper effect.
 BOOST_AUTO_TEST_CASE(given_densities)
 {
   const Mesh mesh = test::to_mesh(generated::triangulated(generated::grid(40, 40)));

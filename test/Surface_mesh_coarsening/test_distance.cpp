@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Results within a distance: the bound holds, and is at most what was asked for.
+// Results within a distance: the bound holds, and is at most the requested distance.
 
 #define BOOST_TEST_MODULE distance
 #include "support/face_graphs.h"
@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(a_surface_without_area_is_refused)
   BOOST_CHECK_EQUAL(output.number_of_vertices(), 4u);
 }
 
-// A torus needs more vertices than the search would begin with.
+// A torus needs more vertices than the initial number of the search.
 BOOST_AUTO_TEST_CASE(the_smallest_number_may_be_larger_than_the_first)
 {
   const Mesh mesh = test::to_mesh(generated::triangulated(generated::torus(9, 9)));

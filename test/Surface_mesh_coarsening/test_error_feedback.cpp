@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Vertices that are exchanged between regions while all are fitted (parameter `error_feedback`): the distance falls, the number of
-// vertices and the topology stay, and the clusters that follow are valid.
+// Vertex exchange between regions during the fit (parameter `error_feedback`): the distance decreases, the number of vertices
+// and the topology do not change, and the clusters remain valid.
 
 #define BOOST_TEST_MODULE error_feedback
 #include "support/face_graphs.h"
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(distance_falls)
   {
     std::string name;
     std::size_t vertices;
-    double factor; // by which the distance falls
+    double factor; // by which the distance decreases
   } cases[] = {{"fandisk.off", 527, 0.9}, {"elephant.off", 277, 0.97}, {"rotor.off", 300, 0.85}, {"blobby.off", 202, 0.97},
                {"lion-head.off", 417, 1}};
   for (const auto& c : cases) {
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(default_depends_on_densities)
   const auto densities = boost::make_function_property_map<Mesh::Face_index>([](Mesh::Face_index) { return 1.; });
   BOOST_TEST(coarsened(input, 94, np.face_density_map(densities)).report.exchanged_vertices == 0);
   BOOST_TEST(coarsened(input, 94, np.face_density_map(densities).error_feedback(3)).report.exchanged_vertices > 0);
-  // Other placements look at one cluster at a time.
+  // Other placements process one cluster at a time.
   BOOST_TEST(coarsened(input, 94, SMC::parameters::error_feedback(7)).report.exchanged_vertices == 0);
 }
 
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(features_stay)
   BOOST_TEST(after.rms_distance < 1.1 * before.rms_distance);
 }
 
-// Clusters given or frozen by hand stay what they are.
+// Given or frozen clusters do not change.
 BOOST_AUTO_TEST_CASE(clusters_by_hand_stay)
 {
   const Mesh input = data_mesh("eight.off");
@@ -180,7 +180,7 @@ BOOST_AUTO_TEST_CASE(clusters_by_hand_stay)
   BOOST_TEST(!labels_after(false));
 }
 
-// What follows the clustering goes on from the clusters as they are.
+// Later stages continue with the current clusters.
 BOOST_AUTO_TEST_CASE(levels_and_editing_go_on)
 {
   const Mesh input = data_mesh("elephant.off");

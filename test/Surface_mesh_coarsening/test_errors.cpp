@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is refused, with which exception and message; the output stays as it was.
+// Refused input, with its exception and message; the output does not change.
 
 #define BOOST_TEST_MODULE errors
 #include "support/face_graphs.h"
@@ -60,7 +60,7 @@ void expect_invalid_mesh(const Mesh& mesh, const std::vector<std::string>& parts
   expect<SMC::Invalid_input>([&](Mesh& output) { SMC::coarsen_mesh(mesh, output); }, parts);
 }
 
-// Also those functions that look at the connectivity alone.
+// Also the functions that use the connectivity only.
 void expect_not_manifold(const Mesh& mesh, const std::vector<std::string>& parts)
 {
   expect_invalid_mesh(mesh, parts);
@@ -75,7 +75,7 @@ void expect_not_manifold(const Mesh& mesh, const std::vector<std::string>& parts
 
 Mesh some_mesh() { return test::to_mesh(generated::with_noise(generated::triangle_sphere(3), 0.02)); }
 
-// N works, and what lies beyond it does not.
+// N works, and numbers beyond it do not.
 void check_nearest(const Soup& soup, std::size_t asked, bool too_small)
 {
   const Mesh mesh = test::to_mesh(soup);
@@ -139,14 +139,14 @@ BOOST_AUTO_TEST_CASE(vertex_with_two_fans)
   expect_not_manifold(bow_tie, {"vertex 2", "border twice"});
 }
 
-// A face joined from two that have three vertices in common.
+// A face joined from two with three common vertices.
 BOOST_AUTO_TEST_CASE(face_that_visits_a_vertex_twice)
 {
   // A square with a spike inside: two triangles joined across an edge that ends at an inner vertex of valence one.
   Mesh m = test::to_mesh(generated::triangle_sphere(1));
   const auto h = *halfedges(m).begin();
   const auto spike = CGAL::Euler::add_center_vertex(h, m);
-  // Of the three edges at the new vertex, two go.
+  // Removes two of the three edges at the new vertex.
   CGAL::Euler::join_face(CGAL::prev(opposite(spike, m), m), m);
   const auto rest = halfedge(target(spike, m), m);
   for (const auto g : {rest})
@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE(parameters_out_of_range)
   }
   for (const double p : {0., 0.9, -1., infinity, not_a_number})
     expect<SMC::Invalid_input>([&](Mesh&) { SMC::Maximum_density_weight weight(p); }, {"exponent"});
-  // The ends of the ranges are in them.
+  // The ranges are closed.
   Mesh output;
   SMC::coarsen_mesh(mesh, 20, output, SMC::parameters::maximum_density(1.));
   SMC::coarsen_mesh(mesh, 20, output, SMC::parameters::maximum_density(1e20));
@@ -280,7 +280,7 @@ BOOST_AUTO_TEST_CASE(labels_to_start_from)
     {"face_cluster_map"});
 }
 
-// The steps out of their order.
+// Steps in the wrong order.
 BOOST_AUTO_TEST_CASE(order_of_steps)
 {
   const Mesh mesh = some_mesh();
@@ -294,7 +294,7 @@ BOOST_AUTO_TEST_CASE(order_of_steps)
   BOOST_CHECK_THROW(c.extract_dual_mesh(output), std::logic_error);
   c.seed(20);
   BOOST_CHECK_THROW(c.minimize(), std::logic_error);
-  // After a refused number and after refused labels the object goes on to work.
+  // The object remains usable after a refused number and refused labels.
   BOOST_CHECK_THROW(c.seed(1), SMC::Unreachable_number_of_vertices);
   BOOST_CHECK_THROW(c.seed(100000), SMC::Unreachable_number_of_vertices);
   const auto zero = boost::make_function_property_map<Mesh::Face_index, int>([](Mesh::Face_index) { return 0; });
@@ -304,7 +304,7 @@ BOOST_AUTO_TEST_CASE(order_of_steps)
   c.minimize();
   c.extract_dual_mesh(output);
   BOOST_CHECK_EQUAL(output.number_of_vertices(), 30u);
-  // The same object again, and the same as a fresh one.
+  // The same object again, with the result of a new one.
   const Labels first = test::labels_in(c, mesh);
   c.seed(12);
   c.grow();

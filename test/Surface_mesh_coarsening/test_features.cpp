@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Feature lines and corners: what becomes of them in the output, and the rules that the clusters follow, from scratch.
+// Feature lines and corners: their images in the output, and an independent check of the rules for clusters.
 
 #define BOOST_TEST_MODULE features
 #include "support/face_graphs.h"
@@ -52,7 +52,7 @@ typedef Mesh::Edge_index Edge;
 typedef Mesh::Vertex_index Vertex;
 typedef Mesh::Face_index Face;
 
-// A mesh with all that may be told about features; by default nothing is.
+// A mesh with all parameters of features; by default there are none.
 struct Model
 {
   Mesh mesh;
@@ -112,7 +112,7 @@ Output coarsened(const Model& model, std::size_t number, bool fitted = false)
   return output;
 }
 
-// Lines by the points at their ends, loops, and corners, of edges and vertices that are marked.
+// The lines by the points at their ends, the loops, and the corners of marked edges and vertices.
 struct Graph
 {
   std::set<Point> corners;
@@ -157,7 +157,7 @@ Graph graph_of(const Mesh& m, const IsLine& is_line, const IsCorner& is_corner)
   return graph;
 }
 
-// The input prepared as the clustering does.
+// The input as prepared by the clustering.
 struct Prepared
 {
   SMC::internal::Numbering<Mesh> numbering;
@@ -201,7 +201,7 @@ std::size_t number_of_regions(Mesh m, const IsLine& is_line)
   return PMP::connected_components(m, region, CGAL::parameters::edge_is_constrained_map(line));
 }
 
-// What the cells and the rest of the faces have of these together is what the faces are, and have.
+// The sums over the cells and the remaining faces equal the sums over the original faces.
 void check_sums_of_cells(const SMC::internal::Featured_input& featured)
 {
   const SMC::internal::Clustering_input &input = featured.items, &base = featured.cells->base();
@@ -313,7 +313,7 @@ void check(const Model& model, std::size_t number, bool fitted = false)
   check(model, number, coarsened(model, number, fitted));
 }
 
-// Checks numbers of vertices from the smallest, which is refused by one less.
+// Checks numbers of vertices from the smallest; one less is refused.
 void check_all(const Model& model, std::size_t least, std::size_t lines, std::size_t loops, std::size_t corners,
                std::size_t regions)
 {
@@ -340,7 +340,7 @@ void check_all(const Model& model, std::size_t least, std::size_t lines, std::si
   BOOST_TEST(number_of_regions(output.mesh, [&](Edge e) { return output.is_line[e]; }) == regions);
 }
 
-// The surface of cubes of a grid, each side of them cut into `n` x `n` squares.
+// The surface of cubes of a grid, each side divided into `n` x `n` squares.
 Soup voxels(const std::set<std::array<int, 3> >& cubes, int n)
 {
   Soup s;
@@ -562,7 +562,7 @@ BOOST_AUTO_TEST_CASE(detection)
   }
 }
 
-// A vertex between two faces only, in the middle of an edge, at which a corner is, or a line passes, or all is sharp.
+// A vertex between two faces only, in the middle of an edge: at a corner, on a line, or between sharp edges only.
 BOOST_AUTO_TEST_CASE(vertices_between_two_faces)
 {
   Soup soup = generated::triangle_sphere(2);
@@ -590,7 +590,7 @@ BOOST_AUTO_TEST_CASE(vertices_between_two_faces)
   check(Model(soup, 0), 67);
 }
 
-// Where triangles intersect and the mesh is reclustered, the new clusters keep features as well.
+// If intersecting triangles cause reclustering, the new clusters keep features, too.
 BOOST_AUTO_TEST_CASE(recomputed_clusters)
 {
   const Model model(generated::thin_plate(30, 0.02), 60);
@@ -617,7 +617,7 @@ BOOST_AUTO_TEST_CASE(without_features)
     BOOST_TEST(output.patch[f] == 0);
 }
 
-// Where no patches are given, the regions between lines are numbered.
+// Without given patches, the regions between lines are numbered.
 BOOST_AUTO_TEST_CASE(regions_between_lines)
 {
   const Mesh mesh = test::to_mesh(generated::triangulated(generated::cube_grid(6)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The fit and the repair take about as long a face on meshes of one or two vertices of very high valence as on a sphere. Processor
-// time is compared with processor time, so the bound holds on any machine and with any options.
+// The fit and the repair take about as long per face on meshes with one or two vertices of very high valence as on a sphere.
+// Processor time is compared with processor time, so the bound holds on any machine and with any options.
 
 #define BOOST_TEST_MODULE fit_work
 #include "support/face_graphs.h"
@@ -20,7 +20,7 @@ using test::Mesh;
 
 namespace {
 
-// Seconds for each vertex of the input or the output.
+// Seconds per vertex of the input or the output.
 double seconds_each(const std::string& name, const Mesh& mesh, std::size_t number)
 {
   Mesh output;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Mesh types, kernels, property maps, named parameters and visitors: whatever carries the mesh, the clusters are the same.
+// Mesh types, kernels, property maps, named parameters and visitors: the clusters do not depend on the representation
+// of the mesh.
 
 #define BOOST_TEST_MODULE genericity
 #include "support/face_graphs.h"
@@ -48,12 +49,12 @@ typedef CGAL::Simple_cartesian<float> Float_kernel;
 typedef CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<
   2, 3, CGAL::Linear_cell_complex_traits<3, Epick> >::type Linear_cell_complex;
 
-// Coordinates that float holds exactly.
+// Coordinates that are exact in float.
 Soup rounded_to_float(const Soup& s)
 {
   return generated::with_points(s, [](generated::Point p) {
     for (double& x : p) {
-      const volatile float f = float(x); // g++ 12 vectorizes a conversion there and back to nothing
+      const volatile float f = float(x); // g++ 12 optimizes a conversion in both directions away when vectorizing
       x = f;
     }
     return p;
@@ -136,7 +137,7 @@ bool same_points_and_triangles(const Mesh& a, const Mesh& b)
 
 Mesh marked_mesh() { return test::to_mesh(generated::joined(generated::tetrahedron(), generated::octahedron())); }
 
-// A kernel that counts what it is asked for.
+// A kernel that counts calls.
 struct Counting_traits : Double_kernel
 {
   explicit Counting_traits(std::size_t& reads, std::size_t& points) : reads_(&reads), points_(&points) {}
@@ -167,7 +168,7 @@ private:
   std::size_t *reads_ = nullptr, *points_ = nullptr;
 };
 
-// Writes down what it is told, and cancels when asked for the `patience`-th time.
+// Records all notifications, and cancels at the `patience`-th request.
 struct Recorder
 {
   std::vector<std::string> events;
@@ -217,7 +218,7 @@ BOOST_AUTO_TEST_CASE(point_maps)
 {
   const Soup soup = closed_soup();
   const Mesh mesh = test::to_mesh(soup);
-  // The mesh itself is flat; where its vertices are is known to the map alone.
+  // The mesh itself is flat; only the map has the positions of its vertices.
   Mesh flat = test::to_mesh(generated::scaled(soup, 0));
   std::map<Mesh::Vertex_index, test::Point> positions;
   for (const auto v : vertices(mesh))
@@ -232,7 +233,7 @@ BOOST_AUTO_TEST_CASE(point_maps)
   BOOST_CHECK(same_points_and_triangles(output, expected));
   BOOST_CHECK_EQUAL(report.final_energy, other.final_energy);
 
-  // Points of the output go into the map given.
+  // Points of the output are written to the given map.
   Mesh unplaced;
   auto placed =
     unplaced.add_property_map<Mesh::Vertex_index, Epick::Point_3>("v:placed", Epick::Point_3(7, 7, 7)).first;
@@ -248,7 +249,7 @@ BOOST_AUTO_TEST_CASE(face_index_map)
 {
   const Soup soup = closed_soup();
   const Mesh mesh = test::to_mesh(soup);
-  // The faces in another order, with a map that says which the old one was.
+  // The faces in another order, with a map to the old order.
   std::vector<std::size_t> order(soup.polygons.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::mt19937 engine(5);
@@ -267,7 +268,7 @@ BOOST_AUTO_TEST_CASE(face_index_map)
     wrong += labels[i] != expected[order[i]];
   BOOST_CHECK_EQUAL(wrong, 0u);
   BOOST_CHECK(labels_with(other, 60) != labels); // the map made a difference
-  // Results go back to the right faces.
+  // Results are assigned to the right faces.
   std::map<Mesh::Face_index, int> clusters;
   Mesh output;
   SMC::coarsen_mesh(other, 60, output,
@@ -281,7 +282,7 @@ BOOST_AUTO_TEST_CASE(face_index_map)
                          CGAL::parameters::face_index_map(index));
   BOOST_CHECK(test::normalized(test::triangles_of(test::to_soup(output))) ==
               test::normalized(test::triangles_of(test::to_soup(by_clusters))));
-  // A map that is no numbering is refused.
+  // A map that is no bijection is refused.
   const auto constant =
     boost::make_function_property_map<Mesh::Face_index, std::size_t>([](Mesh::Face_index) { return 3; });
   const auto large = boost::make_function_property_map<Mesh::Face_index, std::size_t>(
@@ -335,7 +336,7 @@ BOOST_AUTO_TEST_CASE(density_and_cluster_maps)
   const std::vector<std::size_t> expected = reference::boundary_counts(m, labels);
   for (const auto v : vertices(mesh))
     BOOST_CHECK_EQUAL(std::size_t(counts[v]), expected[v]);
-  // The densities that the library computes, handed in, give what it gives itself.
+  // The computed densities, passed as a map, give the same result.
   const auto computed = get(CGAL::dynamic_face_property_t<double>(), mesh);
   SMC::compute_face_densities(mesh, computed, SMC::parameters::maximum_density(20.));
   BOOST_CHECK(labels_with(mesh, 60, SMC::parameters::face_density_map(computed)) ==
@@ -347,7 +348,7 @@ BOOST_AUTO_TEST_CASE(removed_elements_and_isolated_vertices)
   const Soup soup = closed_soup();
   const Mesh mesh = test::to_mesh(soup);
   Mesh mutilated;
-  // Isolated vertices in between, and at a place without meaning.
+  // Isolated vertices in between, at meaningless positions.
   std::vector<Mesh::Vertex_index> number;
   for (std::size_t v = 0; v < soup.points.size(); ++v) {
     if (v % 5 == 0)
@@ -377,7 +378,7 @@ BOOST_AUTO_TEST_CASE(removed_elements_and_isolated_vertices)
   for (const auto v : vertices(mutilated))
     if (mutilated.is_isolated(v))
       BOOST_CHECK_EQUAL(get(counts, v), 0);
-  // They are no vertices that could be asked for.
+  // They do not count as vertices.
   try {
     SMC::coarsen_mesh(mutilated, mesh.number_of_vertices() + 1, output);
     BOOST_ERROR("not refused");
@@ -394,7 +395,7 @@ BOOST_AUTO_TEST_CASE(output_is_replaced)
   SMC::coarsen_mesh(mesh, 50, expected);
   SMC::coarsen_mesh(mesh, 50, output);
   BOOST_CHECK(same_points_and_triangles(output, expected));
-  BOOST_CHECK_EQUAL(kept[*vertices(output).begin()], 7); // the caller's map is still there
+  BOOST_CHECK_EQUAL(kept[*vertices(output).begin()], 7); // the caller's map still exists
   // Twice into the same mesh.
   SMC::coarsen_mesh(mesh, 30, output);
   BOOST_CHECK_EQUAL(output.number_of_vertices(), 30u);
@@ -458,7 +459,7 @@ BOOST_AUTO_TEST_CASE(named_parameters_in_any_order)
           .face_cluster_map(clusters)
           .geom_traits(Double_kernel())
           .cluster_weight(weight));
-  // One pack may hold what only other functions of CGAL understand.
+  // A pack may hold parameters of other functions of CGAL.
   check(p::verbose(false)
           .random_seed(5)
           .cluster_weight(weight)
@@ -466,7 +467,7 @@ BOOST_AUTO_TEST_CASE(named_parameters_in_any_order)
           .face_cluster_map(clusters)
           .vertex_index_map(get(CGAL::vertex_index, mesh))
           .maximum_density(5.));
-  // The whole pack goes on to CGAL's own functions.
+  // The whole pack is passed on to CGAL's functions.
   const auto pack = p::cluster_weight(weight).vertex_point_map(points).maximum_density(5.);
   BOOST_CHECK_CLOSE(PMP::area(mesh, pack), PMP::area(mesh), 1e-12);
 }
@@ -483,7 +484,7 @@ BOOST_AUTO_TEST_CASE(parameters_of_the_parts)
   std::vector<test::Point> points(mesh.points().begin(), mesh.points().end());
   std::sort(points.begin(), points.end());
   for (const auto v : vertices(closest)) {
-    // To the mesh's own coordinates but for the rounding of the local frame.
+    // Equal to the mesh's coordinates except for the rounding of the local frame.
     const auto near = std::min_element(points.begin(), points.end(), [&](const test::Point& a, const test::Point& b) {
       return CGAL::squared_distance(a, closest.point(v)) < CGAL::squared_distance(b, closest.point(v));
     });
@@ -493,7 +494,7 @@ BOOST_AUTO_TEST_CASE(parameters_of_the_parts)
   SMC::extract_dual_mesh(mesh, clusters, by_labels, SMC::parameters::vertex_placement(SMC::Closest_vertex_placement()));
   BOOST_CHECK(test::normalized(test::triangles_of(test::to_soup(by_labels))) ==
               test::normalized(test::triangles_of(test::to_soup(closest))));
-  // Components that are divided because it was asked for count as those that have to be.
+  // Components subdivided on request are counted like the others.
   Mesh divided;
   const auto subdivide = SMC::parameters::subdivide_input(true);
   BOOST_CHECK_EQUAL(SMC::coarsen_mesh(mesh, 50, divided).subdivided_components, 0u);
@@ -516,7 +517,7 @@ BOOST_AUTO_TEST_CASE(visitor_is_notified_in_order)
                              [](double a, double b) { return a < b * (1 - 1e-12); }));
   BOOST_CHECK_GT(recorder.asked, 5u);
 
-  // By value: a copy is told. CGAL's own pack will do.
+  // By value: a copy is notified. CGAL's own pack suffices.
   Recorder untouched;
   SMC::coarsen_mesh(mesh, 50, output, CGAL::parameters::visitor(untouched));
   BOOST_CHECK(untouched.events.empty());
@@ -540,7 +541,7 @@ BOOST_AUTO_TEST_CASE(cancelling)
       break;
     } catch (const SMC::Coarsening_cancelled&) {
       ++cancelled;
-      BOOST_CHECK_EQUAL(recorder.asked, patience); // asked no more after the answer
+      BOOST_CHECK_EQUAL(recorder.asked, patience); // not called after cancelling
       BOOST_CHECK_MESSAGE(same_points_and_triangles(output, before),
                           "the output has changed when cancelled at question " << patience << ", after "
                                                                                << recorder.events.size() << " events");
@@ -555,8 +556,8 @@ BOOST_AUTO_TEST_CASE(polygon_soup)
 {
   const Mesh mesh = test::to_mesh(open_soup());
   const auto clusters = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
-  // The dual is made without densities unless they are given; so that both have the same centroids, and are repaired alike,
-  // the clusters are made with densities of 1.
+  // The dual uses no densities unless given; the clusters are computed with densities of 1, so that both have the same
+  // centroids and the same repair.
   const CGAL::Constant_property_map<Mesh::Face_index, double> uniform(1);
   Mesh output;
   SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::face_density_map(uniform).face_cluster_map(clusters));
@@ -568,7 +569,7 @@ BOOST_AUTO_TEST_CASE(polygon_soup)
   for (const auto& t : triangles)
     soup_triangles.push_back({t[0], t[1], t[2]});
   BOOST_CHECK(test::normalized(soup_triangles) == test::normalized(test::triangles_of(test::to_soup(output))));
-  // What the ranges hold already stays, and indices count it.
+  // Existing elements of the ranges remain, and indices count them.
   std::vector<std::array<std::size_t, 3> > more{{{0, 1, 2}}};
   SMC::extract_dual_soup(mesh, clusters, points, more);
   BOOST_CHECK_EQUAL(points.size(), 2 * output.number_of_vertices());
@@ -617,14 +618,14 @@ BOOST_AUTO_TEST_CASE(labels_of_anyone)
     BOOST_CHECK_GT(CGAL::scalar_product(CGAL::normal(p[0], p[1], p[2]), p[0] - CGAL::ORIGIN), 0);
   }
 
-  // Labels that are not valid leave the output as it was.
+  // Invalid labels do not change the output.
   Mesh output = marked_mesh();
   const auto two = boost::make_function_property_map<Mesh::Face_index, int>(
     [&](Mesh::Face_index f) { return int(std::size_t(f) % 2); });
   BOOST_CHECK_THROW(SMC::extract_dual_mesh(cube, two, output), SMC::Invalid_input);
   BOOST_CHECK(same_points_and_triangles(output, marked_mesh()));
 
-  // Where four faces of an octahedron meet, the fans that make its dual must not repeat an edge.
+  // Where four faces of an octahedron meet, the fans of its dual must not repeat an edge.
   const Mesh small = test::to_mesh(generated::octahedron());
   const auto each =
     boost::make_function_property_map<Mesh::Face_index, std::size_t>([](Mesh::Face_index f) { return std::size_t(f); });

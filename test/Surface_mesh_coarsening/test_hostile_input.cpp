@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the manual promises for input that is degenerate, extreme or wrong, and for things that fail on the way: an answer, and
-// input and output as before the call if it is no result.
+// The manual's promises for degenerate, extreme or invalid input, and for failures during the call: a result, or an error
+// with input and output unchanged.
 
 #define BOOST_TEST_MODULE hostile_input
 #include "support/face_graphs.h"
@@ -34,7 +34,7 @@ using test::Mesh;
 namespace memory {
 
 std::size_t blocks = 0;      // that are in use
-std::size_t left = 0;        // allocations that succeed before one fails; 0: all do
+std::size_t left = 0;        // number of the failing allocation; 0: none fails
 std::size_t allocations = 0; // since the last call of `let_fail()`
 
 void let_fail(std::size_t nth)
@@ -85,7 +85,7 @@ namespace {
 
 bool equal(const Soup& a, const Soup& b)
 {
-  // Bit by bit: coordinates may be no numbers.
+  // Compares bits: coordinates may be NaN.
   const auto same = [](const generated::Point& p, const generated::Point& q) {
     return std::memcmp(&p, &q, sizeof p) == 0;
   };
@@ -94,7 +94,7 @@ bool equal(const Soup& a, const Soup& b)
 
 Soup other_surface() { return generated::joined(generated::tetrahedron(), generated::grid(3, 2)); }
 
-// Whether the two are the same and in order, too.
+// Returns whether the two are equal and valid.
 void check_unchanged(const Mesh& mesh, const Soup& soup)
 {
   BOOST_CHECK(equal(test::to_soup(mesh), soup));
@@ -112,7 +112,7 @@ void check_surface(const Mesh& input, const Mesh& output, std::size_t number)
     BOOST_CHECK(a.topologies()[0].same_surface_as(b.topologies()[0]));
 }
 
-// Everything has to come out as for a mesh without faults.
+// All results have to be as for a mesh without faults.
 SMC::Coarsening_report check_coarsened(const Mesh& mesh, std::size_t number, bool finite = true, std::size_t rounds = 1000)
 {
   const Soup soup = test::to_soup(mesh);
@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(border_of_two_edges)
 {
   Mesh mesh = test::to_mesh(sphere());
   const Mesh::Halfedge_index o(20), added = mesh.add_edge(mesh.source(o), mesh.target(o)), beside = mesh.opposite(added);
-  mesh.set_next(mesh.prev(o), added); // which takes the place of `o`
+  mesh.set_next(mesh.prev(o), added); // replaces `o`
   mesh.set_next(added, mesh.next(o));
   mesh.set_face(added, mesh.face(o));
   mesh.set_halfedge(mesh.face(o), added);
@@ -224,7 +224,7 @@ BOOST_AUTO_TEST_CASE(degenerate_geometry)
 {
   const double tiny = std::numeric_limits<double>::denorm_min();
   check_coarsened(squashed(sphere(), 1, 1, 0), 40); // a sphere pressed flat
-  // All on a line: no face has an area, or only what roundings make of it. There is nothing to repair.
+  // All points on a line: no face has an area except by rounding. There is nothing to repair.
   for (const Soup& line : {squashed(sphere(), 1, 0, 0), generated::with_points(sphere(), [](const generated::Point& p) {
          return generated::Point{p[0], 0.3 * p[0], 0.7 * p[0]};
        })})
@@ -257,7 +257,7 @@ BOOST_AUTO_TEST_CASE(extreme_coordinates)
   check_coarsened(generated::translated(sphere(), 1e300, 0, 0), 40);
 }
 
-// What a placement cannot place.
+// Vertices that a placement cannot place.
 BOOST_AUTO_TEST_CASE(positions_that_are_not_finite)
 {
   Soup soup = generated::triangle_sphere(2);
@@ -353,7 +353,8 @@ BOOST_AUTO_TEST_CASE(face_of_ten_thousand_sides)
   check_coarsened(test::to_mesh(lid(10000)), 300, true, 100);
 }
 
-// A face at a time, clusters of so many thin triangles need a thousand rounds and more to find their places; some will do here.
+// Moving face by face, clusters of this many thin triangles need a thousand rounds and more to converge; some rounds
+// suffice here.
 BOOST_AUTO_TEST_CASE(vertex_of_a_hundred_thousand_faces)
 {
   check_coarsened(fan(100000), 1000, true, 50);
@@ -394,7 +395,7 @@ namespace {
 struct Thrown
 {};
 
-// Runs `f` on an output, which has to throw a `Thrown`.
+// Runs `f` on an output; it has to throw a `Thrown`.
 template <class Function>
 void check_thrown(const Function& f)
 {
@@ -403,7 +404,7 @@ void check_thrown(const Function& f)
   check_unchanged(output, other_surface());
 }
 
-// Throws when it is asked or told for the `n`-th time.
+// Throws at its `n`-th call.
 struct Countdown
 {
   std::size_t n;
@@ -468,7 +469,7 @@ BOOST_AUTO_TEST_CASE(visitors_that_throw)
     }
     check_unchanged(mesh, soup);
   }
-  BOOST_CHECK(calls > 15); // two for each of five stages at the least, and those that ask
+  BOOST_CHECK(calls > 15); // at least two per stage, and the requests to continue
 }
 
 BOOST_AUTO_TEST_CASE(property_maps_that_throw)
@@ -492,7 +493,7 @@ BOOST_AUTO_TEST_CASE(property_maps_that_throw)
       const Throwing_map<Mesh::Vertex_index, test::Point> map{at, test::Point(0, 0, 0)};
       SMC::coarsen_mesh(mesh, 20, output, CGAL::parameters::vertex_point_map(map));
     });
-    // That of the output has 20 points only.
+    // The map of the output has only 20 points.
     check_thrown([&](Mesh& output) {
       const Throwing_map<Mesh::Vertex_index, test::Point> map{(std::min)(at, std::size_t(19)), test::Point(0, 0, 0)};
       SMC::coarsen_mesh(mesh, 20, output, CGAL::parameters::default_values(), CGAL::parameters::vertex_point_map(map));
@@ -527,7 +528,7 @@ BOOST_AUTO_TEST_CASE(allocations_that_fail)
     if (has_thrown) {
       BOOST_CHECK_EQUAL(memory::blocks, before);
       check_unchanged(output, other);
-    } else // the standard library's sorting does without some of its memory
+    } else // the standard library can sort without this memory
       BOOST_CHECK(equal(test::to_soup(output), test::to_soup(expected)));
     if (nth % 50 == 0 || is_done)
       check_unchanged(mesh, soup);
@@ -535,7 +536,7 @@ BOOST_AUTO_TEST_CASE(allocations_that_fail)
   BOOST_CHECK(failures > 100);
 }
 
-// A change that fails before it has begun leaves the clusters as they were, and one that fails later leaves none.
+// A change that fails before it begins keeps the clusters; if it fails later, there are no clusters.
 BOOST_AUTO_TEST_CASE(allocations_that_fail_in_steering)
 {
   const Mesh mesh = test::to_mesh(generated::triangle_sphere(3));

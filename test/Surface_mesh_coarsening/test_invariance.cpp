@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What scaling, translation and rotation may change of a clustering, and what they must not.
+// The effects of scaling, translation and rotation on a clustering.
 
 #define BOOST_TEST_MODULE invariance
 #include "support/face_graphs.h"
@@ -56,7 +56,7 @@ double diameter(const Soup& s)
   return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
-// `power`: of the unit of length in the energy.
+// `power`: the power of the unit of length in the energy.
 template <class Weight>
 constexpr int power()
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Levels of detail: each is valid and a union of clusters of the finer ones, and what is stored gives the triangles of each.
+// Levels of detail: each is valid, its clusters are unions of clusters of finer levels, and the stored history gives
+// its triangles.
 
 #define BOOST_TEST_MODULE levels
 #include "support/face_graphs.h"
@@ -133,7 +134,7 @@ BOOST_AUTO_TEST_CASE(each_level_is_valid_and_a_union_of_finer_clusters)
   }
 }
 
-// The Hausdorff distance is at least that at any points, and those looked at come near it.
+// The Hausdorff distance is at least the distance at any points, and close to the estimate.
 BOOST_AUTO_TEST_CASE(approximate_distances_are_near_the_hausdorff_distance)
 {
   using namespace generated;
@@ -161,7 +162,7 @@ BOOST_AUTO_TEST_CASE(approximate_distances_are_near_the_hausdorff_distance)
   }
 }
 
-// Merged clusters are not much farther from the surface than those made for their number.
+// Merged clusters are not much farther from the surface than clusters computed for their number.
 BOOST_AUTO_TEST_CASE(levels_are_about_as_near_as_direct_results, *utf::precondition(test::If_found{models::fandisk}))
 {
   const Mesh mesh = test::to_mesh(test::read_soup(models::fandisk));

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Links of the manual's pages, and of README and its like, lead to what is there; none needs a network.
-#   test_links.bash PROJECT_DIR HTML_DIR
+# Links of the manual's pages, README and similar files have existing targets; none needs a network. test_links.bash
+#   PROJECT_DIR HTML_DIR
 set -u
 failures=0
 fault() { echo "$1"; failures=$((failures + 1)); }
@@ -11,7 +11,7 @@ for page in "$1"/*.md; do
   for link in $(grep -oE '\]\([^)]*\)' "$page" | sed 's/^](//; s/)$//; s/#.*//' | grep -v '^http'); do
     [[ -e $1/$link ]] || fault "$(basename "$page"): $link is not there"
   done
-  # Files named in backquotes, if the name has a directory of ours and nothing to be filled in.
+  # Files named in backquotes, if the name begins with a directory of the project and has no placeholder.
   for name in $(grep -oE '`(include|doc|examples|test|benchmark|cmake|packaging|\.github|\.ci)/[A-Za-z0-9_./-]*`' "$page" | tr -d '`'); do
     [[ $name == *...* || $name == *NAME* || -e $1/$name ]] || fault "$(basename "$page"): $name is not there"
   done

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Every option of --help, and every value it can have, stands in the manual page, and no other option does.
-#   cmake -D COARSEN_MESH=PROGRAM -D MAN_PAGE=coarsen_mesh.1 -P test_man_page.cmake
+# The manual page lists all options of --help with all values, and no others. cmake -D COARSEN_MESH=PROGRAM -D
+#   MAN_PAGE=coarsen_mesh.1 -P test_man_page.cmake
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -9,7 +9,7 @@ execute_process(COMMAND ${COARSEN_MESH} --help OUTPUT_VARIABLE help COMMAND_ERRO
 file(READ ${MAN_PAGE} page)
 string(REPLACE "\\-" "-" page "${page}")
 
-string(REGEX REPLACE "[][;]" "|" help "${help}") # which lists take for their own
+string(REGEX REPLACE "[][;]" "|" help "${help}") # which are special in lists
 string(REGEX MATCHALL "\n  (-[a-z] \\| )?--[a-z][a-z-]+" described "${help}")
 list(TRANSFORM described REPLACE "^.*--" "--")
 list(LENGTH described number)
@@ -52,7 +52,7 @@ foreach(option --weight --placement)
   endforeach()
 endforeach()
 
-# Where there is a formatter, it has nothing to complain about.
+# A formatter, if installed, prints no warnings.
 find_program(GROFF groff)
 if(GROFF)
   execute_process(COMMAND ${GROFF} -man -ww -Tascii ${MAN_PAGE} OUTPUT_QUIET ERROR_VARIABLE warnings)

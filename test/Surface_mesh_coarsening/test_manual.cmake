@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# What the manual says that commands print, they print; and figures of its table of distance and shape, and of the README's,
-# are what the tool measures, to the accuracy of sampling; so are its distances of borders and of levels, and the sizes of
-# results within a distance.
-#   cmake -D COARSEN_MESH=... -D FIND_SEEDS=... -D FANDISK=... -D CGAL_DATA_DIR=... -D PROJECT_SOURCE_DIR=... -P test_manual.cmake
+# Commands in the manual print the output shown there. The figures in the tables of manual and README agree with the tool's
+# measurements up to the accuracy of sampling: distance and shape, distances of borders and of levels, and sizes of results
+# within a distance. cmake -D COARSEN_MESH=... -D FIND_SEEDS=... -D FANDISK=... -D CGAL_DATA_DIR=... -D PROJECT_SOURCE_DIR=...
+# -P test_manual.cmake
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -24,7 +24,7 @@ function(thousandths result number)
   set(${result} ${value} PARENT_SCOPE)
 endfunction()
 
-# Fails unless `stated` is within a part in twenty of `measured`, or within a thousandth.
+# Fails unless `stated` is within 5 % of `measured`, or within a thousandth.
 function(check_number what measured stated)
   thousandths(measured ${measured})
   thousandths(stated ${stated})
@@ -35,7 +35,7 @@ function(check_number what measured stated)
   endif()
 endfunction()
 
-# Fails unless the text has the distance and the angle that the tool measures, after `before`.
+# Fails unless the text after `before` has the distance and the angle that the tool measures.
 function(check_figures where text before between weight density placement)
   execute_process(COMMAND ${COARSEN_MESH} ${FANDISK} coarse.off -n 527 --weight ${weight} --maximum-density ${density}
     --placement ${placement} --measure --report report.json --quiet COMMAND_ERROR_IS_FATAL ANY)
@@ -90,7 +90,7 @@ foreach(name lion-head mannequin-devil head mask_cone blade mech-holes-shark)
   check_number("the border's distance of ${name}" ${measured} ${border})
 endforeach()
 
-# The distances of levels, by the command that stands below the table.
+# The distances of levels, by the command below the table.
 if(NOT manual MATCHES "\n    coarsen_mesh fandisk.off (coarse.off [^\n]*)")
   message(FATAL_ERROR "the manual has no command for levels")
 endif()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The memory that the coarsening takes beyond the loaded mesh, output included, counted by what `new` hands out.
+// The memory of the coarsening beyond the loaded mesh, output included, counted in `new`.
 
 #define BOOST_TEST_MODULE memory
 #include "support/face_graphs.h"
@@ -22,7 +22,7 @@ namespace {
 
 std::atomic<std::size_t> taken(0), max_taken(0);
 
-constexpr std::size_t header = alignof(std::max_align_t); // keeps the size
+constexpr std::size_t header = alignof(std::max_align_t); // stores the size
 
 void* take(std::size_t bytes)
 {
@@ -68,7 +68,7 @@ using test::Mesh;
 
 namespace {
 
-// Notes the most that was taken in each stage.
+// Records the peak of each stage.
 struct Watching_visitor : SMC::Coarsening_visitor_base
 {
   std::size_t before = 0, faces = 0, most = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the placements put vertices, on meshes where that is known, and the repair of self-intersections.
+// The positions of vertices on meshes where they are known, and the repair of self-intersections.
 
 #define BOOST_TEST_MODULE placements
 #include "support/face_graphs.h"
@@ -46,7 +46,7 @@ std::array<double, 3> centroid(const Mesh& mesh, Mesh::Face_index f)
   return sum;
 }
 
-// The dual of a cube of side 2 cut into clusters by a function of the centroids of its faces.
+// The dual of a cube of side 2 divided into clusters by a function of the centroids of its faces.
 template <class Placement, class Label>
 std::vector<std::array<double, 3> > placed(const Label& label, const Placement& placement)
 {
@@ -80,13 +80,13 @@ BOOST_AUTO_TEST_CASE(quadric_is_in_corners)
   for (const auto& p : placed(octant, SMC::Quadric_placement(1e-6)))
     for (const double x : p)
       BOOST_TEST(std::abs(std::abs(x) - 1) < 1e-4);
-  // Pulled towards the centroid a little, if not told otherwise.
+  // By default slightly attracted to the centroid.
   for (const auto& p : placed(octant, SMC::Quadric_placement()))
     for (const double x : p)
       BOOST_TEST(std::abs(std::abs(x) - 1) < 0.02);
 }
 
-// A band across each upright edge, between caps: along the edge nothing but the centroid says where to go.
+// A band across each vertical edge, between caps: along the edge only the centroid determines the position.
 BOOST_AUTO_TEST_CASE(quadric_is_on_edges_and_centroid_in_planes)
 {
   const auto label = [](const std::array<double, 3>& p) -> std::size_t {
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(quadric_is_on_edges_and_centroid_in_planes)
   }
 }
 
-// Planes that nearly agree meet far away; the vertex stays near its cluster.
+// Nearly parallel planes meet far away; the vertex remains near its cluster.
 BOOST_AUTO_TEST_CASE(quadric_has_a_bounded_reach)
 {
   const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(5), 0.02));
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(quadric_has_a_bounded_reach)
   BOOST_CHECK_THROW(SMC::Fitted_placement(6, 61), SMC::Invalid_input);
 }
 
-// Eight vertices can be exactly a cube.
+// Eight vertices can represent a cube exactly.
 BOOST_AUTO_TEST_CASE(fit_finds_a_shape_that_can_be_had)
 {
   const Mesh mesh = test::to_mesh(generated::cube_grid(12));
@@ -187,7 +187,7 @@ BOOST_AUTO_TEST_CASE(fit_is_deterministic_and_the_same_on_a_polyhedron)
   }
 }
 
-// Two sheets much nearer than the chords of the coarse mesh are off.
+// Two sheets much closer to each other than the error of the coarse mesh.
 BOOST_AUTO_TEST_CASE(repair_takes_sheets_apart)
 {
   const Mesh mesh = test::to_mesh(generated::thin_plate(30, 0.08));
@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(repair_takes_sheets_apart)
   BOOST_TEST(found > 0);
 }
 
-// Vertices of the output that are to be vertices of the input are so after repairs, too.
+// Output vertices at vertices of the input remain there after repairs.
 BOOST_AUTO_TEST_CASE(repair_keeps_to_input_vertices)
 {
   const Mesh mesh = test::to_mesh(generated::thin_plate(30, 0.08));
@@ -277,7 +277,8 @@ BOOST_AUTO_TEST_CASE(own_weight_that_does_not_depend_on_densities)
   BOOST_TEST(left > 0);
 }
 
-// Where triangles are left intersecting, more clusters there bring them apart; what has fewest is taken, whichever it was.
+// Additional clusters separate triangles that remain intersecting; the clustering with the fewest intersections is
+// selected.
 BOOST_AUTO_TEST_CASE(reclusters_where_triangles_intersect)
 {
   const auto np = SMC::parameters::maximum_density(10).feature_angle(180);
@@ -314,7 +315,7 @@ BOOST_AUTO_TEST_CASE(reclusters_where_triangles_intersect)
   BOOST_TEST(left_of_several < left);
 }
 
-// A component that is left out stays so, and is as if it had never been there.
+// A removed component remains removed, with the result of a mesh without it.
 BOOST_AUTO_TEST_CASE(clusters_without_dropped_components_are_recomputed)
 {
   const Mesh plate = test::to_mesh(generated::thin_plate(30, 0.008));
@@ -335,7 +336,7 @@ BOOST_AUTO_TEST_CASE(clusters_without_dropped_components_are_recomputed)
   BOOST_TEST(most > 1);
 }
 
-// Clusters that were edited by hand are not given up, nor are those that do not depend on densities.
+// Edited clusters are not reclustered, nor clusters that do not depend on densities.
 BOOST_AUTO_TEST_CASE(clusters_of_others_are_not_recomputed)
 {
   const Mesh mesh = test::to_mesh(generated::thin_plate(30, 0.004));
@@ -358,6 +359,6 @@ BOOST_AUTO_TEST_CASE(clusters_of_others_are_not_recomputed)
     left_of_uniform += uniform.report().intersections_left;
     left_of_edited += edited.report().intersections_left;
   }
-  BOOST_TEST(left_of_uniform > 0); // or there would be no reason to
+  BOOST_TEST(left_of_uniform > 0); // otherwise there would be no reason to
   BOOST_TEST(left_of_edited > 0);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Seeds with disjoint neighborhoods, held against section 6 of the paper word by word.
+// Compares seeds with disjoint neighborhoods with a literal implementation of section 6 of the paper.
 
 #define BOOST_TEST_MODULE seeds
 #include "support/face_graphs.h"
@@ -44,7 +44,7 @@ std::vector<std::size_t> neighborhood(const Reference_mesh& m, std::size_t face,
   return found;
 }
 
-// Walk the faces in order; take a face if every face of its neighborhood is free, and then mark them all.
+// Traverses the faces in order; takes a face if every face of its neighborhood is free, and then marks them all.
 std::vector<std::size_t> expected_seeds(const Reference_mesh& m, std::size_t level,
                                         const std::vector<std::size_t>& order)
 {
@@ -104,7 +104,7 @@ std::size_t count(const std::string& file, std::size_t level)
   return seeds(mesh, level).size();
 }
 
-// Within 20 % of what the paper has.
+// Within 20 % of the paper's numbers.
 void check_near(std::size_t ours, std::size_t paper)
 {
   BOOST_TEST_MESSAGE(ours << " seeds, the paper has " << paper);
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(counts_known_by_hand)
   BOOST_CHECK_EQUAL(seeds(test::to_mesh(cube_grid(3)), 0).size(), 54u);
   // All faces of a tetrahedron are neighbors.
   BOOST_CHECK_EQUAL(seeds(test::to_mesh(tetrahedron()), 1).size(), 1u);
-  // Opposite faces of an octahedron are three steps apart: of its own kind, none is within two of the first but itself.
+  // Opposite faces of an octahedron are three steps apart.
   BOOST_CHECK(seeds(test::to_mesh(octahedron()), 1) == (std::vector<std::size_t>{0, 6}));
   BOOST_CHECK_EQUAL(seeds(test::to_mesh(octahedron()), 2).size(), 1u);
   // Along a strip each neighborhood of level k has 2 k + 1 faces.
@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(size_of_a_neighborhood)
   BOOST_CHECK_EQUAL(neighborhood(m, middle, 7).size(), 85u);
 }
 
-// Section 6 names no order of the walk. That of the array depends on the file: the counts lie near the paper's.
+// Section 6 specifies no order. The order of the array depends on the file: the counts are close to the paper's.
 BOOST_AUTO_TEST_CASE(table_1_cube)
 {
   check_near(seeds(test::to_mesh(generated::triangulated(generated::cube_grid(50))), 7).size(), 274);

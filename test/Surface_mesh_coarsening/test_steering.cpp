@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Clusters frozen, split and removed by hand: the clustering stays valid whatever is done in whatever order.
+// Clusters frozen, split and removed by hand: the clustering remains valid after any sequence of edits.
 
 #define BOOST_TEST_MODULE steering
 #include "support/face_graphs.h"
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(frozen_clusters_keep_their_faces)
   BOOST_CHECK(!clustering.remove_cluster(3));
   clustering.minimize();
   BOOST_CHECK_GT(clustering.report().moves, 100u);
-  // What has been counted carries on after a step by hand.
+  // Statistics continue after an edit.
   const SMC::Coarsening_report report = clustering.report();
   BOOST_REQUIRE(clustering.split_cluster(30));
   clustering.minimize_round();

@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(same_result, Weight, Weights)
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-// A user's placement that waits a while for a second thread to come, with and without the optional member.
+// A user's placement that waits a while for a second thread, with and without the optional member.
 struct Waiting_placement
 {
   struct Visits
@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(same_result_of_another_face_graph)
   BOOST_CHECK((coarsened<CGAL::Parallel_if_available_tag, SMC::Uniform_weight>(polyhedron, 100) == sequential));
 }
 
-// So many faces, and clusters, that sums are added up in several steps, and edges are listed again.
+// Enough faces and clusters to compute sums in several chunks, and to list edges again.
 BOOST_AUTO_TEST_CASE(same_result_of_a_large_mesh)
 {
   const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(8), 0.001));

@@ -73,7 +73,7 @@ struct Outcome
 
 std::string quoted(const std::string& text) { return "'" + text + "'"; }
 
-// A directory of its own for each test case; the tool runs in it.
+// A separate directory for each test case, in which the tool runs.
 class Workshop
 {
   fs::path directory = fs::temp_directory_path() / ("test_tool_" + std::to_string(getpid()));
@@ -108,7 +108,7 @@ public:
     return names;
   }
 
-  // `arguments` are those of a shell.
+  // `arguments` are parsed by a shell.
   Outcome run(const std::string& arguments) const
   {
     const std::string command = "cd " + quoted(directory.string()) + " && " + quoted(std::getenv("COARSEN_MESH")) +
@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(unreadable_input)
       BOOST_TEST(outcome.names("coarsen_mesh: " + name + ": "), outcome.err);
     }
   BOOST_TEST(shop.files() == before, boost::test_tools::per_element());
-  shop.run_well("colorless.off out.off -n 3"); // it lacks nothing that matters
+  shop.run_well("colorless.off out.off -n 3"); // nothing essential is missing
 }
 
 BOOST_AUTO_TEST_CASE(formats)
@@ -312,7 +312,7 @@ BOOST_AUTO_TEST_CASE(choices)
 BOOST_AUTO_TEST_CASE(report_and_certificate)
 {
   const Workshop shop;
-  // A torus of quadrangles, a tube, and a point that nothing uses.
+  // A torus of quadrangles, a tube, and an unused point.
   generated::Soup soup =
     generated::joined(generated::torus(20, 12), generated::translated(generated::tube(16, 10), 9, 0, 0));
   soup.points.insert(soup.points.begin(), {7, 7, 7});
@@ -440,7 +440,7 @@ BOOST_AUTO_TEST_CASE(messages_on_success)
   const Outcome loud = shop.run("in.off out.off -n 5");
   BOOST_TEST(loud.status == 0);
   BOOST_TEST(std::count(loud.out.begin(), loud.out.end(), '\n') == 1);
-  BOOST_TEST(loud.err.empty()); // no progress line where there is no terminal
+  BOOST_TEST(loud.err.empty()); // no progress line without a terminal
   const Outcome quiet = shop.run("in.off out.off -n 5 --quiet");
   BOOST_TEST(quiet.status == 0);
   BOOST_TEST(quiet.out.empty());
@@ -511,7 +511,7 @@ BOOST_AUTO_TEST_CASE(holes_are_filled)
   const Mesh closed = shop.mesh("out.off");
   BOOST_TEST(closed.number_of_vertices() + closed.number_of_faces() - closed.number_of_edges() == 2u);
 
-  // Only what is short enough.
+  // Only short enough holes.
   shop.run_well("open.off out.off -n 80 --fill-holes 0.6 --report r.json");
   report = shop.report("r.json");
   BOOST_TEST(report["input"]["holes"]["left_because_longer"] == 1);
@@ -566,7 +566,7 @@ BOOST_AUTO_TEST_CASE(small_components_are_left_out)
     BOOST_TEST(certificate["components"][i]["before"]["faces"] == 384);
   }
   BOOST_TEST(certificate["components"][1]["after"]["vertices"] == 60);
-  BOOST_TEST(report["quality"]["diagonal"].get<double>() < 3.5); // of what is kept
+  BOOST_TEST(report["quality"]["diagonal"].get<double>() < 3.5); // of the remaining components
 
   const Outcome all = shop.run("in.off out.off -n 60 --minimum-component-area 25");
   BOOST_TEST(all.status == 1);
@@ -622,7 +622,7 @@ BOOST_AUTO_TEST_CASE(measuring)
     BOOST_TEST(flat.out.find(name) != std::string::npos, name);
   Json quality = shop.report("r.json")["quality"];
   BOOST_TEST(std::abs(quality["diagonal"].get<double>() - 30 * std::sqrt(2.)) < 1e-9);
-  for (const char* what : {"distance_percent", "border_distance_percent"}) // a square stays a square
+  for (const char* what : {"distance_percent", "border_distance_percent"}) // a square remains a square
     for (const char* which : {"rms", "mean", "maximum"})
       BOOST_TEST(quality[what][which].get<double>() < 1e-6);
   BOOST_TEST(quality["mean_normal_deviation_degrees"].get<double>() < 1e-4);
@@ -676,7 +676,7 @@ BOOST_AUTO_TEST_CASE(faulty_input_is_named)
   soup.polygons.push_back({0, 1});
   expect(soup, "face 8 has only 2 vertices");
 
-  soup = good; // a second octahedron that hangs on the tip of the first
+  soup = good; // a second octahedron that touches a vertex of the first
   for (const auto& p : good.points)
     soup.points.push_back({p[0] + 2, p[1], p[2]});
   const auto at = [&soup](double x) {
@@ -708,7 +708,7 @@ BOOST_AUTO_TEST_CASE(faulty_numbers_are_named)
   BOOST_TEST(outcome.is_one_line_error());
 }
 
-// How often each step of the repair was done.
+// The count of each step of the repair.
 std::map<std::string, int> steps(const Json& report)
 {
   std::map<std::string, int> result;
@@ -741,7 +741,7 @@ BOOST_AUTO_TEST_CASE(repair)
   BOOST_TEST(done["removed unused points"] == 1);
   BOOST_TEST(done["removed repeated faces and faces without three different vertices"] == 2);
 
-  // Triangles that share nothing are stitched, one without area is taken out.
+  // Separate triangles are stitched, a degenerate one is removed.
   generated::Soup torn;
   for (const auto& polygon : generated::triangle_sphere(2).polygons) {
     for (std::size_t v : polygon)
@@ -766,13 +766,13 @@ BOOST_AUTO_TEST_CASE(repair)
   done = steps(shop.report("r.json"));
   BOOST_TEST(done["removed degenerate faces"] == 1);
 
-  // What cannot be oriented is cut open.
+  // Non-orientable surfaces are cut.
   shop.write("strip.off", generated::moebius_strip(20));
   shop.run_well("strip.off out.off -n 8 --repair --report r.json");
   BOOST_TEST(shop.report("r.json")["certificate"]["components"][0]["before"]["border_loops"] == 1);
   BOOST_TEST(shop.report("r.json")["certificate"]["components"][0]["before"]["euler_characteristic"] == 1);
 
-  // A sound input stays as it is.
+  // A valid input does not change.
   shop.write("sound.off", generated::cube_grid(3));
   shop.run_well("sound.off out.off -n 20 --repair --report r.json");
   BOOST_TEST(shop.report("r.json")["input"]["repair"].empty());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the tool does with files that are damaged, that lie, that cannot be read or written, and when it is told to end.
+// The tool with damaged, inconsistent, unreadable and unwritable files, and with signals.
 
 #define BOOST_TEST_MODULE tool_files
 #include "check/soup_fault.h"
@@ -47,7 +47,7 @@ boost::test_tools::assertion_result has_tool(boost::unit_test::test_unit_id)
   return false;
 }
 
-// Neither of the two keeps the super-user from anything.
+// Neither of the two restricts the super-user.
 boost::test_tools::assertion_result has_permissions(boost::unit_test::test_unit_id)
 {
   boost::test_tools::assertion_result result(geteuid() != 0);
@@ -77,7 +77,7 @@ void check_done(const Tool_directory& shop, const std::string& arguments, const 
 
 } // namespace
 
-// ---- what the readers take and refuse ----
+// ---- what the readers accept and refuse ----
 
 BOOST_AUTO_TEST_CASE(every_form_is_read)
 {
@@ -118,7 +118,8 @@ BOOST_AUTO_TEST_CASE(variants_of_the_formats)
               "endloop endfacet endsolid a thing\n");
 }
 
-// A piece is refused, or it is whole but for white space or the end of a word. OBJ alone says nothing about how much there is.
+// A truncated file is refused, or it is complete except for white space or the end of a word. Only OBJ files do not
+// state their number of elements.
 BOOST_AUTO_TEST_CASE(every_beginning_of_a_file)
 {
   for (const auto& form : mesh_files::all_forms(generated::tetrahedron())) {
@@ -304,7 +305,7 @@ BOOST_AUTO_TEST_CASE(outputs_that_cannot_be_written)
         "in.off in.off/out.off -n 100 --report r.json"})
     check_refused(shop, arguments, {": cannot be written: "});
   check_refused(shop, "in.off " + std::string(300, 'a') + ".off --report r.json -n 100", {".off: cannot be written: "});
-  // A limit of the size of files, of 4 blocks, stands for a full disk: some bytes can be written. What was there stays.
+  // A limit of 4 blocks on the size of files simulates a full disk: some bytes can be written. Existing files remain.
   shop.write("out.off", "before");
   check_refused(shop, "in.off out.off -n 250 --report r.json", {"out.off: cannot be written: "}, "ulimit -f 4");
   BOOST_TEST(test::content_of(shop / "out.off") == "before");
@@ -438,7 +439,7 @@ BOOST_AUTO_TEST_CASE(pipes, *boost::unit_test::timeout(200))
     BOOST_TEST(fs::is_fifo(shop / "out.ply"));
   }
   {
-    // A reader that goes away at once. What it does not take stands for a write that fails, if it does not fit into the pipe.
+    // A reader that ends at once. A write fails if it does not fit into the pipe.
     shop.write("finer.off", mesh_files::off(generated::triangle_sphere(5)));
     Tool_process tool(shop.path(), "finer.off out.ply -n 4000 --rounds 0 --report never.json");
     { std::ifstream reader(shop / "out.ply"); }
@@ -498,7 +499,7 @@ BOOST_AUTO_TEST_CASE(signals_while_waiting_for_a_reader)
   BOOST_TEST(shop.files() == before, boost::test_tools::per_element());
 }
 
-// At whatever time it comes: all files or none, and soon.
+// At any time: all files or none, and quickly.
 BOOST_AUTO_TEST_CASE(signals_at_any_time)
 {
   const Tool_directory shop;
@@ -516,7 +517,7 @@ BOOST_AUTO_TEST_CASE(signals_at_any_time)
       const std::string name = (shop / "out.off").string();
       BOOST_TEST(!coarsening_support::soup_fault(coarsening_support::read_soup(name)).has_value());
     } else {
-      // Right at the start, the shell or the tool's own start may be what the signal ends.
+      // At the start, the signal may end the shell or the start of the tool.
       BOOST_TEST(outcome.status == 128 + (trial % 2 ? SIGINT : SIGTERM), outcome.err);
       interrupted += outcome.is_one_line_error();
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the tool keeps of a file beside points and polygons, and what it makes of a distance and of levels.
+// The tool's transfer of properties other than points and polygons, and its results for a distance and for levels.
 
 #define BOOST_TEST_MODULE tool_properties
 #include "io/read_soup.h"
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(levels_are_written_beside_the_result)
     vertices /= 2;
   }
   BOOST_CHECK_EQUAL(shop.run("in.off out.off -n 200 --levels 99").status, 2);
-  BOOST_CHECK_EQUAL(shop.run("out.1.off out.off -n 20 --levels 1").status, 2); // would be written over
+  BOOST_CHECK_EQUAL(shop.run("out.1.off out.off -n 20 --levels 1").status, 2); // would be overwritten
 }
 
 BOOST_AUTO_TEST_CASE(distances_take_the_place_of_numbers)
@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(distances_take_the_place_of_numbers)
   const Tool_outcome outcome = shop.run("in.off out.off --maximum-distance-absolute 1e-9");
   BOOST_CHECK_EQUAL(outcome.status, 1);
   BOOST_CHECK(outcome.names("within a distance of 1e-09"));
-  // Relative distances are answered as such.
+  // Relative distances are reported as relative.
   BOOST_CHECK(shop.run("in.off out.off --maximum-distance 1e-9").names("no result within 1e-09 of the diagonal"));
   BOOST_CHECK(shop.run("in.off out.off --maximum-distance 0.02").out.find(" of the diagonal, ") != std::string::npos);
 }

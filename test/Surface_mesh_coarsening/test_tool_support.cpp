@@ -47,7 +47,7 @@ Soup soup_of(const generated::Soup& source)
 
 Mesh mesh_of(const generated::Soup& source) { return to_mesh(soup_of(source)); }
 
-// The same question, answered with CGAL alone.
+// The same check with CGAL only.
 bool is_manifold_for_cgal(const Soup& soup)
 {
   const auto polygons = soup.polygons.lists();
@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(mesh_with_hubs)
   BOOST_CHECK(CGAL::is_closed(mesh));
 }
 
-// In linear time, or nearly, whatever is wrong.
+// In linear time, or nearly, for any fault.
 BOOST_AUTO_TEST_CASE(faults_of_large_polygons)
 {
   const std::size_t n = 300000;
@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(faults_of_large_polygons)
   soup.polygons.push_back(polygon);
   BOOST_CHECK(soup_fault(soup)->find("face 0 uses vertex 0 at (1, 0, 0) twice") == 0);
 
-  // A point that is not finite does no harm where no face uses it.
+  // An unused point need not be finite.
   soup = soup_of(generated::bipyramid(n));
   soup.points.emplace_back(std::numeric_limits<double>::infinity(), 0, 0);
   BOOST_CHECK(!soup_fault(soup));
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(reading_can_be_stopped)
 
 namespace {
 
-// A tube whose upper border goes up and down: few of its triangulations are among Delaunay tetrahedra.
+// A tube with a wavy upper border: few of its triangulations are among Delaunay tetrahedra.
 Mesh jagged_tube(std::size_t edges)
 {
   generated::Soup soup = generated::tube(edges, 2);
@@ -305,7 +305,7 @@ BOOST_AUTO_TEST_CASE(certificate_of_a_dual)
   BOOST_TEST(!open.kept());
 }
 
-// One of two octahedra is turned.
+// One of two octahedra is reversed.
 BOOST_AUTO_TEST_CASE(certificate_of_a_turned_component)
 {
   Mesh cubes = mesh_of(generated::cube_grid(1));
@@ -332,12 +332,12 @@ BOOST_AUTO_TEST_CASE(certificate_of_joined_and_lost_components)
   BOOST_TEST(!lost.components[1].after.has_value());
   BOOST_TEST(!lost.components[1].dropped);
   BOOST_TEST(!lost.kept());
-  labels = {0, 1, 2, 3, 4, 4, 4, 4}; // left out on purpose, if one was
+  labels = {0, 1, 2, 3, 4, 4, 4, 4}; // removed on request, if one was
   BOOST_TEST(certify(two, labels, one, 1).components[1].dropped);
   BOOST_TEST(certify(two, labels, one, 1).one_to_one);
   BOOST_TEST(!certify(two, labels, one).one_to_one);
   BOOST_TEST(!certify(two, labels, one, 2).one_to_one);
-  BOOST_TEST(!certify(one, {0, 1, 2, 3}, two).one_to_one); // a component that comes from nowhere
+  BOOST_TEST(!certify(one, {0, 1, 2, 3}, two).one_to_one); // an additional component
 }
 
 BOOST_AUTO_TEST_CASE(faults_of_triangle_meshes)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Surfaces that are hard on a clustering, at numbers of vertices from the smallest possible to all: the output is
-// a 2-manifold of the topology of the input with exactly that many vertices, for every weight, or the number is refused
-// together with the nearest that works.
+// Difficult surfaces at numbers of vertices from the smallest possible to all: for every weight, the output is a
+// 2-manifold of the topology of the input with exactly that number of vertices, or the number is refused with the
+// nearest attainable one.
 
 #define BOOST_TEST_MODULE topology
 #include "support/face_graphs.h"
@@ -30,7 +30,7 @@ using test::Mesh;
 
 namespace {
 
-// Characteristic and loops of each component, in an order of their own.
+// Characteristic and loops of each component, sorted.
 std::vector<std::pair<long, std::size_t> > kinds(const std::vector<Topology>& topologies)
 {
   std::vector<std::pair<long, std::size_t> > list;
@@ -77,7 +77,7 @@ std::size_t vertices_in_use(const Reference_mesh& m)
   return n;
 }
 
-// The smallest number that works, as the exception for 0 tells. One less is refused with the same answer.
+// Returns the smallest number that works, from the exception for 0. One less is refused with the same number.
 std::size_t smallest_number(const Mesh& mesh, const std::string& what)
 {
   Mesh output;
@@ -99,7 +99,7 @@ std::size_t smallest_number(const Mesh& mesh, const std::string& what)
   return nearest;
 }
 
-// `expected_minimum`: the smallest number that topology allows, where the method is known to reach it.
+// `expected_minimum`: the smallest number that the topology allows, if the method is known to reach it.
 void check_surface(const std::string& what, const Soup& soup, std::size_t expected_minimum = 0)
 {
   BOOST_TEST_CONTEXT(what)
@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(a_thousand_holes)
   check_surface("sphere with 1000 holes", s);
 }
 
-// A strip with one twist has no orientation: as a soup it cannot be made a mesh without cutting it open.
+// A strip with one twist has no orientation: its soup cannot become a mesh without a cut.
 BOOST_AUTO_TEST_CASE(moebius_strip)
 {
   const Soup s = generated::moebius_strip(20);

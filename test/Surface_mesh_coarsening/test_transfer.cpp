@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the vertices of a coarse mesh come from, and what is carried over to it.
+// The sources of the vertices of a coarse mesh, and the transfer of properties to it.
 
 #define BOOST_TEST_MODULE transfer
 #include "support/face_graphs.h"
@@ -46,7 +46,7 @@ Point point_at(const Mesh& mesh, const Location& location)
   return CGAL::ORIGIN + sum;
 }
 
-// Over all triangles of all fans, each around the corner of the smallest number.
+// Over all triangles of all fans, each around the corner of smallest number.
 double distance_by_brute_force(const Mesh& mesh, const Point& p)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(totals_are_conserved)
   for (const auto v : r.input.vertices())
     of_vertex[v] = 2 + std::sin(5 * r.input.point(v).x());
   for (const auto f : r.input.faces()) {
-    // The area is that of the projection along the mean normal, as everywhere in the package.
+    // The area is the area of the projection along the mean normal, as everywhere in the package.
     CGAL::Vector_3<CGAL::Kernel_traits<Point>::Kernel> normal(0, 0, 0);
     const auto h = r.input.halfedge(f);
     for (auto g = r.input.next(h); r.input.target(g) != r.input.source(h); g = r.input.next(g))
@@ -262,7 +262,7 @@ BOOST_AUTO_TEST_CASE(labels_go_by_majority)
   }
 }
 
-// Names cannot be interpolated: they come from the corner that counts most, or the face.
+// Names cannot be interpolated: they come from the corner of largest coordinate, or from the face.
 BOOST_AUTO_TEST_CASE(values_without_means)
 {
   Result r(generated::with_noise(generated::triangle_sphere(4), 0.01), 60);
@@ -300,7 +300,7 @@ BOOST_AUTO_TEST_CASE(values_without_means)
   BOOST_CHECK_THROW(transfer.transfer_face_property(face_name, to_face, conservative), SMC::Invalid_input);
 }
 
-// A tube whose texture is wound around it, once: u runs from 0 to 1 and is cut along a line.
+// A tube with a texture wound around it once: u increases from 0 to 1, with a seam along a line.
 BOOST_AUTO_TEST_CASE(seams_do_not_open)
 {
   typedef std::array<double, 2> Uv;
@@ -340,7 +340,7 @@ BOOST_AUTO_TEST_CASE(seams_do_not_open)
       for (const auto h : r.output.halfedges_around_face(r.output.halfedge(f))) {
         low = (std::min)(low, out[h][0]);
         high = (std::max)(high, out[h][0]);
-        // The value is that of the place, but for the width of a triangle beyond the seam.
+        // The value agrees with the position, up to the width of a triangle across the seam.
         const double u = turn(r.output.point(r.output.target(h))), d = std::abs(out[h][0] - u);
         BOOST_CHECK_LT((std::min)(d, 1 - d), 0.2);
         BOOST_CHECK_GE(out[h][0], 0);
@@ -348,7 +348,7 @@ BOOST_AUTO_TEST_CASE(seams_do_not_open)
       }
       BOOST_CHECK_LT(high - low, 0.4); // no triangle runs all around
     }
-    // Between two triangles the values are the same at both ends, or are those of the two sides of the seam.
+    // Between two triangles the values agree at both ends, or belong to the two sides of the seam.
     for (const auto e : r.output.edges()) {
       if (r.output.is_border(e))
         continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The fast answers to whether a face may move, and whether labels are a valid clustering, agree with brute force on
-// millions of cases: random small surfaces, random labels, every move.
+// The fast tests of moves and of clusterings agree with brute force on millions of cases: random small surfaces,
+// random labels, every move.
 
 #define BOOST_TEST_MODULE validity
 #include "support/face_graphs.h"
@@ -110,7 +110,7 @@ struct Statistics
   std::size_t surfaces = 0, clusterings = 0, moves = 0, allowed = 0, wrong = 0;
 };
 
-// Compares all moves from valid labels, and goes on from labels that one of the allowed moves gives.
+// Compares all moves from valid labels, and continues with the result of an allowed move.
 void walk(Surface& s, Labels labels, std::size_t steps, std::mt19937& engine, Statistics& statistics)
 {
   const std::size_t clusters = reference::number_of_clusters(labels);
@@ -163,7 +163,7 @@ bool fast_validity(const Surface& s, const Labels& labels)
     s.mesh, boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index f) { return labels[f]; }));
 }
 
-// Seeds and growth; nothing where the number is too small, or where faces had to be cut.
+// Seeds and grows; empty if the number is too small, or if faces had to be subdivided.
 Labels labels_of_library(const Mesh& mesh, std::size_t n)
 {
   try {
@@ -193,7 +193,7 @@ void check_moves(const Soup& soup, std::size_t tries, std::size_t steps, std::mt
     if (fault.empty())
       walk(s, labels, steps, engine, statistics);
   }
-  // Those that the library makes itself.
+  // Clusterings computed by the library.
   const std::size_t vertices = s.reference.number_of_vertices();
   for (std::size_t n = (std::min)(std::size_t(4), vertices); n < vertices; n += 1 + vertices / 5) {
     const Labels labels = labels_of_library(s.mesh, n);
@@ -250,7 +250,7 @@ BOOST_AUTO_TEST_CASE(moves_on_surfaces_with_border)
   check_family("two parts", generated::joined(generated::torus(4, 4), generated::grid(4, 4)), 60, 40, 200000, 11);
 }
 
-// Labels without any order: what the library calls valid is, and what it names wrong is.
+// Arbitrary labels: the library's verdict is correct, and so is the fault that it names.
 BOOST_AUTO_TEST_CASE(arbitrary_labels)
 {
   std::mt19937 engine(12);
@@ -301,7 +301,7 @@ BOOST_AUTO_TEST_CASE(arbitrary_labels)
   BOOST_CHECK_GT(invalid, 3000u);
 }
 
-// What the message says, on labels whose fault is known.
+// The message for labels with a known fault.
 BOOST_AUTO_TEST_CASE(named_faults)
 {
   const auto fault = [](const Soup& soup, const Labels& labels) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every vertex of the output lies in the bounding box of its cluster grown by half its diagonal, whatever the shape of the faces:
-// crossing themselves, nearly without area, not planar, or of very many sides.
+// Every vertex of the output lies in the bounding box of its cluster enlarged by half its diagonal, for faces of any shape:
+// self-intersecting, nearly degenerate, not planar, or with very many sides.
 
 #define BOOST_TEST_MODULE vertex_bounds
 #include "support/face_graphs.h"
@@ -38,7 +38,7 @@ using test::Mesh;
 
 namespace {
 
-// How far a point is from a box, in diagonals of the box. Roundings of large coordinates do not count.
+// Returns the distance of a point from a box, in diagonals of the box. Rounding of large coordinates does not count.
 double diagonals_outside(const CGAL::Bbox_3& box, double x, double y, double z)
 {
   const double p[3] = {x, y, z};
@@ -108,7 +108,7 @@ void check_all(const Soup& soup, std::size_t number, const std::string& what)
   check_weight<SMC::Density_variance_weight>(mesh, number, what + ", variance");
 }
 
-// Two neighboring vertices of a flat grid change places, but for a little.
+// Nearly swaps two neighboring vertices of a flat grid.
 Soup swapped_grid(std::size_t n, std::size_t a, std::size_t b, double off)
 {
   Soup s = generated::grid(n, n);
@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(features_and_borders)
   BOOST_TEST(seen > 0);
 }
 
-// What a user's placement puts elsewhere is refused, and the output stays as it was; a position that is not finite stands for
+// A user's placement outside the box is refused without a change of the output; a position that is not finite is replaced by
 // the centroid.
 BOOST_AUTO_TEST_CASE(placements_that_leave_the_bounds)
 {

@@ -17,7 +17,7 @@
 
 namespace attack {
 
-// What the project promises and did not keep.
+// A violated promise of the project.
 class Finding : public std::runtime_error
 {
 public:
@@ -30,7 +30,7 @@ inline void require(bool condition, const std::string& what)
     throw Finding(what);
 }
 
-// The directory of a case, in which the tool runs. It is removed in the end, unless the case led to a finding.
+// The directory of a case, in which the tool runs. The destructor removes it unless the case led to a finding.
 class Case_directory
 {
 public:
@@ -58,7 +58,7 @@ public:
     inputs_.push_back(name);
   }
 
-  // The files that are there beside the inputs and the standard streams.
+  // Lists the files besides the inputs and the standard streams.
   std::vector<std::string> results() const
   {
     std::vector<std::string> names;

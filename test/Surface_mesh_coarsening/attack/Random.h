@@ -11,7 +11,7 @@
 
 namespace attack {
 
-// The random numbers of one case: a seed and the number of the case give the same ones everywhere. Distributions differ between
+// The random numbers of one case: seed and number of the case determine them on all platforms. Distributions differ between
 // standard libraries, so only the bits of the engine are used.
 class Random
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Attacks the library and the tool for a time, with cases that follow from a seed: mutated files of all formats, all numbers of
-// vertices of small random meshes, random parameters and options, signals, threads. Each result is read and checked by means that
-// are not the library's. Prints a line, and one more for each finding, whose files it keeps. The tool's path is in the
-// environment variable COARSEN_MESH.
+// Attacks the library and the tool for a given time, with cases derived from a seed: mutated files of all formats, all
+// numbers of vertices of small random meshes, random parameters and options, signals, threads. Each result is read and
+// checked independently of the library. Prints a line, and one more for each finding, whose files it keeps. The tool's path
+// is in the environment variable COARSEN_MESH.
 
 #include "Case_directory.h"
 #include "Random.h"
@@ -33,7 +33,7 @@ struct Options
   std::string directory = "attack_cases";
 };
 
-// One line, in which bytes that cannot be printed are question marks.
+// Returns one line, with question marks for unprintable bytes.
 std::string printable(std::string text)
 {
   while (!text.empty() && text.back() == '\n')

@@ -23,7 +23,7 @@
 // Cases in which the library is called.
 namespace attack {
 
-// Calls a function in a process of its own, with limited time and memory: it may crash, or never end.
+// Calls a function in a separate process, with limited time and memory: it may crash, or never end.
 template <class Function>
 void run_in_child(const Case_directory& directory, const Function& function)
 {
@@ -77,8 +77,8 @@ inline void parameter_combination(Case_directory& directory, Random& random)
   });
 }
 
-// All numbers of vertices of a small mesh, and some more: there is a result from the smallest that there is one for up to the
-// number of the mesh's own vertices.
+// All numbers of vertices of a small mesh, and some more: there is a result from the smallest attainable number up to the
+// number of vertices of the mesh.
 inline void exhaustive_counts(Case_directory& directory, Random& random)
 {
   std::string bytes = random_library_bytes(random);

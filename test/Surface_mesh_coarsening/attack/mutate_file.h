@@ -13,7 +13,7 @@
 
 namespace attack {
 
-// The begin and end of a word near a random place.
+// Returns the begin and end of a word near a random place.
 inline std::pair<std::size_t, std::size_t> random_word(const std::string& file, Random& random)
 {
   const auto is_space = [&](std::size_t i) { return std::isspace(static_cast<unsigned char>(file[i])) != 0; };
@@ -34,7 +34,7 @@ inline std::pair<std::size_t, std::size_t> random_line(const std::string& file, 
   return {begin, (std::min)(file.find('\n', begin), file.size() - 1) + 1};
 }
 
-// One change of the bytes of a file, as a bad disk, a bad program or a bad person would make it.
+// Changes the bytes of a file once, as a faulty disk, program or person would.
 inline void mutate(std::string& file, Random& random)
 {
   if (file.empty())

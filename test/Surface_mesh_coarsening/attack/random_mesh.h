@@ -49,7 +49,7 @@ inline double with_flipped_bit(double x, std::size_t bit)
   return x;
 }
 
-// Changes of coordinates alone: faces may cross themselves, shrink to points, or reach the ends of the range of doubles.
+// Changes coordinates only: faces may self-intersect, shrink to points, or reach the ends of the range of doubles.
 inline void move_points(generated::Soup& soup, Random& random)
 {
   using namespace generated;

@@ -33,7 +33,7 @@ inline Topologies topologies(const std::vector<reference::Topology>& components)
   return result;
 }
 
-// Reads a mesh file by CGAL's readers. Corners of the same coordinates are the same point in STL files, which have no others.
+// Reads a mesh file by CGAL's readers. Identifies points of equal coordinates in STL files, which have no indices.
 inline generated::Soup read_soup(const std::filesystem::path& file)
 {
   typedef CGAL::Simple_cartesian<double>::Point_3 Point;
@@ -65,7 +65,7 @@ struct Result
   Topologies topologies;
 };
 
-// What a file of the tool's holds is a 2-manifold of triangles with finite coordinates.
+// Requires that an output file of the tool holds a 2-manifold of triangles with finite coordinates.
 inline Result read_result(const std::filesystem::path& file)
 {
   const std::string name = file.filename().string() + ": ";

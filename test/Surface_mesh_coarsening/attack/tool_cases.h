@@ -27,7 +27,7 @@ namespace attack {
 
 inline std::string random_type(Random& random) { return random.pick({"off", "obj", "ply", "stl"}); }
 
-// The number of vertices that a refusal calls the nearest one; 0 if it calls none.
+// Returns the nearest number of vertices that a refusal names; 0 if it names none.
 inline std::size_t nearest_number(const test::Tool_outcome& outcome)
 {
   const std::string lead = "nearest number that works: ";
@@ -35,8 +35,8 @@ inline std::size_t nearest_number(const test::Tool_outcome& outcome)
   return found == std::string::npos ? 0 : std::stoul(outcome.err.substr(found + lead.size()));
 }
 
-// Runs the tool for a number of vertices, and once more for the nearest one if that is refused. Returns whether there is a result
-// in `output`, which is one with that number.
+// Runs the tool for a number of vertices, and once more for the nearest one if it is refused. Returns whether `output` holds
+// a result, which then has that number.
 inline bool run_for_number(const Case_directory& directory, const std::string& files, const std::string& output,
                            const std::string& options, std::size_t number, Result& result)
 {
@@ -81,7 +81,7 @@ inline void malformed_file(Case_directory& directory, Random& random)
                  result);
 }
 
-// Options that do not say how many vertices there are to be.
+// Options other than the number of vertices.
 inline std::string random_options(Random& random)
 {
   std::string options;
@@ -110,7 +110,7 @@ inline std::string random_options(Random& random)
 
 inline bool has(const std::string& options, const std::string& option) { return options.find(option) != std::string::npos; }
 
-// What was asked for is there, and nothing else.
+// All requested files exist, and no others.
 inline void check_results(const Case_directory& directory, const std::string& options, const generated::Soup& soup)
 {
   std::size_t expected = 1;
@@ -156,7 +156,7 @@ inline void option_combination(Case_directory& directory, Random& random)
     require(result.topologies == topologies(reference::Reference_mesh(soup).topologies()), "the topology has changed");
 }
 
-// A signal at any time ends the tool soon, and leaves no file unless everything was done.
+// A signal at any time ends the tool quickly, and leaves no file unless all work was done.
 inline void signal_at_any_time(Case_directory& directory, Random& random)
 {
   directory.write("in.off", mesh_files::off(generated::triangle_sphere(5)));

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Runs PROGRAM and compares what it prints with the file TABLE, line by line.
+# Runs PROGRAM and compares its output with the file TABLE, line by line.
 
 cmake_minimum_required(VERSION 3.25)
 

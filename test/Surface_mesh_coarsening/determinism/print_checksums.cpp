@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Prints a checksum of the labels and of the dual triangles for each of a number of generated meshes and weights. It is built
-// with several compilers and settings; all have to print what stands in checksums.txt.
+// with several compilers and settings; all have to print checksums.txt.
 
 #include "support/generate_meshes.h"
 
@@ -22,7 +22,7 @@ namespace {
 namespace SMC = CGAL::Surface_mesh_coarsening;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
-// The coordinates are rounded, so that they do not depend on how a compiler computes sines.
+// Coordinates are rounded, so that they do not depend on a compiler's sines.
 Mesh rounded_mesh(const generated::Soup& soup)
 {
   Mesh mesh;

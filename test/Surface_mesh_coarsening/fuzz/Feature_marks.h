@@ -18,7 +18,7 @@
 
 namespace fuzz {
 
-// What is told about the features of a mesh, and what comes back about those of the output.
+// The features marked in a mesh, and the features reported for the output.
 struct Feature_marks
 {
   std::map<Mesh::Edge_index, bool> edges;
@@ -50,16 +50,16 @@ struct Feature_marks
   }
 };
 
-// What lines and regions have in common however fine they are.
+// The properties of lines and regions that do not depend on resolution.
 struct Feature_topology
 {
   std::vector<int> patches_of_regions;         // sorted
   std::vector<std::size_t> valences_of_corners; // sorted, where it is not 2
-  std::size_t corners = 0;    // where lines end, meet or turn sharply, and those that are marked
+  std::size_t corners = 0;    // where lines end, meet or turn sharply, and marked ones
   std::size_t components = 0; // of the lines
   long characteristic = 0;    // of the lines
 
-  // Which turns are sharp is up to the library.
+  // The library decides which turns are sharp.
   bool is_kept_in(const Feature_topology& t) const
   {
     return patches_of_regions == t.patches_of_regions && valences_of_corners == t.valences_of_corners &&
@@ -79,7 +79,7 @@ inline std::string to_string(const Feature_topology& t)
          " components, characteristic " + std::to_string(t.characteristic);
 }
 
-// Whether there is a feature at each edge. Edges of the border have none.
+// Whether each edge is a feature. Border edges are not.
 inline std::map<Mesh::Edge_index, bool> feature_edges(const Mesh& mesh, const Feature_marks& marks)
 {
   std::map<Mesh::Edge_index, bool> result;

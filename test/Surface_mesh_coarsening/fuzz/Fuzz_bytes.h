@@ -11,7 +11,7 @@
 
 namespace fuzz {
 
-// The bytes that a fuzzer hands over, taken one by one; zeros when there are none left.
+// The bytes of a fuzzer's input, read one by one, and then zeros.
 class Bytes
 {
   const std::uint8_t* at;

@@ -33,8 +33,8 @@
 #include <string>
 #include <vector>
 
-// Bytes become a small mesh and parameters, which the library is called with. After each call, everything is checked that the
-// library promises, by means that are not the library's.
+// Converts bytes to a small mesh and parameters, and calls the library with them. Checks all promises of the library after
+// each call, independently of the library.
 namespace fuzz {
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
@@ -62,7 +62,7 @@ inline Parameters read_parameters(Bytes& bytes, std::size_t vertices)
   p.min_area = more >= 224 ? 0.3 : 0;
   p.number = bytes.below(vertices + 3);
   const std::size_t features = bytes.next();
-  p.repair = more % 4 == 3 && vertices < 50; // takes long on surfaces as wild as these
+  p.repair = more % 4 == 3 && vertices < 50; // takes long on such irregular surfaces
   p.marks_features = features % 4 == 1;
   p.feature_angle = features % 4 == 2 ? 30 : 180;
   p.level = flags / 20 % 4 == 0 ? 1 + p.number % 8 : 0; // 0: use the number
@@ -126,7 +126,7 @@ struct Call
   template <class Weight, class Placement>
   Result run_with(Mesh& output, std::size_t number, const Placement& placement) const
   {
-    // One type of map for both kinds of densities: compiling is what takes long here.
+    // One type of map for both kinds of densities, which saves compile time.
     std::map<Mesh::Face_index, double> computed;
     if (!parameters.own_densities)
       SMC::compute_face_densities(mesh, boost::make_assoc_property_map(computed));
@@ -149,7 +149,7 @@ struct Call
 
 inline bool equal(const Soup& a, const Soup& b)
 {
-  // Bit by bit, as some coordinates may not be numbers.
+  // Compares bits, since coordinates may be NaN.
   const auto same = [](const generated::Point& p, const generated::Point& q) {
     return std::memcmp(&p, &q, sizeof p) == 0;
   };
@@ -200,7 +200,7 @@ inline void check_result(const Call& call, const Soup& soup, const Result& r, st
   }
 }
 
-// Whether the library has a reason to refuse the mesh or a density.
+// Returns whether the library has a reason to refuse the mesh or a density.
 inline bool has_reason(const Mesh& mesh, const Soup& soup, const Parameters& p,
                 const std::map<Mesh::Face_index, double>& densities)
 {
@@ -246,7 +246,7 @@ inline bool check_call(const Call& call, const Soup& soup, std::size_t number, b
   return true;
 }
 
-// Shows what a finding is about.
+// Prints the data of a finding.
 inline void print(const Soup& soup, const Parameters& p)
 {
   std::printf("# number %zu, level %zu, rounds %zu, weight %zu, subdivide %d, own densities %d, least area %g, repair %d, "
@@ -256,7 +256,7 @@ inline void print(const Soup& soup, const Parameters& p)
   std::fflush(stdout);
 }
 
-// A mesh, and all that a call needs beside the number of vertices.
+// A mesh and all parameters of a call except the number of vertices.
 struct Library_input
 {
   Mesh mesh;

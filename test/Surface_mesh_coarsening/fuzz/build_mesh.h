@@ -52,8 +52,8 @@ inline generated::Soup to_soup(const Mesh& mesh)
   return soup;
 }
 
-// Euler's characteristic and the number of border loops of each component, sorted. They are those of the halfedges: a hole between
-// two edges with the same ends is one, though no soup tells.
+// Returns Euler characteristic and number of border loops of each component, sorted. Halfedges define them: a hole between
+// two edges with the same ends counts, although a soup does not show it.
 inline std::vector<std::pair<long, long> > topologies(const Mesh& mesh)
 {
   std::map<Mesh::Face_index, std::size_t> component;
@@ -182,7 +182,7 @@ class Editor
       CGAL::Euler::add_center_vertex(h, mesh);
   }
 
-  // Takes away a face; its edges go with it where nothing is left at them.
+  // Removes a face, and its edges that have no other face.
   void remove_face()
   {
     if (!mesh.is_border(h))
@@ -201,7 +201,7 @@ class Editor
       CGAL::Euler::add_vertex_and_face_to_border(mesh.prev(h), h, mesh);
   }
 
-  // CGAL's link condition takes it for granted that no two edges have the same ends: otherwise collapsing may break the mesh.
+  // CGAL's link condition assumes that no two edges have the same ends: otherwise a collapse may break the mesh.
   void collapse()
   {
     if (CGAL::is_triangle_mesh(mesh) && !has_double_edges(mesh) &&
@@ -250,8 +250,8 @@ inline void place(Mesh& mesh, std::size_t kind, Bytes& bytes)
   }
 }
 
-// Up to three pieces, and changes of them. Elements that were removed stay behind as garbage, unless a byte says otherwise.
-// The mesh may be no 2-manifold.
+// Builds up to three pieces and changes them. Removed elements remain as garbage unless a byte triggers its collection. The
+// mesh need not be a 2-manifold.
 inline Mesh build_mesh(Bytes& bytes)
 {
   Mesh mesh;

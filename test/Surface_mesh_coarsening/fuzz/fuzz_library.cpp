@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bytes become a call of the library, see Library_input.h.
+// Converts bytes to a call of the library, see Library_input.h.
 
 #include "Library_input.h"
 

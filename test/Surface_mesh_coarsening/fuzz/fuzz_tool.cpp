@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bytes become a mesh file and a command line, which the whole tool is run with. The first four bytes are the options, the
-// others the content of the file.
+// Converts bytes to a mesh file and a command line, and runs the whole tool with them. The first four bytes are the
+// options, the others the content of the file.
 
 #include "Fuzz_bytes.h"
 
@@ -77,7 +77,7 @@ void check_failure(const Outcome& outcome, const std::string& input)
   require(number_of_files() == 1, "a file was left after: " + outcome.err);
 }
 
-// Returns whether the result is there.
+// Returns whether the result exists.
 bool check_success(const Outcome& outcome, const std::string& output, std::size_t vertices)
 {
   if (outcome.status != 0)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Writes the inputs that the fuzzers start from: make_seeds DIRECTORY writes to DIRECTORY/fuzz_tool and /fuzz_library.
+// Writes the initial inputs of the fuzzers: make_seeds DIRECTORY writes to DIRECTORY/fuzz_tool and /fuzz_library.
 
 #include "support/mesh_files.h"
 

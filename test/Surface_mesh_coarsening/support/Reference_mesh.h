@@ -14,14 +14,14 @@
 #include <utility>
 #include <vector>
 
-// What the tests hold the library against. Nothing here uses a header of the library.
+// The oracle of the tests. It uses no header of the library.
 namespace reference {
 
 typedef std::vector<std::size_t> Labels;
 typedef std::array<std::size_t, 3> Triangle;
 constexpr std::size_t none = std::size_t(-1);
 
-// What topology says of a component: enough to tell compact oriented surfaces from each other.
+// The topology of a component, which determines compact oriented surfaces.
 struct Topology
 {
   std::size_t vertices = 0, edges = 0, faces = 0, loops = 0;
@@ -84,11 +84,11 @@ public:
   const std::vector<Edge>& edges() const { return edges_; }
   std::size_t number_of_faces() const { return soup_.polygons.size(); }
   std::size_t number_of_vertices() const { return soup_.points.size(); }
-  // The face across the `i`-th side, which goes from the `i`-th vertex to the next.
+  // Returns the face across the `i`-th side, which leads from the `i`-th vertex to the next.
   std::size_t across(std::size_t f, std::size_t i) const { return across_[f][i]; }
   const std::vector<std::size_t>& faces_across(std::size_t f) const { return across_[f]; }
-  // The faces around a vertex, counterclockwise. That of an inner vertex begins with its face of smallest number, that
-  // of a vertex on the border with the face whose border edge leaves the vertex.
+  // Returns the faces around a vertex, counterclockwise: around an inner vertex from its face of smallest number,
+  // around a border vertex from the face whose border edge leaves the vertex.
   const std::vector<std::size_t>& star(std::size_t v) const { return star_[v]; }
   bool on_border(std::size_t v) const { return on_border_[v]; }
   const std::vector<std::size_t>& component() const { return component_; }
@@ -181,7 +181,7 @@ inline std::size_t number_of_clusters(const Labels& labels)
   return labels.empty() ? 0 : 1 + *std::max_element(labels.begin(), labels.end());
 }
 
-// The boundary-edge count of each vertex: edges between two clusters or on the border.
+// Returns the boundary-edge count of each vertex: edges between two clusters or on the border.
 inline std::vector<std::size_t> boundary_counts(const Reference_mesh& m, const Labels& labels)
 {
   std::vector<std::size_t> count(m.number_of_vertices(), 0);
@@ -193,10 +193,10 @@ inline std::vector<std::size_t> boundary_counts(const Reference_mesh& m, const L
   return count;
 }
 
-// What keeps a cluster from being a closed disc; empty if nothing does. A set of faces of a 2-manifold, closed under
-// edges and vertices, is a disc if it is a connected 2-manifold with border of Euler characteristic 1. It is a 2-manifold
-// if the faces around each vertex form one fan: then the inner edges there are one less than the faces, or as many
-// where the fan closes.
+// Describes why a cluster is no closed disc; empty if it is one. A set of faces of a 2-manifold, closed under edges and
+// vertices, is a disc if it is a connected 2-manifold with border of Euler characteristic 1. It is a 2-manifold if the
+// faces around each vertex form one fan: then the inner edges there are one less than the faces, or as many if the fan is
+// closed.
 inline std::string fault_of_discs(const Reference_mesh& m, const Labels& labels)
 {
   const std::size_t n = number_of_clusters(labels);
@@ -254,8 +254,8 @@ inline std::string fault_of_discs(const Reference_mesh& m, const Labels& labels)
   return {};
 }
 
-// The dual triangles by the rule of the package: where d >= 3 clusters meet, a fan from that of the first face of the
-// star.
+// Returns the dual triangles by the rule of the package: where d >= 3 clusters meet, a fan from the cluster of the
+// first face of the star.
 inline std::vector<Triangle> dual_triangles(const Reference_mesh& m, const Labels& labels)
 {
   std::vector<Triangle> triangles;
@@ -273,7 +273,7 @@ inline std::vector<Triangle> dual_triangles(const Reference_mesh& m, const Label
   return triangles;
 }
 
-// A set of triangles on vertices `0` to `n - 1`, and whether they form a simplicial 2-manifold without isolated vertices.
+// Checks whether triangles on vertices `0` to `n - 1` form a simplicial 2-manifold without isolated vertices.
 class Triangle_surface
 {
 public:
@@ -394,8 +394,8 @@ private:
   std::string fault_;
 };
 
-// What keeps triangles from being a surface of the topology of the mesh, component by component, if
-// `component_of_vertex` is the component of the mesh that each vertex belongs to.
+// Describes why triangles are no surface of the topology of the mesh, component by component; `component_of_vertex`
+// maps each vertex to its component of the mesh.
 inline std::string fault_of_surface(const Reference_mesh& m, const std::vector<Triangle>& triangles,
                                     const std::vector<std::size_t>& component_of_vertex)
 {
@@ -410,7 +410,7 @@ inline std::string fault_of_surface(const Reference_mesh& m, const std::vector<T
   return {};
 }
 
-// What keeps labels from being a valid clustering: a cluster that is no closed disc, or a dual that is not a surface of
+// Describes why labels are no valid clustering: a cluster that is no closed disc, or a dual that is not a surface of
 // the topology of the mesh.
 inline std::string fault_of_clustering(const Reference_mesh& m, const Labels& labels)
 {

@@ -40,7 +40,7 @@ struct Tool_outcome
   bool names(const std::string& text) const { return err.find(text) != std::string::npos; }
 };
 
-// A process of a shell. Its time is limited: what hangs comes out with status 124.
+// Runs a process of a shell with limited time: a hanging process yields status 124.
 class Tool_process
 {
   pid_t pid = -1;
@@ -116,7 +116,7 @@ public:
     std::ofstream(directory / name, std::ios::binary) << content;
   }
 
-  // All files but those of the standard streams.
+  // Lists all files except the standard streams.
   std::vector<std::string> files() const
   {
     std::vector<std::string> names;

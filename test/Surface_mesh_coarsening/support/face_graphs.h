@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-// From soups to face graphs and back, the order of vertices and faces kept.
+// Converts soups to face graphs and back, keeping the order of vertices and faces.
 namespace test {
 
 typedef CGAL::Simple_cartesian<double> Kernel;
@@ -83,7 +83,7 @@ inline std::vector<reference::Triangle> triangles_of(const generated::Soup& soup
   return triangles;
 }
 
-// The triangles in an order, each from its smallest vertex on, that makes equal sets equal.
+// Returns the sorted triangles, each from its smallest vertex on: a normal form of sets.
 inline std::vector<reference::Triangle> normalized(std::vector<reference::Triangle> triangles)
 {
   for (reference::Triangle& t : triangles)

@@ -83,7 +83,7 @@ inline Soup triangulated(const Soup& s)
   return t;
 }
 
-// Every third quadrilateral cut in two.
+// Every third quadrilateral divided into two triangles.
 inline Soup partly_triangulated(const Soup& s)
 {
   Soup t{s.points, {}};
@@ -149,7 +149,7 @@ inline std::set<std::size_t> vertices_on_border(const Soup& s)
   return vertices;
 }
 
-// Without up to `holes` polygons that share no vertex with each other or with the border, taken in their order.
+// Removes up to `holes` polygons, in their order, that share no vertex with each other or with the border.
 inline Soup with_holes(const Soup& s, std::size_t holes)
 {
   Soup t{s.points, {}};
@@ -165,7 +165,7 @@ inline Soup with_holes(const Soup& s, std::size_t holes)
   return t;
 }
 
-// The dual of a closed mesh: a vertex in the middle of each polygon, a polygon around each vertex.
+// The dual of a closed mesh: a vertex at the center of each polygon, a polygon around each vertex.
 inline Soup dual(const Soup& s)
 {
   Soup t;
@@ -254,7 +254,7 @@ inline Soup thin_plate(std::size_t n, double thickness)
   return s;
 }
 
-// An octahedron whose triangles were cut in four `level` times, on the unit sphere.
+// An octahedron whose triangles are subdivided into four `level` times, on the unit sphere.
 inline Soup triangle_sphere(unsigned level)
 {
   Soup s = octahedron();
@@ -354,7 +354,7 @@ inline Soup torus(std::size_t m, std::size_t n)
   return s;
 }
 
-// The torus of seven vertices, fewest of all; positions are arbitrary.
+// The torus of seven vertices, the smallest one; positions are arbitrary.
 inline Soup seven_vertex_torus()
 {
   Soup s;

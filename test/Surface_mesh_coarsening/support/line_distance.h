@@ -13,7 +13,7 @@
 
 namespace test {
 
-// The root mean square distance of the marked edges of a mesh from those of another.
+// Returns the root mean square distance between the marked edges of two meshes.
 template <class Mesh, class IsLine, class IsOther>
 double line_distance(const Mesh& m, const IsLine& is_line, const Mesh& other, const IsOther& is_other)
 {

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-// The content of mesh files, written by hand: the formats as their descriptions have them.
+// The content of mesh files, written according to the descriptions of the formats.
 namespace mesh_files {
 
 using generated::Soup;

@@ -36,7 +36,7 @@ inline std::set<std::size_t> vertices_of(const test::Mesh& m, Halfedge h)
   return vertices;
 }
 
-// Where both faces are triangles and the other diagonal is no edge yet.
+// Flips an edge if both faces are triangles and the other diagonal is no edge yet.
 inline void try_flip(test::Mesh& m, Halfedge h)
 {
   const Halfedge o = m.opposite(h);
@@ -68,7 +68,7 @@ inline void try_split_edge(test::Mesh& m, Halfedge h)
   }
 }
 
-// Two faces that meet in this edge alone become one, if no vertex is left with two faces or fewer.
+// Joins two faces that meet in this edge only, unless a vertex would have two faces or fewer.
 inline void try_join_faces(test::Mesh& m, Halfedge h)
 {
   const Halfedge o = m.opposite(h);
@@ -86,7 +86,7 @@ inline void try_join_faces(test::Mesh& m, Halfedge h)
 
 } // namespace internal
 
-// Edge flips, face splits, edge splits and, if asked for, joins of faces: all keep the topology.
+// Applies edge flips, face splits, edge splits and, on request, joins of faces: all keep the topology.
 inline Soup random_surface(const Soup& start, std::size_t changes, bool polygons, std::mt19937& engine)
 {
   test::Mesh m = test::to_mesh(start);
@@ -109,7 +109,7 @@ inline Soup random_surface(const Soup& start, std::size_t changes, bool polygons
     }
   }
   m.collect_garbage();
-  // Energies play no part: all that matters is that points differ.
+  // Energies do not matter: points only have to differ.
   Soup soup = test::to_soup(m);
   for (std::size_t v = 0; v < soup.points.size(); ++v)
     soup.points[v] = {symmetric_random(engine), symmetric_random(engine), double(v)};

@@ -32,8 +32,8 @@ inline Vector cross(const Vector& a, const Vector& b)
 }
 inline Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// A polygon, which may be nonconvex. Where it is not planar, the centroid depends on the vertex where the fan begins: that
-// of the smallest number.
+// A polygon, possibly nonconvex. If it is not planar, the centroid depends on the first vertex of the fan: the vertex of
+// smallest number.
 struct Face
 {
   Real area = 0;

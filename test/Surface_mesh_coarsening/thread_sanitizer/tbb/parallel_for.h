@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Stands in for oneTBB's header in the build for the thread sanitizer. The sanitizer does not see how the threads of an oneTBB
-// that was built without it wait for each other, and takes every hand-over of work for a race. It sees all of this.
+// Stands in for oneTBB's header in the build for the thread sanitizer. The sanitizer does not see the synchronization of an
+// oneTBB built without it, and reports every hand-over of work as a race. It sees all of this code.
 
 #ifndef CGAL_SURFACE_MESH_COARSENING_THREAD_SANITIZER_PARALLEL_FOR_H
 #define CGAL_SURFACE_MESH_COARSENING_THREAD_SANITIZER_PARALLEL_FOR_H
