@@ -48,7 +48,7 @@ int main(int argc, char* argv[])
   SMC::transfer_properties(input, cluster, output, {{"v:height", SMC::Transfer_policy::INTERPOLATED}});
   //! [call]
 
-  // Something that must not get lost: the integral over the coarse mesh is that over the mesh.
+  // A conserved quantity: its integrals over the two meshes are equal.
   const auto thickness = input.add_property_map<Mesh::Face_index, double>("f:thickness", 0.25).first;
   const auto coarse_thickness = output.add_property_map<Mesh::Face_index, double>("f:thickness").first;
   SMC::Property_resampler<Mesh, Mesh> transfer(input, cluster, output);

@@ -26,7 +26,7 @@ int main(int argc, char* argv[])
   SMC::coarsen_mesh<CGAL::Sequential_tag>(input, 527, on_one);
   SMC::coarsen_mesh<CGAL::Parallel_if_available_tag>(input, 527, on_many);
 
-  // The same points, not just nearly the same.
+  // The points are equal, not just nearly equal.
   bool same = on_one.number_of_vertices() == on_many.number_of_vertices();
   for (const Mesh::Vertex_index v : on_one.vertices())
     same = same && on_one.point(v) == on_many.point(v);

@@ -30,7 +30,7 @@ int main(int argc, char* argv[])
   clustering.grow();
   std::cout << clustering.number_of_clusters() << " clusters, energy " << clustering.energy() << std::endl;
 
-  // Five rounds, looked at one by one, and then as many as it takes.
+  // Five single rounds, and then rounds to convergence.
   for (int round = 1; round <= 5 && clustering.minimize_round(); ++round)
     std::cout << "round " << round << ": energy " << clustering.energy() << std::endl;
   clustering.minimize();

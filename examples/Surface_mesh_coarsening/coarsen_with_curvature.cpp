@@ -36,8 +36,8 @@ std::vector<double> curvatures(Mesh& mesh)
   for (const Mesh::Vertex_index v : mesh.vertices())
     result.push_back(std::hypot(map[v].min_curvature, map[v].max_curvature));
 #else
-  // Before CGAL 6: of the edges around the vertex, the angle that each turns the surface by times its length is the integral
-  // of the curvature across it; half of that and a third of the triangles belong to the vertex.
+  // Before CGAL 6: the dihedral angle of an edge times its length is the integral of the curvature across it; half of it,
+  // and a third of the triangles, belong to the vertex.
   for (const Mesh::Vertex_index v : mesh.vertices()) {
     double turn = 0, area = 0;
     for (const Mesh::Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v))) {
@@ -62,7 +62,7 @@ double rms(const Mesh& input, const Mesh& output)
   return 100 * quality.rms_distance / quality.diagonal;
 }
 
-// Takes densities from the curvature instead of the deviation of normals, and compares the two.
+// Derives densities from the curvature instead of the deviation of normals, and compares the two.
 int main(int argc, char* argv[])
 {
   const std::string name = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
@@ -81,7 +81,7 @@ int main(int argc, char* argv[])
     double sum = 0;
     for (const Mesh::Vertex_index v : input.vertices_around_face(input.halfedge(f)))
       sum += curvature[v] / 3;
-    density[f] = std::clamp(mean > 0 ? sum / mean : 1, 0.2, 10.); // at most 50 times as dense as where it is flat
+    density[f] = std::clamp(mean > 0 ? sum / mean : 1, 0.2, 10.); // at most 50 times the density of flat parts
   }
 
   const auto common = SMC::parameters::cluster_weight(SMC::Weighted_area_weight()).vertex_placement(SMC::Quadric_placement());

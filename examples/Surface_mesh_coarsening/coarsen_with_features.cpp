@@ -26,7 +26,7 @@ int main(int argc, char* argv[])
   }
 
   //! [features]
-  // Edges of 30 degrees or more are kept. The output tells where they are, and which triangles lie between them.
+  // Keeps edges of 30 degrees or more. The output maps mark them and the regions between them.
   auto is_feature = output.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
   auto patch = output.add_property_map<Mesh::Face_index, int>("f:patch", 0).first;
   const SMC::Coarsening_report report =

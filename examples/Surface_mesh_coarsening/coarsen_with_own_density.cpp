@@ -17,7 +17,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SMC = CGAL::Surface_mesh_coarsening;
 
-// Makes small triangles on one side of a model: the density grows tenfold from the end of small x to the other.
+// Produces small triangles on one side of a model: the density increases tenfold with x.
 int main(int argc, char* argv[])
 {
   const std::string name = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/fandisk.off");

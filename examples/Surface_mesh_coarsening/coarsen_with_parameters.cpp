@@ -50,7 +50,7 @@ int main(int argc, char* argv[])
   std::cout << "weighted area: " << output.number_of_vertices() << " vertices" << std::endl;
 
   //! [level]
-  // Seeds and growth alone show quickly what a level gives.
+  // Seeds and growth alone show quickly the result of a level.
   SMC::coarsen_mesh(input, output, SMC::parameters::neighborhood_level(4).number_of_iterations(0));
   //! [level]
   std::cout << "level 4: " << output.number_of_vertices() << " vertices" << std::endl;
@@ -60,13 +60,13 @@ int main(int argc, char* argv[])
   //! [placement]
 
   //! [repair]
-  // For a first look, triangles that intersect do no harm, and need not be looked for.
+  // A preview may have intersecting triangles, so it needs no repair.
   SMC::coarsen_mesh(input, 527, output, SMC::parameters::repair_output(false));
   //! [repair]
 
   //! [prepared]
-  // As many vertices as there are in the input: faces are cut into smaller ones, in a copy. Debris is left out, and
-  // densities near borders are those of the paper.
+  // As many vertices as in the input: faces of a copy are subdivided. Debris is removed, and densities near borders
+  // are as in the paper.
   const SMC::Coarsening_report prepared =
     SMC::coarsen_mesh(input, input.number_of_vertices(), output,
                       SMC::parameters::subdivide_input(true).minimum_component_area(1e-6).border_densities(false)
@@ -82,7 +82,7 @@ int main(int argc, char* argv[])
                     SMC::parameters::face_cluster_map(cluster).vertex_boundary_count_map(count).number_of_iterations(3));
   std::vector<std::size_t> faces_of_vertex(output.number_of_vertices(), 0);
   for (const Mesh::Face_index f : input.faces())
-    ++faces_of_vertex[cluster[f]]; // vertex i of the output stands for cluster i
+    ++faces_of_vertex[cluster[f]]; // vertex i of the output represents cluster i
   const auto inside = std::count_if(input.vertices().begin(), input.vertices().end(),
                                     [&](Mesh::Vertex_index v) { return count[v] == 0; });
   //! [maps]
@@ -90,13 +90,13 @@ int main(int argc, char* argv[])
             << inside << " vertices inside of clusters" << std::endl;
 
   //! [start]
-  // Goes on from those clusters, with other densities.
+  // Continues from these clusters with other densities.
   SMC::coarsen_mesh(input, 527, output,
                     SMC::parameters::face_cluster_map(cluster).start_from_face_clusters(true).maximum_density(5.));
   //! [start]
 
   //! [order]
-  // Faces are walked over in the order of an index of our own: here from the last to the first.
+  // Faces are traversed in the order of a custom index: here from the last to the first.
   std::vector<std::size_t> place(input.number_of_faces());
   for (const Mesh::Face_index f : input.faces())
     place[f] = input.number_of_faces() - 1 - f;
@@ -105,7 +105,7 @@ int main(int argc, char* argv[])
   //! [order]
 
   //! [points]
-  // Coarsens a deformed copy without making it: its points are in a map.
+  // Coarsens a deformed mesh without a copy: its points are in a map.
   auto moved = input.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:moved").first;
   for (const Mesh::Vertex_index v : input.vertices()) {
     const Kernel::Point_3& p = input.point(v);

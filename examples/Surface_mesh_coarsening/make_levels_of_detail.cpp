@@ -42,7 +42,7 @@ int main(int argc, char* argv[])
       return EXIT_FAILURE;
   }
 
-  // The vertex of level 400 that each vertex of level 800 is part of.
+  // The vertex of level 400 that contains each vertex of level 800.
   std::vector<std::size_t> parents;
   levels.parents(800, 400, std::back_inserter(parents));
   std::cout << "vertex 799 of 800 is part of vertex " << parents[799] << " of 400" << std::endl;

@@ -56,7 +56,8 @@ Eigen::VectorXd solve(const Mesh& mesh, const Eigen::VectorXd& f, double c)
   return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> >(matrix).solve(right);
 }
 
-// For each vertex, the jumps of the gradient across the edges at it, which a linear solution has where the true one bends.
+// Estimates the error at each vertex by the jumps of the gradient across its edges: a linear solution has them where
+// the true solution is curved.
 std::vector<double> estimated_errors(const Mesh& mesh, const Eigen::VectorXd& u)
 {
   std::vector<Vector> gradient;
@@ -90,8 +91,8 @@ Eigen::VectorXd solution_on(const Mesh& mesh, const Kernel::Point_3& center, dou
 }
 
 //! [refinement]
-// The clusters of the fifth of the vertices that has the largest errors are split. The others keep their faces while the
-// new ones find their shape.
+// Splits the clusters of the 20 % of the vertices with the largest errors. The other clusters keep their faces while the
+// new ones are minimized.
 void refine(SMC::Mwcvd_clustering<Mesh>& clustering, const std::vector<double>& errors)
 {
   std::vector<double> sorted = errors;
@@ -128,7 +129,7 @@ int main(int argc, char* argv[])
   for (const auto v : input.vertices())
     size = (std::max)(size, std::sqrt(CGAL::squared_distance(center, input.point(v))));
 
-  // Uniform densities at first: the solution, not the shape, shall say where vertices are needed.
+  // Uniform densities at first: the solution, not the shape, determines the distribution of vertices.
   SMC::Mwcvd_clustering<Mesh> clustering(input, SMC::parameters::maximum_density(1.));
   clustering.seed(200);
   clustering.grow();

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # Every command of the tool in README, manual, manual page and pages for contributors runs unchanged, and every preset and
-# target that they name exists. The Fandisk replaces missing input files. cmake -D COARSEN_MESH=... -D FANDISK=... -D
-# CGAL_DATA_DIR=... -D PROJECT_SOURCE_DIR=... -D PROJECT_BINARY_DIR=... -P test_commands.cmake
+# target that they name exists. The Fandisk replaces missing input files.
+#   cmake -D COARSEN_MESH=... -D FANDISK=... -D CGAL_DATA_DIR=... -D PROJECT_SOURCE_DIR=... -D PROJECT_BINARY_DIR=...
+#     -P test_commands.cmake
 
 cmake_minimum_required(VERSION 3.25)
 

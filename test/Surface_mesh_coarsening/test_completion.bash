@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Completes command lines of coarsen_mesh like bash. test_completion.bash COARSEN_MESH COMPLETION
+# Completes command lines of coarsen_mesh like bash.
+#   test_completion.bash COARSEN_MESH COMPLETION
 set -u
 tool=$1
 source "$2"

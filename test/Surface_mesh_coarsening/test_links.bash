@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Links of the manual's pages, README and similar files have existing targets; none needs a network. test_links.bash
-#   PROJECT_DIR HTML_DIR
+# Links of the manual's pages, README and similar files have existing targets; none needs a network.
+#   test_links.bash PROJECT_DIR HTML_DIR
 set -u
 failures=0
 fault() { echo "$1"; failures=$((failures + 1)); }

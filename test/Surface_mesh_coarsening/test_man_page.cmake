@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# The manual page lists all options of --help with all values, and no others. cmake -D COARSEN_MESH=PROGRAM -D
-#   MAN_PAGE=coarsen_mesh.1 -P test_man_page.cmake
+# The manual page lists all options of --help with all values, and no others.
+#   cmake -D COARSEN_MESH=PROGRAM -D MAN_PAGE=coarsen_mesh.1 -P test_man_page.cmake
 
 cmake_minimum_required(VERSION 3.25)
 

@@ -2,8 +2,8 @@
 
 # Commands in the manual print the output shown there. The figures in the tables of manual and README agree with the tool's
 # measurements up to the accuracy of sampling: distance and shape, distances of borders and of levels, and sizes of results
-# within a distance. cmake -D COARSEN_MESH=... -D FIND_SEEDS=... -D FANDISK=... -D CGAL_DATA_DIR=... -D PROJECT_SOURCE_DIR=...
-# -P test_manual.cmake
+# within a distance.
+#   cmake -D COARSEN_MESH=... -D FIND_SEEDS=... -D FANDISK=... -D CGAL_DATA_DIR=... -D PROJECT_SOURCE_DIR=... -P test_manual.cmake
 
 cmake_minimum_required(VERSION 3.25)
 

@@ -15,26 +15,26 @@ class Interrupted : public std::runtime_error
 
 public:
   explicit Interrupted(int number);
-  // What shells report for a program that the signal ended.
+  // The status that shells report for a program ended by the signal.
   int exit_status() const { return 128 + number; }
 };
 
-// The signals that users end programs with: SIGINT, SIGTERM and SIGHUP. They are noted, and the work ends at the next place
-// where nothing is left half done. A second one ends the program on the spot, as long as it has not begun to write files.
+// Handles the signals by which users end programs: SIGINT, SIGTERM and SIGHUP. A signal is recorded, and the work ends at
+// the next consistent state. A second one ends the program at once, unless it has begun to write files.
 class Interruption
 {
 public:
-  // Signals that were ignored, as those of background jobs may be, stay so.
+  // Ignored signals, as of some background jobs, remain ignored.
   static void install();
 
   static bool is_requested();
   static void throw_if_requested();
 
-  // From now on a second signal does no more than the first.
+  // From now on a second signal has no effect beyond the first.
   static void files_are_there();
 };
 
-// Holds the signals back as long as it lives, from the calling thread and from threads that it starts.
+// Blocks the signals during its lifetime, in the calling thread and in threads started by it.
 class Deferred_interruption
 {
   sigset_t before;

@@ -25,7 +25,7 @@ namespace {
 
 namespace po = boost::program_options;
 
-// Numbers are read by hand: the stream operators behind Boost.Program_options take "-1" for an unsigned number.
+// Parses numbers itself: the stream operators behind Boost.Program_options accept "-1" as an unsigned number.
 std::size_t to_count(const std::string& option, const std::string& text, std::size_t least, std::size_t most)
 {
   std::size_t value = 0;
@@ -97,8 +97,8 @@ void read_hole_length(const std::string& text, Options& options)
     throw Wrong_usage("--fill-holes takes a length from 0 on, one in percent of the diagonal, or all, not '" + text + "'");
 }
 
-// The view (1, 0.5, 0.8) of a model that stands on its y axis, turned with the model. The direction is that of the shortest
-// rotation from the y axis to `up`.
+// Returns the view (1, 0.5, 0.8) of a model with vertical y axis, rotated with the model by the shortest rotation from the
+// y axis to `up`.
 Vector default_view(const Vector& up)
 {
   const Vector view(1, 0.5, 0.8), y(0, 1, 0), u = up / std::sqrt(up.squared_length());
@@ -193,7 +193,7 @@ void check_files(const Options& options)
   if (!options.picture.empty() && file_type(options.picture) != "png")
     throw Wrong_usage("--picture takes a .png file, not '" + options.picture + "'");
 
-  // OUTPUT may take the input's place, which is what a user who names the same file twice asks for.
+  // OUTPUT may replace the input: a user who names the same file twice requests it.
   std::vector<std::string> files = {options.input, options.clusters, options.picture, options.report};
   for (std::size_t i = 1; i <= options.levels; ++i)
     files.push_back(level_file(options.output, i));
@@ -204,7 +204,7 @@ void check_files(const Options& options)
           throw Wrong_usage("'" + files[i] + "'" + (files[i] == files[j] ? " is named twice" : " and '" + files[j] + "' are one file"));
 }
 
-// Tells whether the option was given, also for those with a default.
+// Returns whether the option was given, also for options with a default.
 std::optional<std::string> given(const po::variables_map& values, const std::string& option)
 {
   const auto found = values.find(option);
@@ -276,8 +276,8 @@ Options checked_options(const po::variables_map& values)
   return options;
 }
 
-// The arguments, with the angle of --features, which need not be given, tied to the option: what follows is taken for it only if
-// it is a number.
+// Returns the arguments with the optional angle of --features joined to the option: the next argument is the angle only if it
+// is a number.
 std::vector<std::string> arguments(int argc, char* argv[])
 {
   std::vector<std::string> result;

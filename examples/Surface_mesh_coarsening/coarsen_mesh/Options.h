@@ -20,7 +20,7 @@ class Wrong_usage : public std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-// What the command line asks for. An empty file name asks for nothing.
+// The options of the command line. An empty file name requests no file.
 struct Options
 {
   std::string input, output;
@@ -28,12 +28,12 @@ struct Options
   std::optional<unsigned> neighborhood_level;
   std::optional<double> maximum_distance; // instead of a number of vertices
   bool distance_is_relative = true;       // to the diagonal of the bounding box
-  std::size_t levels = 0;                 // coarser ones to be written beside the result
-  std::optional<std::size_t> rounds; // as many as it takes when not given
+  std::size_t levels = 0;                 // number of coarser levels to write
+  std::optional<std::size_t> rounds; // no limit if not given
   double convergence_tolerance = 1e-3; // the relative gain of the last round
-  std::string weight, placement;     // names out of the lists in Choices.h
+  std::string weight, placement;     // names from the lists in Choices.h
   double maximum_density = 10;
-  std::size_t error_feedback = 7; // rounds of it
+  std::size_t error_feedback = 7; // its rounds
   std::optional<double> features; // the angle in degrees from which edges are kept
   std::string clusters, picture, report;
   Vector view, up = Vector(0, 1, 0);
@@ -44,7 +44,7 @@ struct Options
   unsigned threads = 1;
 };
 
-// Reads the command line. Returns nothing when a question (--help, --version) has been answered on standard output.
+// Reads the command line. Returns nothing if it has answered --help or --version on standard output.
 std::optional<Options> read_options(int argc, char* argv[]);
 
 } // namespace coarsen_mesh_tool

@@ -11,8 +11,8 @@
 
 namespace coarsen_mesh_tool {
 
-// One line on a terminal's standard error that tells what is being done. It appears when the work has taken a second, and
-// leaves no trace. Its own thread paints it, so that it lives on while a long step reports nothing.
+// A line on a terminal's standard error that shows the progress. It appears after one second of work, and is erased at
+// the end. A separate thread paints it, so that it also moves during long steps without notifications.
 class Progress_line
 {
   std::mutex mutex;
@@ -23,7 +23,7 @@ class Progress_line
   std::thread painter;
 
 public:
-  // Does nothing at all unless `wanted` and standard error is a terminal.
+  // Does nothing unless `wanted` and standard error is a terminal.
   explicit Progress_line(bool wanted);
   ~Progress_line() { end(); }
   Progress_line(const Progress_line&) = delete;

@@ -12,7 +12,7 @@
 
 namespace coarsen_mesh_tool {
 
-// Measures the stages, tells the user about them, and ends the work when the user wishes.
+// Measures the stages, shows the progress, and ends the work when the user interrupts it.
 class Tool_visitor : public coarsening_support::Timing_visitor
 {
   using Stage = CGAL::Surface_mesh_coarsening::Coarsening_stage;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// coarsen_mesh: coarsens the mesh in a file. `coarsen_mesh --help` tells how it is used.
+// coarsen_mesh: coarsens the mesh in a file. `coarsen_mesh --help` shows its usage.
 
 #include "Interruption.h"
 #include "run_and_report.h"
@@ -9,7 +9,7 @@
 
 int main(int argc, char* argv[])
 {
-  // A reader that goes away and a file that grows too large are failures to write, and no reason to die on the spot.
+  // A closed pipe and a file above the size limit are failures to write, and must not end the program by a signal.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   coarsen_mesh_tool::Interruption::install();

@@ -40,7 +40,7 @@ namespace SMC = CGAL::Surface_mesh_coarsening;
 
 namespace {
 
-// Calls `use` with the placement that the options name.
+// Calls `use` with the placement in the options.
 template <class Use>
 void with_placement(const Options& options, const Use& use)
 {
@@ -54,7 +54,7 @@ void with_placement(const Options& options, const Use& use)
     use(SMC::Fitted_placement());
 }
 
-// Colors are means, as numbers with fractions are; other whole numbers are labels.
+// Colors and floating-point numbers have means; other integers are labels.
 void carry_properties(const Mesh& input, const std::vector<std::size_t>& labels, Mesh& result)
 {
   static const Mesh plain;
@@ -85,13 +85,13 @@ void coarsen_to_distance(const Mesh& input, const Options& options, const NamedP
   });
 }
 
-// Each level has half the vertices of the one before, as long as the topology allows it.
+// Each level has half the vertices of the previous one, as long as the topology allows it.
 template <class Clustering>
 void make_levels(const Mesh& input, const Options& options, const Clustering& clustering, Coarsening_result& result)
 {
   const SMC::Cluster_levels<Clustering> levels(clustering);
   std::vector<std::size_t> parents(clustering.number_of_clusters()), labels(input.number_of_faces());
-  // The vertices of the result are in another order than those of the finest level.
+  // The vertices of the result and of the finest level are ordered differently.
   const auto map = boost::make_function_property_map<Face>(
     [&](Face f) -> std::size_t& { return labels[static_cast<std::size_t>(f)]; });
   std::size_t n = levels.finest();

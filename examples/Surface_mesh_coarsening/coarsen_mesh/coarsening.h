@@ -15,38 +15,38 @@
 
 namespace coarsen_mesh_tool {
 
-// What the options ask to be coarser than the result.
+// A level coarser than the result.
 struct Coarser_level
 {
   Mesh mesh;
-  std::vector<std::size_t> parents; // the vertex here of each vertex of the level before
+  std::vector<std::size_t> parents; // the vertex here of each vertex of the previous level
 };
 
 struct Coarsening_result
 {
-  Mesh mesh;                       // its vertex i stands for the label i
+  Mesh mesh;                       // its vertex i represents label i
   std::vector<std::size_t> labels; // per face of the input
   CGAL::Surface_mesh_coarsening::Coarsening_report report;
-  std::optional<double> distance_bound; // if a distance was asked for
+  std::optional<double> distance_bound; // if a distance was requested
   std::vector<Coarser_level> levels;
 };
 
-// The name of the file of a coarser level; the first is 1.
+// Returns the name of the file of a coarser level; the first is 1.
 std::string level_file(const std::string& output, std::size_t level);
 
-// The names that the command line knows.
+// The names for the command line.
 const std::vector<std::string>& weight_names();
 const std::vector<std::string>& placement_names();
 std::string default_weight();
 std::string default_placement();
 
-// More threads than this are not used, whatever the options allow; 1 without oneTBB.
+// The maximal number of threads, for any options; 1 without oneTBB.
 unsigned max_threads();
 
 // Of the bounding box.
 double diagonal(const Mesh& mesh);
 
-// Coarsens with the weight, the placement and the numbers that the options name.
+// Coarsens with the weight, the placement and the numbers in the options.
 Coarsening_result coarsen(const Mesh& input, const Options& options, Tool_visitor& visitor);
 
 } // namespace coarsen_mesh_tool

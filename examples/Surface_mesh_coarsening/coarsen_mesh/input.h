@@ -19,12 +19,12 @@ struct Input
 {
   Mesh mesh;
   std::size_t points_in_file = 0, polygons_in_file = 0;
-  std::size_t unused_points = 0; // dropped without being asked: they belong to no surface
+  std::size_t unused_points = 0; // removed unconditionally: they belong to no surface
   std::vector<Repair_step> repairs;
-  std::string material_library; // that the file names
+  std::string material_library; // named by the file
 };
 
-// Reads the input, repairs it if asked to, and makes sure that it is an oriented 2-manifold. Throws Failure otherwise.
+// Reads the input, repairs it on request, and throws Failure unless it is an oriented 2-manifold.
 Input read_input(const Options& options, Stage_times& times, Progress_line& progress);
 
 } // namespace coarsen_mesh_tool

@@ -53,7 +53,7 @@ std::string shown(double x)
   return text;
 }
 
-// A distance as it was asked for.
+// Formats a distance in the requested unit.
 std::string distance_text(const Options& options, double distance)
 {
   return options.distance_is_relative ? "within " + shown(distance) + " of the diagonal" : "within a distance of " + shown(distance);
@@ -87,7 +87,7 @@ Coarsening_result coarsen_or_explain(const Input& input, const Options& options,
   }
 }
 
-// Reads back what a file is to hold: rounding to the numbers of its format may have changed the mesh.
+// Reads back the content of a file: rounding to the numbers of its format may have changed the mesh.
 void check_written(const std::string& file, const std::string& bytes, const Mesh& mesh)
 {
   const std::string type = file_type(file);
@@ -130,7 +130,7 @@ std::string summary(const Options& options, const Input& input, const Coarsening
          (findings.quality ? "\n" + quality_text(result.mesh, *findings.quality) : "");
 }
 
-// Throws Failure if standard output has not taken what was written to it.
+// Throws Failure if standard output has not accepted all output.
 void flush_output()
 {
   errno = 0;
@@ -140,7 +140,8 @@ void flush_output()
 
 typedef std::vector<std::pair<std::string, std::string> > Files; // name and content
 
-// Lets the files and the report appear, which is made last as it tells how long the others took, and says so.
+// Commits the files and the report, and prints their names. The report is created last because it contains the times of
+// the others.
 void write_files(const Options& options, const Files& files, const std::function<std::string()>& make_report,
                  const std::function<std::string()>& make_summary)
 {
@@ -164,11 +165,11 @@ void write_files(const Options& options, const Files& files, const std::function
   outputs.commit();
 }
 
-// Computes everything, and only then lets the files appear.
+// Computes everything, and only then commits the files.
 void run(const Options& options)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  // Holds for the process. Its destructor would start a thread, for which there may be no memory left.
+  // Applies to the process. Its destructor would start a thread, for which memory may be lacking.
   [[maybe_unused]] static const auto* const limit =
     new tbb::global_control(tbb::global_control::max_allowed_parallelism, options.threads);
 #endif
@@ -243,7 +244,7 @@ int complain(const std::string& what, int status)
 
 int run_and_report(int argc, char* argv[])
 {
-  // CGAL's own messages span several lines; what they say arrives as an exception too.
+  // CGAL's own messages span several lines; an exception reports them, too.
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
   std::string subject = "the command line";

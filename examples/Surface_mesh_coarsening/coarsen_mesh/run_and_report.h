@@ -5,7 +5,7 @@
 
 namespace coarsen_mesh_tool {
 
-// All that the program does. Returns its exit status.
+// Runs the program. Returns its exit status.
 int run_and_report(int argc, char* argv[]);
 
 } // namespace coarsen_mesh_tool

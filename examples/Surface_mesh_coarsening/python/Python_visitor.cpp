@@ -8,7 +8,7 @@ namespace coarsening_python {
 
 namespace py = pybind11;
 
-// Exceptions do not pass through the library: the coarsening is cancelled, and they are thrown again behind it.
+// Exceptions do not pass through the library: the coarsening is cancelled, and they are rethrown afterwards.
 template <class Call>
 void Python_visitor::call_python(const Call& call)
 {

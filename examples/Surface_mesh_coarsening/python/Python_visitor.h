@@ -14,8 +14,8 @@
 
 namespace coarsening_python {
 
-// Reports progress to a Python function and looks for Ctrl-C. Both need the interpreter's lock, which another thread may hold for
-// some milliseconds: it is asked for a few times a second.
+// Reports progress to a Python function and checks for Ctrl-C. Both need the interpreter's lock, which another thread may
+// hold for some milliseconds, so it is acquired only a few times a second.
 class Python_visitor : public CGAL::Surface_mesh_coarsening::Coarsening_visitor_base
 {
 public:
@@ -26,7 +26,7 @@ public:
   void round_done(std::size_t round, std::size_t moves, double energy);
   bool go_further();
 
-  // Throws what the Python function, or the handler of a signal, has thrown.
+  // Rethrows the exception of the Python function or of a signal handler.
   void rethrow() const;
 
 private:

@@ -140,7 +140,7 @@ std::vector<Coarsening> coarsen(const Mesh& input, const Options& options, Pytho
 {
   try {
 #ifdef CGAL_LINKED_WITH_TBB
-    if (options.threads > 0) // for this call alone, whatever other threads of the interpreter do
+    if (options.threads > 0) // for this call only, independently of other threads of the interpreter
       return tbb::task_arena(options.threads).execute([&] { return coarsen_on_this_arena(input, options, visitor); });
 #endif
     return coarsen_on_this_arena(input, options, visitor);

@@ -33,7 +33,7 @@ struct Options
   bool subdivide = false, repair = true;
   std::optional<std::size_t> iterations;
   double convergence_tolerance = 0;
-  int threads = 0; // as many as there are if 0
+  int threads = 0; // all if 0
 };
 
 struct Coarsening
@@ -41,10 +41,10 @@ struct Coarsening
   Mesh mesh;
   std::vector<std::int64_t> labels; // of each face of the input
   CGAL::Surface_mesh_coarsening::Coarsening_report report;
-  std::optional<double> distance_bound; // if a distance was asked for
+  std::optional<double> distance_bound; // if a distance was requested
 };
 
-// Coarsens to each number of vertices, all from the clustering with the first of them, or to the distance.
+// Coarsens to each number of vertices, all from the clustering with the first number, or to the distance.
 std::vector<Coarsening> coarsen(const Mesh& input, const Options& options, Python_visitor& visitor);
 
 } // namespace coarsening_python

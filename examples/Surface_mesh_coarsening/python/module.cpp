@@ -77,7 +77,7 @@ py::dict measure_arrays(const Number_array& points, const Index_array& sizes, co
                   "border_maximum_distance"_a = q.border_maximum_distance, "diagonal"_a = q.diagonal);
 }
 
-// Values of elements, and how they are to be carried over: numbers by a policy, labels by majority or from the nearest corner.
+// Values of elements, and their transfer: numbers by a policy, labels by majority or from the nearest corner.
 struct Values
 {
   Element element;
@@ -172,10 +172,10 @@ void define_values(py::module_& m)
     .def(py::init([](Element element, const Integer_array& array) { return Values{element, std::nullopt, array}; }));
 }
 
-// The Python part makes the exceptions, as they have an attribute.
+// The Python part defines the exceptions, as they have an attribute.
 void translate_exceptions(py::module_& m)
 {
-  static py::handle unreachable_vertices, unreachable_distance; // which the module keeps alive
+  static py::handle unreachable_vertices, unreachable_distance; // kept alive by the module
   m.def("set_exceptions", [](py::object vertices, py::object distance) {
     unreachable_vertices = vertices.release();
     unreachable_distance = distance.release();

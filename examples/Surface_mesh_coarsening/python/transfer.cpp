@@ -11,7 +11,7 @@ namespace {
 
 using CGAL::Surface_mesh_coarsening::Transfer_policy;
 
-// A number of which there are no means.
+// A number without means.
 struct Label
 {
   std::int64_t number = 0;
@@ -31,7 +31,7 @@ auto coarse_column(const Rows<Number>& rows, std::size_t c)
   return boost::make_function_property_map<Key>([rows, c](Key k) -> Number& { return rows.to[std::size_t(k) * rows.columns + c]; });
 }
 
-// The row of the corner that each halfedge points to. The halfedge of a face begins at its first corner.
+// Returns the row of the corner that each halfedge points to. The halfedge of a face begins at its first corner.
 std::vector<std::size_t> rows_of_halfedges(const Mesh& mesh)
 {
   std::vector<std::size_t> rows(mesh.number_of_halfedges(), 0);
@@ -56,7 +56,7 @@ void Transfer::transfer_corners(const Rows<Number>& rows)
   const std::vector<std::size_t> fine = rows_of_halfedges(mesh_), coarse = rows_of_halfedges(coarse_);
   const auto row = [&](Halfedge h) { return rows.from + fine[h] * rows.columns; };
   const auto are_equal = [&](Halfedge h, Halfedge k) { return std::equal(row(h), row(h) + rows.columns, row(k)); };
-  // All columns have the seams of all.
+  // An edge is a seam of all columns if it is a seam of one.
   const auto is_seam = boost::make_function_property_map<Edge>([&](Edge e) -> bool {
     const Halfedge h = mesh_.halfedge(e), o = mesh_.opposite(h);
     return !mesh_.is_border(e) && !(are_equal(h, mesh_.prev(o)) && are_equal(o, mesh_.prev(h)));

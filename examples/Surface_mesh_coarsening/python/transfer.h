@@ -27,16 +27,16 @@ struct Rows
   Number* to;
 };
 
-// Carries values of the vertices, faces and corners of a mesh over to its coarse mesh.
+// Transfers values of the vertices, faces and corners of a mesh to its coarse mesh.
 class Transfer
 {
 public:
-  // `labels` has the cluster of each face. The meshes have to live as long as this.
+  // `labels` has the cluster of each face. The meshes have to outlive the object.
   Transfer(const Mesh& mesh, const std::int64_t* labels, const Mesh& coarse);
 
   void interpolate(const Rows<double>& rows, CGAL::Surface_mesh_coarsening::Transfer_policy policy);
 
-  // Labels of corners are those of the nearest one, others go by majority. They have one column.
+  // Labels of corners come from the nearest corner, others go by majority. They have one column.
   void vote(const Rows<std::int64_t>& rows);
 
 private:

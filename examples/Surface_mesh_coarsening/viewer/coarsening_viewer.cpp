@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shows clusters and result of a mesh in a window, where weight, level of the seeds and placement are changed by keys:
+// Shows clusters and result of a mesh in a window, where keys change weight, level of the seeds and placement:
 //   coarsening_viewer [--try] [FILE]
-// With --try it presses its own keys one after the other, says what it shows, and ends.
+// With --try it simulates its keys one after the other, prints the state, and ends.
 
 #include "io/Mesh.h"
 #include "render/cluster_colors.h"
@@ -142,7 +142,7 @@ private:
         add_segment(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
   }
 
-  // Returns whether the key has a meaning here.
+  // Returns whether the key is bound.
   bool change(int key, Choice& changed)
   {
     switch (key) {
@@ -184,7 +184,7 @@ protected:
   }
 };
 
-// Presses the keys one after the other, each when the window has been drawn, and ends.
+// Simulates the keys one after the other, each after the window has been drawn, and ends.
 void press(QApplication& app, Coarsening_viewer& viewer, std::string keys)
 {
   std::cout << viewer.description() << std::endl;

@@ -31,14 +31,14 @@ void count_border_loops(const Mesh& mesh, Mesh_components& components)
 
 using Triple = std::array<std::size_t, 3>;
 
-// Turns the triple so that its smallest number comes first; the cyclic order stays.
+// Rotates the triple so that its smallest number comes first.
 Triple turned_to_smallest(Triple t)
 {
   std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   return t;
 }
 
-// The labels met when walking once around an inner vertex, in the order of the faces' orientation, if they are three.
+// Returns the labels around an inner vertex, in the order of the faces' orientation, if there are three.
 std::optional<Triple> triple_point(const Mesh& mesh, Vertex v, const std::vector<std::size_t>& labels)
 {
   std::vector<std::size_t> runs;
@@ -53,12 +53,12 @@ std::optional<Triple> triple_point(const Mesh& mesh, Vertex v, const std::vector
     runs.pop_back();
   if (runs.size() != 3 || runs[0] == runs[2])
     return std::nullopt;
-  return Triple{runs[2], runs[1], runs[0]}; // the circulator turns against the faces' orientation
+  return Triple{runs[2], runs[1], runs[0]}; // the circulator is opposite to the faces' orientation
 }
 
-// Tells whether the triangles of each component of the coarse mesh mostly face the way that the places of the input do where
-// their three clusters meet. Those of a component that is turned all face the other way; flips of edges take triangles from
-// their places and can put a turned one there, where three clusters lie around a handle.
+// Returns whether most triangles of each component of the coarse mesh are oriented like the input where their three clusters
+// meet. In a reversed component, all have the opposite orientation; in a correct one, flips of edges may move triangles, and
+// may reverse one where three clusters lie around a handle.
 bool is_orientation_kept(const Mesh& input, const std::vector<std::size_t>& labels, const Mesh& output,
                                 const Mesh_components& components)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The topology of a mesh before and after coarsening, component by component. Everything is counted from the two meshes; only
-// the labels, which tell the components' partners, are taken from the coarsening itself.
+// The topology of a mesh before and after coarsening, component by component. All counts come from the two meshes; the
+// coarsening contributes only the labels, which map components to each other.
 
 #ifndef COARSENING_SUPPORT_CERTIFICATE_H
 #define COARSENING_SUPPORT_CERTIFICATE_H
@@ -40,7 +40,7 @@ Mesh_components mesh_components(const Mesh& mesh);
 
 Soup to_soup(const Mesh& mesh);
 
-// Describes what keeps the mesh from being a simplicial, oriented 2-manifold triangle mesh without isolated vertices.
+// Describes why the mesh is no simplicial, oriented 2-manifold triangle mesh without isolated vertices.
 std::optional<std::string> triangle_mesh_fault(const Mesh& mesh);
 
 struct Certificate
@@ -48,15 +48,15 @@ struct Certificate
   struct Pair
   {
     Component_counts before;
-    std::optional<Component_counts> after; // empty when nothing of the component is left
-    bool dropped = false;                  // on purpose: its faces carry the label one past the last
+    std::optional<Component_counts> after; // empty if the component is removed
+    bool dropped = false;                  // on request: its faces have the label after the last
     bool kept() const
     {
       return after && before.genus() == after->genus() && before.border_loops == after->border_loops;
     }
   };
   std::vector<Pair> components;
-  bool one_to_one = true; // no component was split, joined or added, nor more or fewer dropped than should be
+  bool one_to_one = true; // components correspond one to one, and the right number was removed
   bool orientation_kept = true;
 
   bool kept() const
@@ -66,9 +66,9 @@ struct Certificate
   }
 };
 
-// Compares the topology of the coarse mesh with the input's. Vertex `i` of the output stands for the label `i`; faces of
-// components that were left out, `dropped_components` of them, have the number of vertices as their label. Where faces had
-// to be cut, their labels are those of their largest parts; these do not say where three clusters meet.
+// Compares the topology of the coarse mesh with the input's. Vertex `i` of the output represents label `i`; faces of the
+// `dropped_components` removed components have the number of vertices as their label. A subdivided face has the label of
+// its largest part; such labels do not show where three clusters meet.
 Certificate certify(const Mesh& input, const std::vector<std::size_t>& labels, const Mesh& output,
                     std::size_t dropped_components = 0, bool faces_are_whole = true);
 

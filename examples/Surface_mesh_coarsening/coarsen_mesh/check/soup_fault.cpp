@@ -47,7 +47,7 @@ private:
 
   static bool is_finite(const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); }
 
-  // What is wrong with a face that is not sound: the fault of its first corner that has one.
+  // Describes the first faulty corner of a face.
   std::optional<std::string> corner_fault(std::size_t f) const
   {
     const Polygons::Polygon polygon = soup_.polygons[f];
@@ -139,8 +139,8 @@ private:
     return previous;
   }
 
-  // The faces around a vertex of a 2-manifold form a single fan: a walk from face to face, which begins at the border if the vertex
-  // is there, meets all of them.
+  // The faces around a vertex of a 2-manifold form a single fan: a walk from face to face, from the border if the vertex lies
+  // on it, visits all of them.
   std::optional<std::string> vertex_fault(const Edge_pairing& pairing) const
   {
     const std::vector<Side> previous = previous_sides();

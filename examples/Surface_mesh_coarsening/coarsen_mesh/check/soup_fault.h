@@ -12,8 +12,8 @@
 
 namespace coarsening_support {
 
-// Describes the first fault of the soup as an oriented 2-manifold. Elements are named by their numbers in the file, which count
-// from 0, so that a user can find them there. If there is none, the edges are paired.
+// Describes the first violation of an oriented 2-manifold in the soup, by the numbers of the elements in the file, from 0. If
+// there is none, pairs the edges.
 std::optional<std::string> soup_fault(const Soup& soup, std::optional<Edge_pairing>& pairing, const Stop& stop = nullptr);
 
 std::optional<std::string> soup_fault(const Soup& soup);

@@ -15,7 +15,7 @@
 
 namespace coarsening_support {
 
-// Reads numbers in the binary part of a file, of either order of bytes.
+// Reads numbers in the binary part of a file, in either byte order.
 class Byte_scanner
 {
   const char* begin;

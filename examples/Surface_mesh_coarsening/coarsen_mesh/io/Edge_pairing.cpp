@@ -24,7 +24,7 @@ void for_each_side(const Polygons& polygons, const Stop& stop, const Use& use)
 
 } // namespace
 
-// A counting sort: the sides of an edge come together with few others.
+// A counting sort: groups the sides of an edge with few others.
 std::vector<std::size_t> Edge_pairing::sort_by_lower_end(const Polygons& polygons, std::size_t vertices, const Stop& stop,
                                                          std::vector<Entry>& entries)
 {
@@ -62,7 +62,7 @@ Edge_pairing::Edge_pairing(const Polygons& polygons, std::size_t vertices, const
 {
   const std::vector<Vertex_number>& sources = polygons.corners();
   if (sources.size() >= none)
-    throw std::bad_alloc(); // a mesh has no numbers for so many
+    throw std::bad_alloc(); // too many for the numbers of a mesh
   std::vector<Entry> entries;
   const std::vector<std::size_t> ends = sort_by_lower_end(polygons, vertices, stop, entries);
   twins_.assign(sources.size(), none);

@@ -13,19 +13,19 @@
 
 namespace coarsening_support {
 
-// Tells which sides of polygons are the two sides of one edge. A side has the number of the corner it leaves from. Where an edge
-// has more than two sides, or two of the same direction, no edge is paired.
+// Pairs the sides of polygons that form an edge. A side has the number of the corner where it begins. If an edge has more
+// than two sides, or two of the same direction, no edge is paired.
 class Edge_pairing
 {
 public:
   typedef std::uint32_t Side;
   static constexpr Side none = (std::numeric_limits<Side>::max)();
 
-  // All corners have to be below `vertices`. The polygons have to stay as they are.
+  // All corners have to be below `vertices`. The polygons must not change.
   Edge_pairing(const Polygons& polygons, std::size_t vertices, const Stop& stop = nullptr);
 
-  // The sides of one edge that cannot be paired, in their order, or nothing. Of several such edges it is the one whose second side
-  // comes first.
+  // Returns the sides of an edge that cannot be paired, in their order, or nothing. Of several such edges it is the one whose
+  // second side comes first.
   const std::vector<Side>& unpaired() const { return unpaired_; }
 
   // The other side of each edge, `none` on the border.

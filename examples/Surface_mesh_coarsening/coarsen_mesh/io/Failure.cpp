@@ -19,8 +19,8 @@ void escape(char c, std::string& result)
   result += digits[byte % 16];
 }
 
-// The length of the character of several bytes that the text begins with; 0 if there is none that may be printed: none of the
-// control characters from U+0080 to U+009F, no directions of writing, no surrogates, and nothing that has a shorter form.
+// Returns the length of the printable multi-byte character at the begin of the text, or 0. Not printable are the control
+// characters from U+0080 to U+009F, directions of writing, surrogates, and overlong forms.
 std::size_t length_of_character(std::string_view text)
 {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };

@@ -9,20 +9,20 @@
 
 namespace coarsening_support {
 
-// Says which file could not be treated as asked, and why.
+// Names a file that could not be processed, and the reason.
 class Failure : public std::runtime_error
 {
 public:
   Failure(const std::string& file, const std::string& reason) : std::runtime_error(file + ": " + reason) {}
 };
 
-// Writes bytes that are no printable ASCII character as \xNN, so that a file cannot tell a terminal what to do.
+// Writes bytes other than printable ASCII characters as \xNN, so that a file cannot control a terminal.
 std::string escaped(std::string_view text);
 
-// The same for what users write themselves, such as names of files: characters of other languages in UTF-8 stay.
+// The same for the user's own text, such as names of files: keeps characters of other languages in UTF-8.
 std::string escaped_utf8(std::string_view text);
 
-// Puts a text of several lines, such as the ones of CGAL's checks, on one line, and escapes it.
+// Joins the lines of a text, such as messages of CGAL's checks, and escapes it.
 std::string one_line(const std::string& text);
 
 } // namespace coarsening_support

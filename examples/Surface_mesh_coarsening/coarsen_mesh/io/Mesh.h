@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The mesh and soup types which the programs of this package share.
+// The mesh and soup types of the programs of this package.
 
 #ifndef COARSENING_SUPPORT_MESH_H
 #define COARSENING_SUPPORT_MESH_H
@@ -29,7 +29,7 @@ using Face = Mesh::Face_index;
 // A type of number in a file.
 enum class Number_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
 
-// Numbers that stand in a file beside points or polygons, one for each.
+// Numbers in a file for points or polygons, one for each.
 struct Soup_property
 {
   std::string name;
@@ -37,14 +37,14 @@ struct Soup_property
   std::vector<double> values;
 };
 
-// Holds polygons as they stand in a file: nothing is known yet about how they hang together.
+// Polygons as in a file, without connectivity.
 struct Soup
 {
   std::vector<Point> points;
   Polygons polygons;
   std::vector<Soup_property> of_points = {}, of_polygons = {};
-  // Texture coordinates, and which of them the corners of each polygon have: a list for each polygon, empty if it has none, or no
-  // list at all.
+  // Texture coordinates and their indices at the corners of each polygon: one list per polygon, empty if it has none, or no
+  // lists at all.
   std::vector<std::array<double, 2> > texture_points = {};
   Polygons texture_corners = {};
   std::vector<std::string> materials = {}, groups = {}; // of each polygon, if there are any

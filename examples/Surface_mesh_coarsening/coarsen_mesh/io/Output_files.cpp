@@ -35,7 +35,7 @@ bool was_interrupted(const std::function<void()>& stop)
   return true;
 }
 
-// `flags` are those of open(). `stop` as in write_streams().
+// `flags` are flags of open(). `stop` as in write_streams().
 std::error_code write_bytes(const fs::path& file, int flags, const std::string& bytes,
                             const std::function<void()>& stop = nullptr)
 {
@@ -48,7 +48,7 @@ std::error_code write_bytes(const fs::path& file, int flags, const std::string& 
         ::close(number);
     }
   } descriptor;
-  constexpr mode_t for_all = 0666; // less what the user's mask takes away
+  constexpr mode_t for_all = 0666; // reduced by the user's mask
   errno = 0;
   while ((descriptor.number = ::open(file.c_str(), O_WRONLY | O_CLOEXEC | flags, for_all)) < 0)
     if (!was_interrupted(stop))
@@ -65,14 +65,14 @@ std::error_code write_bytes(const fs::path& file, int flags, const std::string& 
   return ::close(number) == 0 || errno == EINTR ? std::error_code() : last_error();
 }
 
-// A name in the folder of the target that nobody else uses.
+// Returns an unused name in the folder of the target.
 fs::path hidden_name(const fs::path& target, const char* purpose, std::size_t index)
 {
   return target.parent_path() /
          (".coarsen_mesh." + std::to_string(getpid()) + "." + std::to_string(index) + "." + purpose);
 }
 
-// Whether the name stands for something that is open already, which may be a file but must not be replaced.
+// Returns whether the name denotes something already open, possibly a file, that must not be replaced.
 bool is_open_file(const std::string& file)
 {
   return file == "/dev/stdout" || file == "/dev/stderr" || file.compare(0, 8, "/dev/fd/") == 0 ||
@@ -101,10 +101,10 @@ void Output_files::stage(const std::string& file, const std::string& bytes)
 {
   Entry entry;
   entry.name = file;
-  entry.target = coarsening_support::end_of_links(file); // which is to be replaced, not the link
+  entry.target = coarsening_support::end_of_links(file); // to be replaced instead of the link
   std::error_code error;
   const fs::file_status status = fs::status(entry.target, error);
-  if (status.type() == fs::file_type::none) // its name is too long, its folder is closed, or the like
+  if (status.type() == fs::file_type::none) // its name is too long, its folder is not accessible, or similar
     throw cannot_write(file, error);
   if (fs::is_symlink(fs::symlink_status(entry.target, error)))
     throw cannot_write(file, std::make_error_code(std::errc::too_many_symbolic_link_levels));
@@ -118,13 +118,13 @@ void Output_files::stage(const std::string& file, const std::string& bytes)
     return;
   }
   entry.temporary = hidden_name(entry.target, "part", entries.size());
-  entries.push_back(entry); // from here on the destructor cleans up
+  entries.push_back(entry); // from here on the destructor removes it
   remove_quietly(entry.temporary);
   error = write_bytes(entry.temporary, O_CREAT | O_EXCL, bytes);
   if (error)
     throw cannot_write(file, error);
   if (fs::exists(status))
-    fs::permissions(entry.temporary, status.permissions(), error); // as before, where that is allowed
+    fs::permissions(entry.temporary, status.permissions(), error); // as before, if permitted
 }
 
 void Output_files::write_streams(const std::function<void()>& stop)
@@ -141,7 +141,7 @@ void Output_files::place(Entry& entry)
 {
   std::error_code error;
   if (fs::exists(entry.target, error)) {
-    // A second name for what is replaced, so that it can come back. Some file systems have no second names.
+    // Gives the replaced file a second name, from which it can be restored. Some file systems have no second names.
     fs::path former = entry.temporary;
     former.replace_extension("former");
     fs::create_hard_link(entry.target, former, error);

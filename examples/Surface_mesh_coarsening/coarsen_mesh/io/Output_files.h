@@ -10,11 +10,11 @@
 
 namespace coarsen_mesh_tool {
 
-// Writes several files so that each appears whole, and all of them or none.
+// Writes several files such that each appears complete, and all of them or none.
 //
-// A staged file lies under another name in the folder of its target, so that giving it its own name is one step of the
-// file system. What has not been committed is removed by the destructor. Pipes and devices cannot be treated so: they are
-// written to when everything else is staged and nothing has its name yet.
+// A staged file has a temporary name in the folder of its target, so that renaming it is one step of the file system. The
+// destructor removes uncommitted files. Pipes and devices cannot be staged: they are written when all files are staged
+// and none is renamed yet.
 class Output_files
 {
   struct Entry
@@ -32,13 +32,13 @@ public:
   Output_files& operator=(const Output_files&) = delete;
   ~Output_files();
 
-  // Writes the content under a temporary name. Throws Failure if that cannot be done.
+  // Writes the content under a temporary name. Throws Failure if this is impossible.
   void stage(const std::string& file, const std::string& bytes);
 
-  // Writes to pipes and devices. `stop` is called when a signal has interrupted that; it throws to give up.
+  // Writes to pipes and devices. Calls `stop` after a signal has interrupted this; it may throw to end the writing.
   void write_streams(const std::function<void()>& stop);
 
-  // Gives all staged files their names. Throws Failure after having undone everything if one cannot get its name.
+  // Renames all staged files to their targets. If one fails, undoes all and throws Failure.
   void commit();
 
 private:

@@ -15,15 +15,15 @@
 
 namespace coarsening_support {
 
-// A vertex of a polygon soup. A mesh has no more of them than 32 bits can tell apart.
+// The number of a vertex of a polygon soup. Meshes number vertices with 32 bits.
 typedef std::uint32_t Vertex_number;
 
-// Stands for the number of a vertex that cannot be there.
+// Not the number of any vertex.
 constexpr Vertex_number no_vertex = (std::numeric_limits<Vertex_number>::max)();
 
 inline Vertex_number to_vertex_number(std::size_t v) { return v < no_vertex ? static_cast<Vertex_number>(v) : no_vertex; }
 
-// Lists of vertices, one after the other in one array: reading a file with a million polygons allocates a few times.
+// Lists of vertices in one array: reading a file with a million polygons allocates a few times.
 class Polygons
 {
   std::vector<Vertex_number> corners_;
@@ -40,7 +40,7 @@ public:
 
   Polygons() = default;
 
-  // Takes over a list of lists.
+  // Converts a list of lists.
   template <class Lists>
   explicit Polygons(const Lists& lists)
   {
@@ -61,7 +61,8 @@ public:
     corners_.reserve(corners);
   }
 
-  // The corners of all polygons, and where those of a polygon begin; the begin of the one after the last is their number.
+  // The corners of all polygons, and the first corner of each polygon; the begin of the one after the last is their
+  // number.
   const std::vector<Vertex_number>& corners() const { return corners_; }
   std::vector<Vertex_number>& corners() { return corners_; }
   std::size_t first_corner(std::size_t f) const { return f == 0 ? 0 : ends_[f - 1]; }
@@ -73,7 +74,7 @@ public:
   auto begin() const { return boost::make_transform_iterator(boost::counting_iterator<std::size_t>(0), Polygon_at{this}); }
   auto end() const { return boost::make_transform_iterator(boost::counting_iterator<std::size_t>(size()), Polygon_at{this}); }
 
-  // A polygon is added corner by corner and ended, or as a whole.
+  // Adds a polygon corner by corner, or as a whole.
   void add_corner(Vertex_number v) { corners_.push_back(v); }
   void end_polygon() { ends_.push_back(corners_.size()); }
 
@@ -86,7 +87,7 @@ public:
   }
   void push_back(std::initializer_list<std::size_t> polygon) { push_back<std::initializer_list<std::size_t> >(polygon); }
 
-  // As CGAL's functions for polygon soups take them.
+  // Converts to the type of CGAL's functions for polygon soups.
   std::vector<std::vector<std::size_t> > lists() const
   {
     std::vector<std::vector<std::size_t> > result;

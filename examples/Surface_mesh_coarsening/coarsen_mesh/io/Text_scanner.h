@@ -17,24 +17,24 @@
 
 namespace coarsening_support {
 
-// Says at which place in a mesh file what is wrong.
+// An error at a position in a mesh file.
 class Format_fault : public std::runtime_error
 {
 public:
   Format_fault(const std::string& place, const std::string& reason) : std::runtime_error(place + ": " + reason) {}
 };
 
-// Gives up by an exception if the user wishes so; reading calls it now and then. Empty if nobody can.
+// Throws if the user interrupts; called regularly during reading. Empty if nobody can interrupt.
 typedef std::function<void()> Stop;
 
-// Calls `stop` for the first and every further few thousand of elements.
+// Calls `stop` for the first and then every few thousand elements.
 inline void stop_at(std::size_t element, const Stop& stop)
 {
   if (element % 16384 == 0 && stop)
     stop();
 }
 
-// The words for a message, which may be given as a function: where millions of numbers are read, none is put into words in vain.
+// The text of a message, possibly as a function: when millions of numbers are read, none is formatted in vain.
 template <class Words>
 std::string words_of(const Words& words)
 {
@@ -44,13 +44,13 @@ std::string words_of(const Words& words)
     return std::string(words);
 }
 
-// Reads the words of a text, line by line. The text has to be followed by a zero character, as that of a `std::string` is.
+// Reads the words of a text line by line. A zero character has to follow the text, as in a `std::string`.
 class Text_scanner
 {
   const char* at;
   const char* end;
   std::size_t line = 1;
-  char comment; // begins one that lasts to the end of the line; 0 if there are none
+  char comment; // its first character, to the end of the line; 0 if there are none
   bool continued; // whether a backslash at the end of a line joins the next one
 
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
@@ -99,7 +99,7 @@ public:
     throw Format_fault("line " + std::to_string(line), reason);
   }
 
-  // Goes on to the next line that has something on it; returns whether there is one.
+  // Advances to the next nonempty line; returns whether there is one.
   bool find_line()
   {
     for (skip_blanks(); at != end && is_line_end(*at); skip_blanks())
@@ -107,7 +107,7 @@ public:
     return at != end;
   }
 
-  // The same, where the file must not end before `what`.
+  // The same; the file must not end before `what`.
   template <class Words>
   void need_line(const Words& what)
   {
@@ -115,7 +115,7 @@ public:
       fail("the file ends before " + words_of(what));
   }
 
-  // The next word of the line, empty if there is none left.
+  // Returns the next word of the line, empty if there is none left.
   std::string_view word()
   {
     skip_blanks();
@@ -125,7 +125,7 @@ public:
     return std::string_view(begin, static_cast<std::size_t>(at - begin));
   }
 
-  // A look at the next word.
+  // Returns the next word without advancing.
   std::string_view next_word()
   {
     const char* const before = at;
@@ -150,14 +150,14 @@ public:
       fail("there is more on the line than " + words_of(what) + ": " + shown(rest));
   }
 
-  // A word as it can stand in a message.
+  // Formats a word for a message.
   static std::string shown(std::string_view text)
   {
     constexpr std::size_t most = 30;
     return "'" + escaped(text.substr(0, most)) + (text.size() > most ? "...'" : "'");
   }
 
-  // Numbers too large for a double become infinite, those too small zero.
+  // Numbers too large for a double become infinite, too small ones zero.
   template <class Words>
   double number(const Words& what)
   {
@@ -183,8 +183,8 @@ public:
     return value;
   }
 
-  // How many of something follow, which takes `bytes_each` at least. The file has to have room for them, so that what a
-  // header says cannot make the caller ask for more memory than a small multiple of the file's size.
+  // Reads the number of following elements, which take at least `bytes_each`. The file has to have room for them, so
+  // that a header cannot make the caller allocate more than a small multiple of the file's size.
   std::size_t count(const std::string& what, std::size_t bytes_each)
   {
     const long long value = integer("the number of " + what);
@@ -196,14 +196,14 @@ public:
   {
     if (value < 0)
       fail("the number of " + what + " is " + std::to_string(value));
-    // The line end after the last one may be missing.
+    // The last line may lack its line end.
     const std::size_t room = bytes_each == 0 ? 0 : (bytes + 1) / bytes_each;
     if (static_cast<unsigned long long>(value) > room)
       fail(std::to_string(value) + " " + what + " are announced, but the rest of the file has room for " +
            std::to_string(room) + " at the most");
   }
 
-  // The number of a vertex; one that cannot be there is for the check of the surface to report.
+  // Reads the number of a vertex; the check of the surface reports invalid ones.
   Vertex_number vertex_number()
   {
     const long long value = integer("the number of a vertex");
@@ -211,7 +211,7 @@ public:
   }
 
 private:
-  // Takes the next word if it is a number as C++ writes it.
+  // Reads the next word if it is a number in C++ syntax.
   template <class Number>
   bool take_number(Number& value)
   {

@@ -50,7 +50,7 @@ std::string file_bytes(const std::string& file, const Stop& stop)
   if (!is_pipe) {
     const auto known = std::filesystem::file_size(file, error);
     if (!error)
-      room = static_cast<std::size_t>(known) + 1; // the end is found when there is room left
+      room = static_cast<std::size_t>(known) + 1; // the end is found if there is room left
   }
   for (;;) {
     content.resize(size + room);

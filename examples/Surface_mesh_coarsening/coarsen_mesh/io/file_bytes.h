@@ -9,7 +9,8 @@
 
 namespace coarsening_support {
 
-// Reads a regular file or a pipe to its end. `stop` is asked when a signal has interrupted the reading, and between pieces.
+// Reads a regular file or a pipe to its end. Calls `stop` after a signal has interrupted the reading, and between
+// pieces.
 std::string file_bytes(const std::string& file, const Stop& stop = nullptr);
 
 } // namespace coarsening_support

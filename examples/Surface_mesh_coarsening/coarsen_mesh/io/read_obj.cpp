@@ -14,7 +14,7 @@
 namespace coarsening_support {
 namespace {
 
-// What the format has beside vertices and faces.
+// The data of the format other than vertices and faces.
 bool is_other_obj_keyword(std::string_view word)
 {
   static constexpr std::string_view keywords[] = {
@@ -26,8 +26,8 @@ bool is_other_obj_keyword(std::string_view word)
   return std::find(std::begin(keywords), std::end(keywords), word) != std::end(keywords);
 }
 
-// The vertex in one of the forms V, V/T, V//N and V/T/N. Vertices count from 1; negative numbers count from the last one
-// read, which is -1.
+// Reads the vertex in one of the forms V, V/T, V//N and V/T/N. Vertices count from 1; negative numbers count back from
+// the last one read, which is -1.
 Vertex_number obj_vertex(const Text_scanner& text, std::string_view word, std::size_t points)
 {
   const std::string_view number = word.substr(0, word.find('/'));
@@ -40,7 +40,7 @@ Vertex_number obj_vertex(const Text_scanner& text, std::string_view word, std::s
   return value < 1 ? no_vertex : to_vertex_number(static_cast<std::size_t>(value) - 1);
 }
 
-// The texture point of a corner, in the form V/T or V/T/N; `no_vertex` if it has none.
+// Reads the texture point of a corner, in the form V/T or V/T/N; `no_vertex` if it has none.
 Vertex_number obj_texture_point(std::string_view word, std::size_t points)
 {
   const std::size_t slash = word.find('/');
@@ -57,14 +57,14 @@ Vertex_number obj_texture_point(std::string_view word, std::size_t points)
                                                                          : to_vertex_number(static_cast<std::size_t>(value) - 1);
 }
 
-// The polygons that have got no texture points so far have none.
+// The polygons so far have no texture points.
 void end_texture_corners(Soup& soup, std::size_t polygons)
 {
   while (soup.texture_corners.size() < polygons)
     soup.texture_corners.end_polygon();
 }
 
-// The texture points of a face are kept if each of its corners has one.
+// Keeps the texture points of a face if each of its corners has one.
 void read_obj_face(Text_scanner& text, Soup& soup, std::vector<Vertex_number>& texture)
 {
   texture.clear();
@@ -79,7 +79,7 @@ void read_obj_face(Text_scanner& text, Soup& soup, std::vector<Vertex_number>& t
   soup.texture_corners.push_back(texture);
 }
 
-// Gives the polygons since the last name theirs.
+// Assigns its name to the polygons since the last one.
 void name_polygons(std::vector<std::string>& names, const std::string& name, const Soup& soup)
 {
   if (!names.empty() || !name.empty())

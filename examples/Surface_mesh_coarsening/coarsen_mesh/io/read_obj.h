@@ -10,7 +10,7 @@
 
 namespace coarsening_support {
 
-// Adds what a file of the format OBJ holds. Throws Format_fault.
+// Reads the content of an OBJ file. Throws Format_fault.
 void read_obj(const std::string& content, Soup& soup, const Stop& stop = nullptr);
 
 } // namespace coarsening_support

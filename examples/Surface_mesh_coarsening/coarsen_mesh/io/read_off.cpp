@@ -13,7 +13,7 @@
 namespace coarsening_support {
 namespace {
 
-// What the first line says: [ST][C][N][4]OFF [BINARY].
+// The first line: [ST][C][N][4]OFF [BINARY].
 struct Off_header
 {
   bool texture = false, color = false, normal = false, homogeneous = false, binary = false;
@@ -52,7 +52,7 @@ Off_header read_off_header(Text_scanner& text)
 
 Point off_point(double x, double y, double z, double w) { return Point(x / w, y / w, z / w); }
 
-// Behind the coordinates and the vertices of a face there may be colors and the like, on the same line.
+// Colors and other data may follow the coordinates and the vertices of a face on the same line.
 void read_text_off(Text_scanner& text, const Off_header& header, Soup& soup, const Stop& stop)
 {
   text.need_line("the number of vertices");

@@ -23,7 +23,7 @@ unsigned size_of(Ply_type type)
 
 bool is_integer(Ply_type type) { return type < Ply_type::FLOAT32; }
 
-// What the values of a property are for.
+// The use of the values of a property.
 enum class Ply_use { NONE, X, Y, Z, CORNERS, KEPT };
 
 struct Ply_property
@@ -31,7 +31,7 @@ struct Ply_property
   bool is_list = false;
   Ply_type count_type = Ply_type::UINT8, type = Ply_type::FLOAT32;
   Ply_use use = Ply_use::NONE;
-  std::size_t kept = 0; // number of what is kept
+  std::size_t kept = 0; // number of kept values
 };
 
 struct Ply_element
@@ -40,7 +40,7 @@ struct Ply_element
   std::size_t count = 0;
   std::vector<Ply_property> properties;
 
-  // What one of it takes at the least.
+  // The minimal size of an element.
   std::uint64_t min_bytes(bool binary) const
   {
     std::uint64_t bytes = 0;
@@ -78,7 +78,7 @@ Ply_use ply_use(const Ply_element& element, const Ply_property& property, std::s
   return is_known && !property.is_list ? Ply_use::KEPT : Ply_use::NONE;
 }
 
-// Makes room for the values of a property that is kept. Of those of the same name, the first is.
+// Adds storage for the values of a property that is kept. Of several with the same name, the first is kept.
 void keep_ply_property(Ply_element& element, Ply_property& property, std::string_view name, Soup& soup)
 {
   std::vector<Soup_property>& kept = element.name == "vertex" ? soup.of_points : soup.of_polygons;
@@ -194,7 +194,7 @@ Ply_header read_ply_header(Text_scanner& text, Soup& soup)
   return header;
 }
 
-// The two sources of numbers have the same functions, for the functions below.
+// The two sources of numbers have the same interface, for the functions below.
 class Ply_text
 {
   Text_scanner& text;

@@ -10,7 +10,7 @@
 
 namespace coarsening_support {
 
-// Adds what a file of the format PLY holds, text or binary of either order of bytes. Throws Format_fault.
+// Reads the content of a PLY file, text or binary in either byte order. Throws Format_fault.
 void read_ply(const std::string& content, Soup& soup, const Stop& stop = nullptr);
 
 } // namespace coarsening_support

@@ -16,7 +16,7 @@
 namespace coarsening_support {
 namespace {
 
-// A guess for users whose file has the wrong name.
+// Guesses the format for users whose file has the wrong name.
 std::string look_alike(const std::string& content, const std::string& type)
 {
   Text_scanner text(content.data(), content.data() + content.size(), '#');

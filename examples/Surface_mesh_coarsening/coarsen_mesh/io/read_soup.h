@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads a mesh file as a polygon soup. Whatever is wrong with the file comes out as one exception with one line of text.
+// Reads a mesh file as a polygon soup. Any fault of the file is reported by one exception with one line of text.
 
 #ifndef COARSENING_SUPPORT_READ_SOUP_H
 #define COARSENING_SUPPORT_READ_SOUP_H
@@ -13,14 +13,14 @@
 
 namespace coarsening_support {
 
-// Makes a soup of the content of a file of the type, without any check of what its numbers mean. What it asks memory for is
-// bounded by a small multiple of the content's size, whatever that says. Throws Format_fault.
+// Parses the content of a file of the type to a soup, without checking the meaning of numbers. Memory is bounded by a small
+// multiple of the content's size for any content. Throws Format_fault.
 Soup parse_soup(const std::string& content, const std::string& type, const Stop& stop = nullptr);
 
-// Reads the soup as it stands in the file. Throws Failure.
+// Reads the soup of the file unchanged. Throws Failure.
 Soup read_soup(const std::string& file, const Stop& stop = nullptr);
 
-// Drops the points that no polygon uses and returns how many there were.
+// Removes the points that no polygon uses and returns their number.
 std::size_t drop_unused_points(Soup& soup);
 
 } // namespace coarsening_support

@@ -18,8 +18,8 @@
 namespace coarsening_support {
 namespace {
 
-// The format has no vertices, only triangles: equal points become one vertex, numbered by where it is met first. Points with
-// a coordinate that is no number are equal to none.
+// The format has triangles without shared vertices: equal points become one vertex, numbered by first occurrence. Points
+// with a NaN coordinate are equal to none.
 void merge_stl_corners(const std::vector<std::array<double, 3> >& corners, Soup& soup)
 {
   const auto is_number = [&](std::size_t i) {
@@ -69,7 +69,7 @@ void read_binary_stl(const std::string& content, std::vector<std::array<double, 
   bytes.expect_end("the " + std::to_string(triangles) + " triangles announced");
 }
 
-// The words that follow, in either case; line ends mean nothing between them.
+// Reads the expected words, in upper or lower case, across line ends.
 void expect_stl_words(Text_scanner& text, std::initializer_list<std::string_view> words)
 {
   for (const std::string_view word : words) {
@@ -121,7 +121,7 @@ void read_text_stl(const std::string& content, std::vector<std::array<double, 3>
   } while (text.find_line());
 }
 
-// Both forms may begin with the word "solid". The one that the size is right for is binary.
+// Both forms may begin with the word "solid". If the size fits the binary form, the file is binary.
 bool is_binary_stl(const std::string& content)
 {
   constexpr std::size_t header = 84;

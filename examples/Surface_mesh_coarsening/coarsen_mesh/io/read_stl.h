@@ -10,7 +10,7 @@
 
 namespace coarsening_support {
 
-// Adds what a file of the format STL holds, text or binary. Throws Format_fault.
+// Reads the content of an STL file, text or binary. Throws Format_fault.
 void read_stl(const std::string& content, Soup& soup, const Stop& stop = nullptr);
 
 } // namespace coarsening_support

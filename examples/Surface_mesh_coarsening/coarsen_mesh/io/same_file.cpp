@@ -14,7 +14,7 @@ fs::path end_of_links(const fs::path& file)
   std::error_code error;
   for (int links = 0; fs::is_symlink(end, error); ++links) {
     const fs::path target = fs::read_symlink(end, error);
-    constexpr int most_links = 40; // as the system has it
+    constexpr int most_links = 40; // the system's limit
     if (error || links == most_links)
       return file; // which the system refuses to open
     end = target.is_absolute() ? target : end.parent_path() / target;

@@ -7,10 +7,10 @@
 
 namespace coarsening_support {
 
-// The file that a chain of symbolic links ends at, whether it is there or not.
+// Returns the file at the end of a chain of symbolic links, whether it exists or not.
 std::filesystem::path end_of_links(const std::filesystem::path& file);
 
-// Tells whether two names stand for one file, now or when it has been written.
+// Returns whether two names denote one file, now or after it has been written.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 } // namespace coarsening_support

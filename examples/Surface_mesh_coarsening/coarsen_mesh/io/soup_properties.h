@@ -19,7 +19,7 @@ namespace coarsening_support {
 
 typedef std::array<double, 2> Texture_point;
 
-// The names of the properties that a mesh has of a file with textures and materials.
+// The names of the properties for textures and materials.
 constexpr const char* texture_property = "h:texture";
 constexpr const char* material_property = "f:material name";
 constexpr const char* group_property = "f:group name";
@@ -41,7 +41,7 @@ template <class Element>
 void add_property(const std::string& prefix, const Soup_property& p, Mesh& mesh)
 {
   const std::string name = prefix + p.name;
-  if (p.name == "point" || p.name == "removed" || p.name == "connectivity") // which the mesh has of its own
+  if (p.name == "point" || p.name == "removed" || p.name == "connectivity") // built-in properties of the mesh
     return;
   switch (p.type) {
   case Number_type::INT8: return add_numbers<Element, std::int8_t>(name, p.values, mesh);
@@ -72,7 +72,7 @@ inline void add_texture(const Soup& soup, Mesh& mesh)
   for (std::size_t f = 0; f < soup.texture_corners.size(); ++f) {
     if (soup.texture_corners[f].empty())
       continue;
-    // The first halfedge of the face is the one that leaves its first corner, or the one after some of the others.
+    // The first halfedge of the face leaves its first corner, or a later one.
     Halfedge h = mesh.halfedge(Face(Mesh::size_type(f)));
     while (Vertex_number(mesh.target(h)) != soup.polygons[f][0])
       h = mesh.next(h);
@@ -83,7 +83,7 @@ inline void add_texture(const Soup& soup, Mesh& mesh)
   }
 }
 
-// Gives a mesh the properties of the soup that it was made of by to_mesh().
+// Adds the properties of a soup to the mesh that to_mesh() has built from it.
 inline void add_properties(const Soup& soup, Mesh& mesh)
 {
   for (const Soup_property& p : soup.of_points)
@@ -95,7 +95,7 @@ inline void add_properties(const Soup& soup, Mesh& mesh)
   add_names(group_property, soup.groups, mesh);
 }
 
-// The property map of this name and type; an object that is false if there is none.
+// Returns the property map of this name and type; converts to false if there is none.
 template <class Element, class Value>
 struct Found_property
 {

@@ -10,7 +10,7 @@ namespace {
 
 typedef Edge_pairing::Side Side;
 
-// The halfedges of edge i are 2 i and 2 i + 1; the first is that of the side with the lower number.
+// The halfedges of edge i are 2 i and 2 i + 1; the first belongs to the side of lower number.
 std::vector<Halfedge> halfedges_of_sides(const Edge_pairing& pairing, std::size_t sides, const Stop& stop)
 {
   std::vector<Halfedge> result(sides);

@@ -9,8 +9,8 @@
 
 namespace coarsening_support {
 
-// Makes a mesh of a soup without faults; faces and vertices keep their numbers, and the halfedge of a face is that of its first
-// side. Adding face by face, as CGAL's functions do, takes quadratic time where very many faces are around a vertex, or a face has
+// Builds a mesh from a valid soup; faces and vertices keep their numbers, and the halfedge of a face belongs to its first
+// side. CGAL's functions add face by face, which takes quadratic time for vertices of very high valence and for faces with
 // very many sides.
 Mesh to_mesh(const Soup& soup);
 

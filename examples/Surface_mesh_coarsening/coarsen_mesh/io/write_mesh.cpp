@@ -78,7 +78,7 @@ std::string off_bytes(const Mesh& mesh)
   return std::move(text).bytes();
 }
 
-// The texture points of a mesh, numbered from 1 in the order in which its corners need them.
+// The texture points of a mesh, numbered from 1 in the order of its corners.
 std::map<Texture_point, std::size_t> write_texture_points(const Mesh& mesh, const Found_property<Halfedge, Texture_point>& texture,
                                                           Text& text)
 {

@@ -11,8 +11,9 @@ namespace coarsen_mesh_tool {
 
 using namespace coarsening_support;
 
-// Returns what a file of this type (off, obj, ply, stl) holds for the mesh. OFF and OBJ have as many digits as read back the same; PLY and
-// STL are binary. PLY has the numbers of vertices and faces, OBJ has texture coordinates, materials and groups.
+// Returns the content of a file of this type (off, obj, ply, stl) for the mesh. Numbers in OFF and OBJ have enough digits to
+// be read back exactly; PLY and STL are binary. PLY has the numbers of vertices and faces, OBJ has texture coordinates,
+// materials and groups.
 std::string mesh_bytes(const Mesh& mesh, const std::string& type, const std::string& material_library = "");
 
 } // namespace coarsen_mesh_tool

@@ -27,11 +27,11 @@ class Camera
 public:
   double width = 1, height = 1; // of the picture, in pixels
 
-  // Looks at the points from the direction `from`, with `pole` pointing up as far as that direction allows it. The longer
-  // side of the picture has `size` pixels, the other one as many as the points need.
+  // Looks at the points from the direction `from`, with `pole` pointing up as far as possible. The longer side of the
+  // picture has `size` pixels, the other side fits the points.
   Camera(const std::vector<Point>& points, const Vector& from, Vector pole, double size) : toward(unit(from))
   {
-    if (std::abs(unit(pole) * toward) > 0.999) // along the view: another axis has to do
+    if (std::abs(unit(pole) * toward) > 0.999) // along the view: use another axis
       pole = std::abs(toward.z()) < 0.9 ? Vector(0, 0, 1) : Vector(0, 1, 0);
     right = unit(CGAL::cross_product(pole, toward));
     up = CGAL::cross_product(toward, right);

@@ -11,7 +11,7 @@
 
 namespace coarsening_support {
 
-// A picture of 8 bits a channel, rows from top to bottom; it starts all white.
+// A picture of 8 bits per channel, rows from top to bottom, initially white.
 struct Image
 {
   std::size_t width = 0, height = 0;
@@ -28,7 +28,7 @@ struct Image
   const Rgb& at(std::size_t x, std::size_t y) const { return pixels[y * width + x]; }
 };
 
-// Lays pictures out in rows; a picture stands in the middle of its cell.
+// Arranges pictures in rows, each centered in its cell.
 inline Image in_rows(const std::vector<std::vector<Image> >& rows)
 {
   std::size_t columns = 0, cell_width = 0, cell_height = 0;

@@ -8,7 +8,7 @@
 
 namespace coarsening_support {
 
-// A color of 8 bits a channel, as screens take it.
+// A color of 8 bits per channel, in sRGB.
 using Rgb = std::array<std::uint8_t, 3>;
 
 } // namespace coarsening_support

@@ -20,13 +20,13 @@
 
 namespace coarsening_support {
 
-// What a picture shows: shaded triangles, and dark lines upon them.
+// The content of a picture: shaded triangles, and dark lines on them.
 struct Scene
 {
   struct Triangle
   {
     std::array<std::size_t, 3> vertices;
-    std::array<Vector, 3> normals; // unit length, one a corner
+    std::array<Vector, 3> normals; // unit length, one per corner
     Rgb color;
   };
   struct Line
@@ -50,8 +50,8 @@ inline Vector face_normal(const Mesh& mesh, Face f)
   return CGAL::cross_product(q - p, r - p); // its length is twice the area
 }
 
-// Gives every halfedge the unit normal at its target in its face. With `smooth`, normals are averaged around the vertex as
-// far as no edge of more than 40 degrees is crossed, so that creases stay sharp.
+// Computes the unit normal of every halfedge at its target in its face. With `smooth`, normals are averaged around the
+// vertex up to edges of more than 40 degrees, so that creases remain sharp.
 inline std::vector<Vector> corner_normals(const Mesh& mesh, bool smooth)
 {
   std::vector<Vector> of_face(mesh.num_faces()), result(mesh.num_halfedges());
@@ -66,7 +66,7 @@ inline std::vector<Vector> corner_normals(const Mesh& mesh, bool smooth)
     if (mesh.is_border(h) || done[h])
       continue;
     std::vector<Halfedge> fan;
-    Halfedge first = h; // goes back to the crease where the fan begins, or once around
+    Halfedge first = h; // moves back to the crease where the fan begins, or once around
     while (smooth && !is_crease(first) && mesh.prev_around_target(first) != h)
       first = mesh.prev_around_target(first);
     Vector sum = CGAL::NULL_VECTOR;
@@ -85,7 +85,7 @@ inline std::vector<Vector> corner_normals(const Mesh& mesh, bool smooth)
   return result;
 }
 
-// Tells whether the faces enclose a negative volume, as far as they enclose one.
+// Returns whether the faces enclose a negative volume, as far as they enclose one.
 inline bool is_inside_out(const Mesh& mesh)
 {
   double volume = 0;
@@ -96,7 +96,7 @@ inline bool is_inside_out(const Mesh& mesh)
   return volume < 0;
 }
 
-// Makes the scene of a triangle mesh whose faces and edges the functions given colour and draw.
+// Builds the scene of a triangle mesh; the given functions color faces and draw edges.
 inline Scene make_scene(const Mesh& mesh, bool smooth, const std::function<Rgb(Face)>& color,
                         const std::function<bool(Edge)>& is_drawn, double width, double ink)
 {
@@ -120,7 +120,7 @@ inline Scene make_scene(const Mesh& mesh, bool smooth, const std::function<Rgb(F
   return scene;
 }
 
-// Shows a mesh, by default in one colour, flat and with its edges.
+// Shows a mesh, by default in one color, flat and with its edges.
 inline Scene mesh_scene(const Mesh& mesh)
 {
   return make_scene(
@@ -153,7 +153,7 @@ inline Mesh triangulated(const Mesh& mesh, std::vector<std::size_t>& labels)
   return copy;
 }
 
-// Shows a mesh with a colour for each cluster and lines between them.
+// Shows a mesh with a color per cluster and lines between clusters.
 inline Scene cluster_scene(const Mesh& polygon_mesh, std::vector<std::size_t> labels)
 {
   const std::vector<std::size_t> colors = color_clusters(polygon_mesh, labels);

@@ -15,7 +15,7 @@
 
 namespace coarsening_support {
 
-// The barycentric coordinates of a triangle as it is seen, as functions of the place in the picture.
+// The barycentric coordinates of a projected triangle, as functions of the position in the picture.
 class Barycentric
 {
   std::array<double, 3> dx, dy, at_origin;
@@ -33,10 +33,10 @@ public:
     }
   }
 
-  // Twice the area seen; negative when the triangle is seen from behind.
+  // Twice the projected area; negative if the triangle is seen from behind.
   double signed_area() const { return area2; }
 
-  // The coordinates of the centre of a sample.
+  // The coordinates of the center of a sample.
   std::array<double, 3> operator()(std::size_t column, std::size_t row) const
   {
     const double x = static_cast<double>(column) + 0.5, y = static_cast<double>(row) + 0.5;
@@ -45,8 +45,8 @@ public:
   }
 };
 
-// A z-buffer which remembers per sample the number of the triangle that is seen there, and whether a line covers it.
-// All coordinates are in samples, `y` up, `z` towards the viewer.
+// A z-buffer that stores for each sample the number of the visible triangle, and whether a line covers it. All
+// coordinates are in samples, `y` up, `z` towards the viewer.
 class Visibility_buffer
 {
 public:
@@ -68,7 +68,7 @@ private:
     return !(v > 0) ? 0 : v >= static_cast<double>(limit) ? limit : static_cast<std::size_t>(v);
   }
 
-  // The samples whose centres can lie within the bounds.
+  // The samples whose centers can lie within the bounds.
   Box box(double x0, double x1, double y0, double y1) const
   {
     return {clamped(std::floor(x0 - 0.5), width), clamped(std::floor(x1 + 0.5) + 1, width),
@@ -87,7 +87,7 @@ public:
   std::uint32_t id(std::size_t x, std::size_t y) const { return ids[y * width + x]; }
   std::uint8_t ink(std::size_t x, std::size_t y) const { return inks[y * width + x]; }
 
-  // Returns the number of samples where something is seen.
+  // Returns the number of covered samples.
   std::size_t covered() const
   {
     return ids.size() - static_cast<std::size_t>(std::count(ids.begin(), ids.end(), nothing));
@@ -98,7 +98,7 @@ public:
     const Barycentric weights(p);
     if (!(std::abs(weights.signed_area()) > 0))
       return;
-    constexpr double least = -1e-9; // leaves no gaps between neighbours
+    constexpr double least = -1e-9; // leaves no gaps between neighbors
     const auto xs = std::minmax({p[0].x(), p[1].x(), p[2].x()});
     const auto ys = std::minmax({p[0].y(), p[1].y(), p[2].y()});
     const Box b = box(xs.first, xs.second, ys.first, ys.second);
@@ -116,7 +116,7 @@ public:
       }
   }
 
-  // Draws a line with round ends. It lies on the surface, so it is seen where it is not further behind than the surface
+  // Draws a line with round ends. It lies on the surface, so it is visible unless it is farther behind than the surface
   // can slope over the line's width.
   void draw_line(const Vector& a, const Vector& b, double half_width, std::uint8_t ink)
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Colours for clusters: neighbours differ, few colours are used, and the same labels always give the same colours.
+// Colors for clusters: neighbors differ, few colors are used, and equal labels always give equal colors.
 
 #ifndef COARSENING_SUPPORT_CLUSTER_COLORS_H
 #define COARSENING_SUPPORT_CLUSTER_COLORS_H
@@ -18,7 +18,7 @@
 
 namespace coarsening_support {
 
-// Turns hue (0 to 6), saturation and brightness (0 to 1) into a colour.
+// Converts hue (0 to 6), saturation and brightness (0 to 1) to a color.
 inline Rgb from_hue(double hue, double saturation, double brightness)
 {
   const auto channel = [&](double shift) {
@@ -29,7 +29,7 @@ inline Rgb from_hue(double hue, double saturation, double brightness)
   return {channel(5.), channel(3.), channel(1.)};
 }
 
-// The first colours are chosen by eye; the rare further ones come from turning the hue by the golden section.
+// The first colors are chosen manually; the rare further ones rotate the hue by the golden section.
 inline Rgb palette_color(std::size_t i)
 {
   static const std::array<Rgb, 8> chosen = {{{{126, 178, 221}},
@@ -63,8 +63,8 @@ inline std::vector<std::pair<std::size_t, std::size_t> > cluster_adjacencies(con
   return pairs;
 }
 
-// Numbers a colour for each label: greedily, in the order of the labels, and among the colours that no neighbour has yet
-// the one used least, so that no colour dominates.
+// Assigns a color number to each label: greedily, in the order of the labels, the least used color that no neighbor has
+// yet, so that no color dominates.
 inline std::vector<std::size_t> color_clusters(const Mesh& mesh, const std::vector<std::size_t>& labels)
 {
   const std::size_t n = labels.empty() ? 0 : *std::max_element(labels.begin(), labels.end()) + 1;

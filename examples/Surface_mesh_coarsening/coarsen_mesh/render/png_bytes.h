@@ -15,7 +15,7 @@
 
 namespace coarsening_support {
 
-// Encodes the picture as the content of a PNG file.
+// Encodes the picture as a PNG file.
 inline std::string png_bytes(const Image& image)
 {
   namespace gil = boost::gil;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A small software renderer: hidden surfaces by z-buffer, light in linear intensities, edges smoothed by taking several
-// samples a pixel.
+// A small software renderer: hidden surfaces by z-buffer, light in linear intensities, antialiasing by several samples
+// per pixel.
 
 #ifndef COARSENING_SUPPORT_RENDER_H
 #define COARSENING_SUPPORT_RENDER_H
@@ -39,8 +39,8 @@ inline Rgb from_linear(const Linear_color& c)
   return result;
 }
 
-// Light on a surface whose unit normal is given in the camera's axes: a strong lamp from the upper left, a weak one from
-// the right, the sky, and a soft gloss. The inner side of a surface is darker.
+// Computes the light on a surface from its unit normal in the camera's axes: a strong lamp from the upper left, a weak
+// one from the right, the sky, and a soft gloss. The inner side of a surface is darker.
 inline Linear_color lit(const Linear_color& color, const Vector& normal, bool inner_side)
 {
   static const Vector key = unit(Vector(-0.45, 0.65, 0.75)), fill = unit(Vector(0.9, 0.1, 0.35));
@@ -49,7 +49,7 @@ inline Linear_color lit(const Linear_color& color, const Vector& normal, bool in
   const double diffuse = 0.74 * (std::max)(0., n * key) + 0.26 * (std::max)(0., n * fill) + 0.21 + 0.07 * n.y();
   double gloss = (std::max)(0., n * halfway);
   for (int doublings = 0; doublings < 5; ++doublings)
-    gloss *= gloss; // its 32nd power in the end
+    gloss *= gloss; // finally its 32nd power
   Linear_color result;
   for (std::size_t i = 0; i < 3; ++i)
     result[i] = (inner_side ? 0.45 : 1.) * (color[i] * diffuse + 0.05 * gloss);
@@ -101,7 +101,7 @@ private:
     return {projected[v[0]], projected[v[1]], projected[v[2]]};
   }
 
-  // Lines get thinner where they stand close on the whole, lest the picture turns black.
+  // Dense lines become thinner, so that the picture does not turn black.
   double thinning() const
   {
     double length = 1;

@@ -11,7 +11,7 @@
 
 namespace coarsening_support {
 
-// Keeps what is written to std::cout and std::cerr from the user as long as it lives.
+// Captures std::cout and std::cerr during its lifetime.
 class Muted_streams
 {
   std::ostringstream said, complained;
@@ -29,7 +29,7 @@ public:
     std::cerr.rdbuf(err);
   }
 
-  // Returns the first line that is not empty among those meant for std::cerr, without the word "error" in front.
+  // Returns the first nonempty line of std::cerr, without a leading "error".
   std::string first_complaint() const
   {
     std::istringstream lines(complained.str());

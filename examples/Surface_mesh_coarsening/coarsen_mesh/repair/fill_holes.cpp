@@ -22,7 +22,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 // The triangulation of a hole compares positions exactly.
 using Exact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-// Returns the number of triangles, 0 if none were found.
+// Returns the number of triangles, 0 if no triangulation was found.
 std::size_t triangulate_by_cgal(Mesh& mesh, Halfedge h, std::size_t edges, const Stop& stop)
 {
   std::vector<Face> patch;
@@ -65,7 +65,7 @@ Hole measured(const Mesh& mesh, Halfedge start)
   return hole;
 }
 
-// Whether a triangle in the hole would stand on the vertices of the only face around it.
+// Returns whether a triangle in the hole would have the vertices of the only face around it.
 bool is_lone_triangle(const Mesh& mesh, Halfedge h, const Hole& hole)
 {
   return hole.edges == 3 && mesh.face(mesh.opposite(h)) == mesh.face(mesh.opposite(mesh.next(h)));

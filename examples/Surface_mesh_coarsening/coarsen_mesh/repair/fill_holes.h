@@ -15,12 +15,12 @@ using namespace coarsening_support;
 
 enum class Hole_state { FILLED, LONGER, NOT_FILLED };
 
-// A border loop, told by one of its vertices.
+// A border loop, given by one of its vertices.
 struct Hole
 {
   std::size_t vertex, edges;
   double length;
-  Hole_state state; // longer than holes that are to be filled, or no triangulation was found
+  Hole_state state; // too long, or no triangulation was found
 };
 
 struct Hole_filling
@@ -31,8 +31,8 @@ struct Hole_filling
   std::size_t number(Hole_state state) const;
 };
 
-// Fills the holes of the mesh whose border is at most `most_length` long with triangles between their vertices. The numbers
-// of vertices and faces that are there stay. The time for a hole grows little more than linearly with its length.
+// Fills the holes whose border is at most `most_length` long with triangles between their vertices. Existing vertices and
+// faces keep their numbers. The time for a hole is nearly linear in its length.
 Hole_filling fill_holes(Mesh& mesh, double most_length, const Stop& stop = nullptr);
 
 } // namespace coarsen_mesh_tool

@@ -22,7 +22,7 @@ namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-// Whether a triangle is degenerate has to be decided exactly.
+// Degenerate triangles need exact predicates.
 using Exact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact_point = Exact_kernel::Point_3;
 using Exact_mesh = CGAL::Surface_mesh<Exact_point>;
@@ -40,7 +40,7 @@ class Repair
       steps.push_back({action, count});
   }
 
-  // CGAL's functions take numbers in range and finite coordinates for granted.
+  // CGAL's functions require numbers in range and finite coordinates.
   void drop_meaningless_polygons()
   {
     const auto is_meaningless = [this](const std::vector<std::size_t>& polygon) {

@@ -13,15 +13,15 @@ namespace coarsen_mesh_tool {
 
 using namespace coarsening_support;
 
-// Something that a repair did, and how often.
+// A step of a repair and its count.
 struct Repair_step
 {
   std::string action;
   std::size_t count;
 };
 
-// Makes an oriented 2-manifold of the soup as far as CGAL's repair functions can, and returns the steps that changed
-// something, in their order.
+// Repairs the soup to an oriented 2-manifold as far as CGAL's repair functions can, and returns the steps that
+// changed it, in order.
 std::vector<Repair_step> repair(Soup& soup);
 
 } // namespace coarsen_mesh_tool

@@ -19,7 +19,7 @@ using Exact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 class Border_triangulation
 {
-  typedef std::vector<std::size_t> Part; // places on the border, in rising order
+  typedef std::vector<std::size_t> Part; // positions on the border, ascending
   typedef std::array<std::size_t, 3> Triangle;
 
   const Mesh& mesh_;
@@ -29,7 +29,7 @@ class Border_triangulation
 
   bool is_side(std::size_t a, std::size_t b) const { return a + 1 == b || (a == 0 && b + 1 == border_.size()); }
 
-  // Whether a diagonal from `a` to a later place `b` would double an edge of the mesh.
+  // Returns whether a diagonal from `a` to a later position `b` would duplicate an edge of the mesh.
   bool is_taken(std::size_t a, std::size_t b) const
   {
     return !is_side(a, b) && mesh_.halfedge(border_[a], border_[b]) != Mesh::null_halfedge();
@@ -63,7 +63,7 @@ class Border_triangulation
     return !triangles.empty();
   }
 
-  // The shortest of some diagonals that leave a quarter of the part on each side.
+  // Returns the shortest of some diagonals with at least a quarter of the part on each side.
   std::pair<std::size_t, std::size_t> short_diagonal(const Part& part) const
   {
     constexpr std::size_t tries = 64;
@@ -103,7 +103,7 @@ public:
         stop_();
       const Part part = std::move(open.back());
       open.pop_back();
-      const bool is_first = part.size() == border_.size(); // which has been tried
+      const bool is_first = part.size() == border_.size(); // already tried
       if (!is_first && triangulate_whole(part))
         continue;
       const auto [i, j] = short_diagonal(part);
@@ -116,7 +116,7 @@ public:
     return true;
   }
 
-  // A place comes before another one on the border as the corners of a face do.
+  // Positions on the border are ordered like the corners of a face.
   bool add_to(Mesh& mesh) const
   {
     for (const Triangle& t : triangles_)

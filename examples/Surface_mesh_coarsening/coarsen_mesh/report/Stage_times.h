@@ -30,7 +30,7 @@ class Stage_times
   }
 
 public:
-  // Begins a stage; the one that runs ends with it.
+  // Begins a stage and ends the previous one.
   void begin(const std::string& stage)
   {
     end();
@@ -48,10 +48,10 @@ public:
 
   const std::vector<std::pair<std::string, double> >& all() const { return stages; }
 
-  // Returns the seconds since this object was made.
+  // Returns the seconds since the construction of this object.
   double total() const { return seconds(Clock::now() - birth); }
 
-  // Returns the sum over the stages whose names are given.
+  // Returns the sum over the named stages.
   double sum(const std::vector<std::string>& names) const
   {
     double result = 0;

@@ -13,7 +13,7 @@ namespace coarsen_mesh_tool {
 
 using CGAL::Surface_mesh_coarsening::Coarsening_quality;
 
-// Measures how well the result stands for the input, without components that were left out on purpose.
+// Measures how well the result approximates the input without the removed components.
 Coarsening_quality measure(const Mesh& input, const Coarsening_result& result);
 
 // A length of the measurement in % of the diagonal of the input's bounding box.

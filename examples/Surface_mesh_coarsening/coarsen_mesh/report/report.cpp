@@ -151,7 +151,7 @@ Json quality_of(const Mesh& result, const std::optional<Coarsening_quality>& qua
           {"self_intersections", q.self_intersections}};
 }
 
-// With `measure`, the distances of each level, too.
+// With `measure`, includes the distances of each level.
 Json levels_of(const Options& options, const Input& input, const Coarsening_result& result)
 {
   Json levels = Json::array();

@@ -16,13 +16,13 @@
 
 namespace coarsen_mesh_tool {
 
-// What was found out about a result.
+// The checks and measurements of a result.
 struct Findings
 {
-  std::optional<Hole_filling> holes; // if they were to be filled
-  std::optional<std::string> fault;  // what keeps the result from being valid, if anything does
+  std::optional<Hole_filling> holes; // if requested
+  std::optional<std::string> fault;  // the reason if the result is not valid
   Certificate certificate;
-  std::optional<Coarsening_quality> quality; // if it was to be measured
+  std::optional<Coarsening_quality> quality; // if requested
 };
 
 // Returns the report as JSON text.

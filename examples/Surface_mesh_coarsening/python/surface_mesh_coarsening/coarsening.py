@@ -69,7 +69,7 @@ def _run(
     options.weight, options.placement = weight, placement
     options.maximum_density = maximum_density
     options.feature_angle = 180.0 if features is None else features
-    # Densities that were given say where vertices belong.
+    # Given densities determine the distribution of vertices.
     options.error_feedback = error_feedback if error_feedback is not None else 7 if density is None else 0
     options.minimum_component_area = minimum_component_area
     options.subdivide, options.repair = subdivide, repair
