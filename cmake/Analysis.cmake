@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Targets that look at the sources without running them, `tidy` and `cppcheck`, and a test that runs the tool under valgrind.
-# Each is there if its program was found.
+# Targets for static analysis, `tidy` and `cppcheck`, and a test that runs the tool under valgrind. Each exists if its
+# program was found.
 
 find_program(CLANG_TIDY clang-tidy)
 find_program(CPPCHECK cppcheck)
@@ -18,7 +18,7 @@ if(CLANG_TIDY)
 endif()
 
 if(CPPCHECK)
-  # It takes what it does not know for an error: assertions are nothing to it.
+  # It reports unknown assertion macros as errors, so assertions are disabled.
   add_custom_target(cppcheck
     COMMAND ${CPPCHECK} --quiet --enable=warning,performance,portability --std=c++17 --language=c++
       "-DCGAL_assertion_code(x)=" "-DCGAL_assertion(x)=" --suppressions-list=.cppcheck-suppressions --error-exitcode=1

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# What holds for the project's own builds and must not reach an application that adds the project as a subdirectory.
+# Settings of the project's own builds that must not affect an application with the project as a subdirectory.
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Kind of build" FORCE)
@@ -11,7 +11,7 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON) # for clang-tidy
 
-# Headers of CGAL, Boost and Eigen are system headers, being those of imported targets: only ours can warn.
+# Headers of CGAL, Boost and Eigen are system headers of imported targets: only the project's headers can warn.
 add_compile_options(-Wall -Wextra)
 
 find_program(CCACHE ccache)
@@ -20,7 +20,7 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
-# A translation unit takes up to 2 GB: on a machine with many cores, memory decides how many are compiled at a time.
+# A translation unit takes up to 2 GB: on a machine with many cores, memory limits the parallel compilations.
 if(CMAKE_GENERATOR MATCHES Ninja)
   cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
   cmake_host_system_information(RESULT megabytes QUERY TOTAL_PHYSICAL_MEMORY)

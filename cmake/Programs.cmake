@@ -3,7 +3,7 @@
 # Stands for all tools.
 add_custom_target(tools)
 
-# surface_mesh_coarsening_add_tool(NAME SOURCE...): a program that is built to bin/, with the parts of coarsen_mesh.
+# surface_mesh_coarsening_add_tool(NAME SOURCE...): a program in bin/ with the parts of coarsen_mesh.
 function(surface_mesh_coarsening_add_tool name)
   find_package(Boost REQUIRED COMPONENTS program_options)
   add_executable(${name} ${ARGN})
@@ -12,8 +12,8 @@ function(surface_mesh_coarsening_add_tool name)
   add_dependencies(tools ${name})
 endfunction()
 
-# surface_mesh_coarsening_add_run(NAME COMMAND... [MODELS MODEL...]): a CTest test that runs a command in a directory
-# of its own in the build tree, and is skipped with a message where one of the models was not found.
+# surface_mesh_coarsening_add_run(NAME COMMAND... [MODELS MODEL...]): a CTest test that runs a command in a separate
+# directory of the build tree, and is skipped with a message if one of the models was not found.
 function(surface_mesh_coarsening_add_run name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "COMMAND;MODELS")
   foreach(model IN LISTS arg_MODELS)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# The library as applications use it: the headers, and what depends on no type of mesh compiled once. It is compiled in the
-# application's build, with its compiler and options, and on many threads where oneTBB is found.
+# The library for applications: the headers, and the core that depends on no type of mesh, compiled once. The application's
+# build compiles it with its compiler and options, and with threads if oneTBB is found.
 
-# surface_mesh_coarsening_add_core(NAME SOURCE): a static library of the core, to be linked instead of the headers alone.
+# surface_mesh_coarsening_add_core(NAME SOURCE): a static library of the core, an alternative to the headers alone.
 function(surface_mesh_coarsening_add_core name source)
   add_library(${name} STATIC EXCLUDE_FROM_ALL ${source})
   target_link_libraries(${name} PUBLIC Surface_mesh_coarsening::headers)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What does not depend on the types of meshes and maps, compiled once. Without this library, the same headers are included by
-// their users and everything in them is inline.
+// The code that does not depend on the types of meshes and maps, compiled once. Without this library, users include the same
+// headers, and all their functions are inline.
 
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance_impl.h>

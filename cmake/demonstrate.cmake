@@ -10,7 +10,7 @@ if(NOT EXISTS "${INPUT}")
 endif()
 file(MAKE_DIRECTORY ${OUTPUT_DIR})
 
-# The highest density for each weight is the one of the paper's Table 1.
+# The maximum density of each weight is as in the paper's Table 1.
 set(maximum_density_for_area 50)
 set(maximum_density_for_maximum 50)
 set(maximum_density_for_variance 3)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Completion of coarsen_mesh for bash. It needs nothing of the package bash-completion.
+# Completion of coarsen_mesh for bash. It does not need the package bash-completion.
 
 _coarsen_mesh()
 {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}
-  # bash breaks words at '=': what stands before it is the option then.
+  # bash breaks words at '=': the option precedes it.
   if [[ $word == "=" ]]; then
     word=
   elif [[ $before == "=" && $COMP_CWORD -ge 2 ]]; then

@@ -3,8 +3,8 @@
 #
 # Copies the package into a checkout of CGAL, as a package among its others:
 #   packaging/copy_to_cgal.sh CGAL_CHECKOUT
-# Nothing is edited on the way; what CGAL keeps elsewhere, the names of the parameters and the bibliography, is left to do by
-# hand as CONTRIBUTING.md says.
+# Files are copied unchanged; parts that CGAL keeps elsewhere, the names of the parameters and the bibliography, have to be
+# merged by hand as described in CONTRIBUTING.md.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 name=Surface_mesh_coarsening
@@ -19,7 +19,7 @@ cp -r "$here/include/CGAL/$name" "$target/include/CGAL/"
 cp "$here"/examples/$name/*.cpp "$target/examples/$name/"
 cp -r "$here"/doc/$name/{Concepts,fig,PackageDescription.txt,$name.txt,distributed_meshes.txt,examples.txt} "$target/doc/$name/"
 cp -r "$here"/test/$name/support "$target/test/$name/"
-# Those tests that need neither the tool nor models that CGAL does not have.
+# The tests that need neither the tool nor models missing in CGAL.
 for test in "$here"/test/$name/test_*.cpp; do
   grep -qE 'models\.h"|Tool_process|COARSEN_MESH|nlohmann|"(io|check|render)/' "$test" || cp "$test" "$target/test/$name/"
 done

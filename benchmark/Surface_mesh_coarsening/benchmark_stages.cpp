@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Times each stage of the coarsening, and the whole, on generated meshes of several sizes and on the models found when
-// the project was configured. `faces/s` counts the faces of the input; `per_face` is its reciprocal.
+// Times each stage of the coarsening, and the whole, on generated meshes of several sizes and on the models found at
+// configuration. `faces/s` counts the faces of the input; `per_face` is its reciprocal.
 
 #include "found_models.h"
 #include "support/models.h"
@@ -22,12 +22,12 @@ namespace SMC = CGAL::Surface_mesh_coarsening;
 using coarsening_support::Mesh;
 typedef SMC::Mwcvd_clustering<Mesh> Clustering;
 
-// A cluster for so many vertices is what models are coarsened to in practice.
+// A practical number of vertices per cluster.
 constexpr std::size_t vertices_per_cluster = 50;
 
 std::size_t number_of_clusters(const Mesh& mesh) { return mesh.number_of_vertices() / vertices_per_cluster; }
 
-// The meshes are made when first used; only the last one is kept, as they may be large.
+// Meshes are generated at first use; only the last one is kept, as they may be large.
 class Model
 {
 public:
@@ -93,7 +93,7 @@ void prepare(benchmark::State& state, const Model& model)
   count(state, mesh);
 }
 
-// The walk alone: the arrays are there.
+// The seeds only: the arrays exist.
 void walk_for_seeds(benchmark::State& state, const Model& model, std::size_t level)
 {
   const Mesh& mesh = model.mesh();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs this package and the other coarsening methods that were there when this was compiled on the same meshes, and
-// prints as CSV the seconds, how far the results are from the meshes, in percent of the diagonal of the bounding box, and
-// what shape their triangles have, with angles in degrees. Reading files is not timed. The methods take turns, so that what
-// else the machine does hits all alike. Medians and their ratios say more than single times, and processor seconds more than
-// those of the clock where other programs run.
+// Runs this package and the other compiled-in coarsening methods on the same meshes, and prints as CSV the seconds, the
+// distances of the results from the meshes in percent of the diagonal of the bounding box, and the shape of their triangles
+// with angles in degrees. Reading files is not timed. The methods take turns, so that other load affects all alike. Medians
+// and their ratios are more reliable than single times, and processor seconds more than wall-clock seconds on a loaded
+// machine.
 
 #include "support/Surface_certificate.h"
 #include "support/models.h"
@@ -36,7 +36,7 @@ double quantile(const std::vector<double>& sorted, double q)
   return i + 1 < sorted.size() ? sorted[i] + (at - double(i)) * (sorted[i + 1] - sorted[i]) : sorted.back();
 }
 
-// Of no times at all, that of a method that failed, it makes one.
+// Sorts the times; a failed method without times gets one of 0.
 std::vector<double> sorted(std::vector<double> seconds)
 {
   if (seconds.empty())
@@ -71,7 +71,7 @@ std::string judged(const Times& times, const Mesh& mesh)
   return same ? "valid" : "manifold of another topology";
 }
 
-// What is not manifold is measured with its vertices duplicated.
+// Duplicates non-manifold vertices for the measurement.
 void print_quality(const Mesh& mesh, Result result)
 {
   Mesh output;
@@ -121,7 +121,7 @@ void compare(const std::string& name, const Mesh& mesh, std::size_t number, std:
   }
 }
 
-// Of a list of numbers and percentages.
+// Parses a list of numbers and percentages.
 std::vector<std::size_t> numbers(const std::string& list, std::size_t whole)
 {
   std::vector<std::size_t> result;

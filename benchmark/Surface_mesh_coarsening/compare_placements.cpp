@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Coarsens meshes with the weights, maximum densities and placements, and prints as CSV how far the output is from the input
-// and what shape its triangles have. Distances are in percent of the diagonal of the bounding box, angles in degrees.
+// Coarsens meshes with the weights, maximum densities and placements, and prints as CSV the distance of the output from the
+// input and the shape of its triangles. Distances are in percent of the diagonal of the bounding box, angles in degrees.
 
 #include "support/Stopwatch.h"
 #include "support/models.h"
@@ -27,7 +27,7 @@ namespace {
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using coarsening_support::Mesh;
 
-// The smallest angles of less than this are those of slivers.
+// A triangle with a smaller angle is a sliver.
 constexpr double sliver = 20;
 
 struct Row

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Compiles an empty program with the header of the one call, and with that of CGAL's edge collapse, and prints what it takes:
-# user seconds (the least of three), lines after preprocessing, and bytes of the object file.
+# Compiles an empty program with the header coarsen_mesh.h, and with the header of CGAL's edge collapse, and prints user
+# seconds (minimum of three), lines after preprocessing, and bytes of the object file.
 #
 #   compile_cost.sh COMPILER OPTION...
 set -e

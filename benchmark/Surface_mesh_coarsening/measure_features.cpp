@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Coarsens a mesh with its features and without, and prints as CSV how far the lines of the output are from those of the input,
-// and the surfaces from each other. Distances are root mean squares in percent of the diagonal of the bounding box.
+// Coarsens a mesh with its features and without, and prints as CSV the distance between the lines of output and input, and
+// between the surfaces. Distances are root mean squares in percent of the diagonal of the bounding box.
 
 #include "support/line_distance.h"
 #include "support/models.h"

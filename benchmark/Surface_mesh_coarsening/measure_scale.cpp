@@ -7,7 +7,7 @@
 //   measure_scale --cancel FACES        the longest time in which the visitor is not asked whether to go on, in each stage, and
 //                                       how long it takes from its answer until the call has returned
 //
-// The torus is made face by face; 20 million of them take some 4 GB in all.
+// The torus is built face by face; 20 million faces take some 4 GB in all.
 
 #include "io/Mesh.h"
 
@@ -91,7 +91,7 @@ void measure(const Mesh& mesh, std::size_t number)
             << std::endl;
 }
 
-// Cancels after so many questions, if that is not 0.
+// Cancels after this number of calls, unless it is 0.
 struct Asking_visitor : SMC::Coarsening_visitor_base
 {
   std::size_t max_questions = 0, questions = 0, stage = 0;
@@ -122,7 +122,7 @@ void measure_cancelling(std::size_t faces)
 {
   const Mesh mesh = bumpy_torus(faces);
   const std::size_t number = mesh.number_of_vertices() / vertices_per_cluster;
-  constexpr std::size_t rounds = 5; // one is as another
+  constexpr std::size_t rounds = 5; // one is like another
   Asking_visitor visitor;
   {
     Mesh output;

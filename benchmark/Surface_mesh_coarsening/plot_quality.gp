@@ -27,7 +27,7 @@ do for [m = 1:words(models)] {
     using (strcol(1) eq word(models, m) && strcol(4) eq method(i) ? $18 : NaN):15 \
     with linespoints linecolor rgb colors[i] pointtype i pointsize 0.7 notitle
 }
-# The legend has the last panel to itself.
+# The last panel shows the legend.
 unset title
 unset xlabel
 unset ylabel

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Times the tool, as a process, on generated meshes that are hard on it: vertices of high valence, long triangles, polygons of very
-// many sides, jagged borders, very many loops and components. Each run has to end, with a result or a refusal, within so many
-// times the processor time for each face that a reference mesh takes: the horse if it is given, a rough sphere of about its size
-// otherwise. Prints a line per run and ends with 1 if one took longer. The tool's path is in the environment variable COARSEN_MESH.
+// Times the tool, as a process, on difficult generated meshes: vertices of high valence, long triangles, polygons of very
+// many sides, jagged borders, very many loops and components. Each run has to end, with a result or a refusal, within a
+// multiple of the processor time per face of a reference mesh: the horse if given, otherwise a rough sphere of about its
+// size. Prints a line per run and ends with 1 if one took longer. The tool's path is in the environment variable
+// COARSEN_MESH.
 
 #include "support/Tool_process.h"
 #include "support/generate_meshes.h"
@@ -61,7 +62,7 @@ Soup disc_around_polygon(std::size_t sides)
   return s;
 }
 
-// A tube of which one border goes up and down at each of its edges.
+// A tube with a zigzag border.
 Soup jagged_tube(std::size_t edges, std::size_t rings)
 {
   Soup s = generated::triangulated(generated::tube(edges / 2, rings));
@@ -119,7 +120,7 @@ class Sweep
 public:
   Sweep(double limit, const std::string& options) : limit_(limit), options_(options) {}
 
-  // The time for each face that others are compared with.
+  // The reference time per face.
   void run_reference(const std::string& file, std::size_t faces, std::size_t vertices)
   {
     reference_ = 1e300; // no limit
@@ -131,7 +132,7 @@ public:
   {
     const Soup soup = mesh.make();
     directory_.write("in.off", mesh_files::off(soup));
-    // Starting the tool takes as long as some hundred faces.
+    // The start of the tool takes as long as some hundred faces.
     reference_ = seconds_a_face_ * double((std::max)(soup.polygons.size(), std::size_t(2000)));
     for (const double share : {0., 0.01, 0.1, 0.35}) {
       const std::size_t number = std::size_t(share * double(soup.points.size()));
@@ -159,7 +160,7 @@ public:
   }
 
 private:
-  // The status and the processor time of a run. What takes much longer than it may is ended.
+  // The status and the processor time of a run. Ends runs far beyond the limit.
   std::pair<int, double> time(const std::string& input, const std::string& options)
   {
     const double before = processor_seconds_of_children();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Coarsens many meshes to many numbers of vertices with four weights and judges every result: the output has to be a
-// 2-manifold triangle mesh with exactly the number of vertices asked for, and component by component the genus, the
+// Coarsens many meshes to many numbers of vertices with four weights and checks every result: the output has to be a
+// 2-manifold triangle mesh with exactly the requested number of vertices and, component by component, the genus, the
 // border loops and the orientation of the input. Prints a line per mesh and ends with 1 if a run failed.
 
 #include "check/soup_fault.h"
@@ -70,7 +70,7 @@ struct Line
   }
 };
 
-// What one call came to.
+// The outcome of one call.
 struct Outcome
 {
   std::string fault;
@@ -87,7 +87,7 @@ Coarsening coarsening_with(double maximum_density)
   return [=](const Mesh& mesh, std::size_t number, Mesh& output, Labels labels) {
     return SMC::coarsen_mesh(mesh, number, output,
                              SMC::parameters::cluster_weight(Weight())
-                               .repair_output(false) // flips no edges: the triangles are those of the clusters
+                               .repair_output(false) // flips no edges: the triangles are the dual of the clusters
                                .maximum_density(maximum_density)
                                .face_cluster_map(labels));
   };
@@ -115,7 +115,7 @@ public:
     std::cout << std::endl;
   }
 
-  // Leaves nothing out: each number is tried with each weight.
+  // Tries each number with each weight.
   void run(const Examined_mesh& input)
   {
     line_ = Line();
@@ -131,7 +131,7 @@ public:
     ++meshes_;
   }
 
-  // An input that is no oriented surface: whatever face graph can be made of it has to be refused.
+  // An input that is no oriented surface: any face graph built from it has to be refused.
   void run_refused(const std::string& name, const Mesh& mesh)
   {
     line_ = Line();
@@ -183,7 +183,7 @@ private:
     Outcome outcome;
     const auto begin = std::chrono::steady_clock::now();
     Mesh output;
-    output.add_vertex(Point(1, 2, 3)); // has to be there still after a refusal
+    output.add_vertex(Point(1, 2, 3)); // has to remain after a refusal
     Mesh& mesh = const_cast<Mesh&>(input_->mesh);
     Labels labels = mesh.add_property_map<Face, std::size_t>("f:sweep", std::size_t(-1)).first;
     const auto seconds = [&] {
@@ -210,7 +210,7 @@ private:
     return outcome;
   }
 
-  // The numbers that a refusal may name; none where the call has to succeed.
+  // The numbers that a refusal may name; none if the call has to succeed.
   struct Nearest
   {
     std::size_t low = 1, high = 0;
@@ -324,7 +324,7 @@ std::vector<std::string> files_in(const std::vector<std::string>& inputs)
   return files;
 }
 
-// Turns polygons so that their orientations agree, if that alone makes a surface of them.
+// Reverses polygons so that their orientations agree, if this alone yields a surface.
 std::optional<std::string> fault_after_orientation(Soup& soup)
 {
   const std::optional<std::string> fault = coarsening_support::soup_fault(soup);
@@ -383,7 +383,7 @@ void run_torture(const Torture& torture, Sweep& sweep)
     for (const std::size_t v : polygon)
       corners.push_back(Vertex(Mesh::size_type(v)));
     if (mesh.add_face(corners) == Mesh::null_face()) {
-      // No halfedges can stand for it: the library cannot be called at all.
+      // Halfedges cannot represent it: the library cannot be called at all.
       sweep.note_refused(torture.name, *fault);
       return;
     }

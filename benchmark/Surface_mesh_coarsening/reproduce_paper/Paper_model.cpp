@@ -79,7 +79,7 @@ std::optional<std::string> find_model(const Paper_model& model, const std::vecto
       if (is_it(entry.path()))
         found.push_back(entry.path().string());
     if (!found.empty())
-      return *std::min_element(found.begin(), found.end()); // whatever the order of the directory
+      return *std::min_element(found.begin(), found.end()); // independent of the order of the directory
   }
   return std::nullopt;
 }

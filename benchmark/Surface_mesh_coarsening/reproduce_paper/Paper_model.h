@@ -25,11 +25,11 @@ enum Paper_weight
 constexpr std::array<Paper_weight, 3> paper_weights = {AREA, MAXIMUM, VARIANCE};
 constexpr std::array<const char*, 3> weight_names = {"area", "maximum", "variance"};
 
-// A column of Table 1: a model, the parameters used on it, and what came out there.
+// A column of Table 1: a model, its parameters, and the paper's results.
 struct Paper_model
 {
   std::string name;
-  std::vector<std::string> files; // names it is known by; none for the model that is generated
+  std::vector<std::string> files; // its possible names; none for the generated model
   std::size_t vertices;
   unsigned level;
   std::size_t seeds;
@@ -40,7 +40,7 @@ struct Paper_model
 
 const std::vector<Paper_model>& paper_models();
 
-// A cube of side 1 whose sides are `n` by `n` squares, each cut into two triangles.
+// A cube of side 1 whose sides are `n` by `n` squares, each divided into two triangles.
 Mesh triangulated_cube(std::size_t n);
 
 // Finds the file of the model among files and in directories.

@@ -12,7 +12,7 @@
 namespace reproduce_paper {
 namespace {
 
-// Renders panels of one model from one place.
+// Renders panels of one model from one viewpoint.
 class Artist
 {
   const Mesh& mesh;
@@ -47,7 +47,7 @@ std::vector<std::string> write_figures(const Paper_model& model, const Mesh& mes
   std::vector<std::string> written;
   const Artist artist(mesh, Vector(1, 0.5, 0.8));
   if (model.name == "Bunny") {
-    // The stages of the algorithm. The paper does not say with which weight.
+    // The stages of the algorithm. The paper does not name the weight.
     const Clustering_run& run = runs[VARIANCE];
     written.push_back(
       write_picture(directory, "figure_5.png",

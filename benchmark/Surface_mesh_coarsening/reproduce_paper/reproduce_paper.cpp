@@ -57,8 +57,8 @@ void print_heading()
               "ours", "paper", "ours", "weight", "r_new", "paper", "ours", "clusters", "rounds", "dual");
 }
 
-// The times are the paper's: seeding, and what follows it until the clusters are final. Densities are in neither of them
-// there, as far as the paper tells.
+// The times are defined as in the paper: seeding, and then growth and minimization. Neither seems to include densities
+// there.
 bool print_row(const Paper_model& model, const Mesh& mesh, Paper_weight weight, const Clustering_run& run)
 {
   const auto fault = triangle_mesh_fault(run.dual);
@@ -75,7 +75,7 @@ bool print_row(const Paper_model& model, const Mesh& mesh, Paper_weight weight, 
   return kept;
 }
 
-// Returns whether everything that was found could be done and is valid.
+// Returns whether all models found were processed with valid results.
 bool reproduce(const Paper_model& model, const Options& options)
 {
   std::string file;

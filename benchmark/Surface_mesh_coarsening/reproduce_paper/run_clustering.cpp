@@ -38,7 +38,7 @@ Clustering_run run_with(const Mesh& mesh, unsigned level, double maximum_density
   clustering.seed_from_level(level);
   clustering.grow();
   run.labels_after_growth = labels_of(mesh, clustering);
-  clustering.minimize(clustering.default_number_of_iterations, 0); // to the paper's end
+  clustering.minimize(clustering.default_number_of_iterations, 0); // the paper's end
   run.labels = labels_of(mesh, clustering);
   clustering.extract_dual_mesh(run.dual);
   run.report = clustering.report();

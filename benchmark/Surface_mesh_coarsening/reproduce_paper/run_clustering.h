@@ -24,7 +24,7 @@ struct Clustering_run
 // Runs the steps of the paper one after the other.
 Clustering_run run_clustering(const Mesh& mesh, unsigned level, Paper_weight weight, double maximum_density);
 
-// Runs them with the same weight for all clusters: the ordinary centroidal Voronoi diagram that the paper compares with.
+// Runs them with equal weights for all clusters: the ordinary centroidal Voronoi diagram that the paper compares with.
 Clustering_run run_uniform_clustering(const Mesh& mesh, unsigned level, double maximum_density);
 
 } // namespace reproduce_paper

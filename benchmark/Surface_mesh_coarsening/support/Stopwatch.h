@@ -7,7 +7,7 @@
 
 namespace benchmark_support {
 
-// Processor seconds since it was made.
+// Processor seconds since its construction.
 class Stopwatch
 {
 public:

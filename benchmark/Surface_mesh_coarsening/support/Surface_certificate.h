@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-// What the sweep holds results against. It starts from a list of polygons and uses nothing of the library, nor the
-// halfedges of a mesh, which could not even represent some of the faults.
+// The oracle of the sweep. It reads a list of polygons and uses neither the library nor the halfedges of a mesh,
+// which could not even represent some of the faults.
 namespace benchmark_support {
 
 struct Surface_counts
@@ -27,8 +27,9 @@ struct Surface_counts
     return characteristic() == c.characteristic() && loops == c.loops;
   }
 
-  // No simplicial surface of this topology has fewer vertices. For closed surfaces it is Heawood's bound with the
-  // exception of genus 2 (Jungerman and Ringel, 1980); a cone over each border loop makes a surface closed.
+  // Returns a lower bound on the vertices of simplicial surfaces of this topology. For closed surfaces it is
+  // Heawood's bound with the exception of genus 2 (Jungerman and Ringel, 1980); a cone over each border loop makes
+  // a surface closed.
   std::size_t fewest_vertices() const
   {
     const double g = double(genus());
@@ -37,13 +38,13 @@ struct Surface_counts
   }
 };
 
-// An oriented surface given by polygons, and the first fault that keeps them from being one.
+// An oriented surface given by polygons, or the first fault if they form none.
 class Surface_certificate
 {
 public:
   typedef std::vector<std::vector<std::size_t> > Polygons;
 
-  // Where `simplicial`, only triangles are allowed, no two on the same vertices, and no vertex without a triangle.
+  // If `simplicial`, only triangles are allowed, no two with the same vertices, and no vertex without a triangle.
   Surface_certificate(const Polygons& polygons, std::size_t vertices, bool simplicial)
     : polygons_(polygons), vertices_(vertices)
   {
@@ -54,7 +55,7 @@ public:
 
   const std::string& fault() const { return fault_; }
   const std::vector<Surface_counts>& components() const { return components_; }
-  // Of a vertex; the number of components for one without faces.
+  // The component of a vertex; the number of components for a vertex without faces.
   std::size_t component(std::size_t vertex) const { return component_[vertex]; }
 
   Surface_counts total() const
@@ -72,7 +73,7 @@ public:
 private:
   struct Side
   {
-    std::size_t from, to, corner; // `corner` is that of `from`; the next one of the polygon is that of `to`
+    std::size_t from, to, corner; // `corner` is the corner of `from`; the next one belongs to `to`
     bool operator<(const Side& s) const { return std::make_pair(from, to) < std::make_pair(s.from, s.to); }
   };
 
@@ -151,7 +152,7 @@ private:
                name((*twice)[2]);
   }
 
-  // To be called when the sides are sorted.
+  // Requires sorted sides.
   void pair_sides()
   {
     opposite_.assign(sides_.size(), nullptr);
@@ -208,7 +209,7 @@ private:
       }
       component_[v] = n;
       ++components_[n].vertices;
-      // A loop has one border edge from each of its vertices, so its set is named by one of them.
+      // A loop has one border edge from each of its vertices, so one of them identifies its set.
       if (on_border[v] && borders.find(v) == v)
         ++components_[n].loops;
     }

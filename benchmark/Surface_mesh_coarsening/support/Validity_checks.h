@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-// Judges the result of one coarsening from the two meshes and the labels. All functions return what is wrong, or
+// Checks the result of one coarsening from the two meshes and the labels. All functions return the fault, or
 // nothing.
 namespace benchmark_support {
 
@@ -48,7 +48,7 @@ struct Examined_mesh
   Polygons polygons;
   std::optional<Surface_certificate> certificate;
 
-  // The mesh stays where it is: the certificate refers to the polygons.
+  // The mesh must not move: the certificate refers to the polygons.
   Examined_mesh(const std::string& name, const Mesh& m) : name(name), mesh(m), polygons(polygons_of(m))
   {
     certificate.emplace(polygons, mesh.number_of_vertices(), false);
@@ -86,7 +86,7 @@ inline std::string fault_of_components(const Examined_mesh& input, const Labels&
   return {};
 }
 
-// The clusters met in a walk around a vertex in the interior, counterclockwise as the faces are oriented.
+// Returns the clusters around a vertex in the interior, counterclockwise as the faces are oriented.
 inline std::vector<std::size_t> clusters_around(const Mesh& mesh, const Labels& labels, Vertex v)
 {
   std::vector<std::size_t> runs;
@@ -105,8 +105,8 @@ inline std::vector<std::size_t> clusters_around(const Mesh& mesh, const Labels& 
 }
 
 // Where exactly three clusters meet, the output has to have their triangle with the same orientation. Labels of
-// subdivided faces are not exact, and may let clusters seem to meet that do not; those that do are by far the most only
-// where clusters have some faces, so that only a clear majority speaks against a component.
+// subdivided faces are not exact: clusters may seem to meet that do not. Most meetings are real only if clusters have
+// several faces, so only a clear majority counts against a component.
 inline std::string fault_of_orientation(const Examined_mesh& input, const Labels& labels, const Polygons& output,
                                         bool exact)
 {

@@ -13,7 +13,7 @@
 
 namespace benchmark_support {
 
-// Ends the program where a job does not end, which nothing else could report: a visitor is not asked in every loop.
+// Ends the program if a job does not end, which a visitor could not detect: not every loop calls it.
 class Watchdog
 {
 public:

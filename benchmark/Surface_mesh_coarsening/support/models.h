@@ -14,7 +14,7 @@
 
 namespace benchmark_support {
 
-// A mesh without unused vertices from a file that holds a 2-manifold.
+// Reads a mesh without unused vertices from a file of a 2-manifold.
 inline coarsening_support::Mesh read_model(const std::string& file)
 {
   coarsening_support::Soup soup = coarsening_support::read_soup(file);

@@ -3,7 +3,7 @@
 #ifndef COARSENING_BENCHMARK_PEERS_H
 #define COARSENING_BENCHMARK_PEERS_H
 
-// This package with several settings, and the other coarsening methods that are there when this is compiled.
+// This package with several settings, and the other coarsening methods available at compilation.
 
 #include "io/Mesh.h"
 
@@ -47,7 +47,7 @@ using coarsening_support::Mesh;
 using coarsening_support::Point;
 using coarsening_support::Vertex;
 
-// Points and triangles as lists, which every method can give.
+// Points and triangles as lists, the common form of all methods.
 struct Result
 {
   std::vector<Point> points;
@@ -118,14 +118,14 @@ struct Few_edges_left
   bool operator()(const Cost&, const Profile&, std::size_t, std::size_t current) const { return current <= edges; }
 };
 
-// Of edges or faces, as many as are left when those of vertices are in the same proportion. Collapses of edges cannot be
-// told to stop at a number of vertices.
+// Returns the number of edges or faces in the proportion of the vertices. Collapses of edges cannot stop at a number of
+// vertices.
 inline std::size_t part(std::size_t all, std::size_t number, const Mesh& mesh)
 {
   return std::size_t(double(all) * double(number) / double(mesh.number_of_vertices()));
 }
 
-// Collapses edges in place, so that it needs a copy; making it is not counted.
+// Collapses edges in place, in a copy; copying is not timed.
 template <class Collapse>
 Seconds run_edge_collapse(const Mesh& mesh, std::size_t number, Result& result, const Collapse& collapse)
 {
@@ -204,7 +204,7 @@ inline Seconds run_meshoptimizer(const Mesh& mesh, std::size_t number, Result& r
 #endif
 
 #ifdef COARSENING_HAS_OPENMESH
-// Collapses halfedges by quadrics. Making the copy in its own data structure is not counted.
+// Collapses halfedges by quadrics. Conversion to its own data structure is not timed.
 inline Seconds run_openmesh(const Mesh& mesh, std::size_t number, Result& result)
 {
   typedef OpenMesh::TriMesh_ArrayKernelT<> Open_mesh;

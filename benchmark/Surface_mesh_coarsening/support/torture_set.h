@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// Meshes made to break a coarsening: each has something that real meshes have rarely, and has much of it.
+// Meshes designed to break a coarsening: each has many instances of a rare feature of real meshes.
 namespace benchmark_support {
 
 struct Torture
@@ -53,7 +53,7 @@ inline generated::Soup triangles(std::size_t n)
   return s;
 }
 
-// In two sizes: `small` for a quick look.
+// In two sizes: `small` for a quick run.
 inline std::vector<Torture> torture_set(bool small)
 {
   using namespace generated;

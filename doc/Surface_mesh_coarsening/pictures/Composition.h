@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lays panels out in rows with a caption below each, and leaves it to gnuplot to write the letters.
+// Arranges panels in rows with a caption below each; gnuplot writes the text.
 
 #ifndef COARSENING_PICTURES_COMPOSITION_H
 #define COARSENING_PICTURES_COMPOSITION_H
@@ -27,7 +27,7 @@ struct Panel
 {
   Image image;
   std::string caption;
-  std::string scale_low, scale_high; // the ends of the color scale; without them there is none
+  std::string scale_low, scale_high; // the ends of the color scale, if any
 };
 
 inline void write_file(const std::filesystem::path& file, const std::string& content)
@@ -38,7 +38,7 @@ inline void write_file(const std::filesystem::path& file, const std::string& con
     throw std::runtime_error("cannot write " + file.string());
 }
 
-// From pale to dark for t from 0 to 1, also for eyes that see no colors.
+// From pale to dark for t from 0 to 1, also in grayscale.
 inline Rgb scale_color(double t)
 {
   static const double stops[4][3] = {{255, 250, 225}, {253, 190, 75}, {205, 75, 15}, {95, 25, 20}};
@@ -57,7 +57,7 @@ inline void draw_scale(Image& image, std::size_t x0, std::size_t x1, std::size_t
       image.at(x, y) = scale_color(double(x - x0) / double(x1 - x0 - 1));
 }
 
-// Fewer shades, which cannot be seen but make the files smaller; white stays white.
+// Reduces the shades imperceptibly for smaller files; white remains white.
 inline void posterize(Image& image)
 {
   for (Rgb& pixel : image.pixels)
@@ -65,7 +65,7 @@ inline void posterize(Image& image)
       channel = static_cast<std::uint8_t>((channel + 4) / 8 * 255 / 32);
 }
 
-// Writes the panels as DIRECTORY/NAME_I.png, and DIRECTORY/NAME.gp, which puts them together in DIRECTORY/figures/NAME.png.
+// Writes the panels as DIRECTORY/NAME_I.png, and DIRECTORY/NAME.gp, which composes them to DIRECTORY/figures/NAME.png.
 inline void compose(const std::filesystem::path& directory, const std::string& name, std::vector<std::vector<Panel> > rows)
 {
   const std::size_t caption_height = 26, gap = 12;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the pictures of the manual have in common.
+// Common functions of the pictures of the manual.
 
 #ifndef COARSENING_PICTURES_PICTURE_KIT_H
 #define COARSENING_PICTURES_PICTURE_KIT_H
@@ -36,7 +36,7 @@ struct Setting
   std::filesystem::path meshes, directory;
 };
 
-// Pictures by the names of their files.
+// Pictures by file name.
 typedef std::vector<std::pair<std::string, std::function<void(const Setting&)> > > Pictures;
 
 Pictures pictures_of_the_method();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Makes the pictures of the manual and the README, and the figures that they show:
+// Creates the pictures of the manual and the README, and the figures in them:
 //   make_pictures CGAL_MESHES DIRECTORY [NAME...]
 // reads meshes of CGAL's data directory and writes panels, tables and scripts for gnuplot, for all pictures or for those that
 // are named. The target `pictures` runs both, and so do the targets `picture_NAME`.

@@ -38,7 +38,7 @@ Image with_lines(const Mesh& mesh, const Marks& marks, const Camera& camera, boo
   return render(scene, camera);
 }
 
-// Without features, the lines are what edges of 30 degrees and more the result happens to have.
+// Without features, the lines are the edges of 30 degrees and more that the result happens to have.
 template <class Placement>
 Image without_features(const Mesh& mesh, const Camera& camera, const Placement& placement)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The clusters and solutions that the example refine_where_errors_are has written.
+// The clusters and solutions written by the example refine_where_errors_are.
 
 #include "Picture_kit.h"
 

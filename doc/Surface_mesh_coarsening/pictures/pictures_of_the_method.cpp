@@ -35,7 +35,7 @@ void picture_pipeline(const Setting& setting)
   clustering.seed(fandisk_vertices);
   std::vector<Face> seeds;
   clustering.seeds(std::back_inserter(seeds));
-  // A face alone would hardly be seen.
+  // A single face would hardly be visible.
   std::vector<bool> near_seed(mesh.number_of_faces(), false);
   for (Face seed : seeds) {
     near_seed[seed] = true;
@@ -132,7 +132,7 @@ void picture_quads(const Setting& setting)
             {render(mesh_scene(coarse.mesh), camera), "result, " + vertices_of(coarse.mesh), "", ""}}});
 }
 
-// What the package is about, with the defaults of the tool.
+// An overview of the package, with the defaults of the tool.
 void picture_overview(const Setting& setting)
 {
   const Mesh bunny = read(setting, "bunny00.off");

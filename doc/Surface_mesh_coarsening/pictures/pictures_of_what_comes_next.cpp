@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Properties carried over, a bound of the distance, levels of detail.
+// Transferred properties, a bound of the distance, levels of detail.
 
 #include "Picture_kit.h"
 
@@ -29,7 +29,7 @@ namespace {
 
 typedef std::array<double, 3> Weights; // of the corners of a triangle, the first of which is the target of its halfedge
 
-// Triangles cut into so many parts along each side that colors can change within them.
+// Subdivides triangles so finely that colors can change within them.
 Scene painted_scene(const Mesh& mesh, bool smooth, std::size_t parts, const std::function<Rgb(Face, const Weights&)>& color,
                     const std::function<bool(Edge)>& is_drawn, double width, double ink)
 {
@@ -71,7 +71,7 @@ Scene painted_scene(const Mesh& mesh, bool smooth, std::size_t parts, const std:
 typedef std::array<double, 2> Texture_point;
 typedef Mesh::Property_map<Halfedge, Texture_point> Texture;
 
-// A torus with waves, cut along a meridian and a parallel for its texture, which goes from 0 to 1 both ways.
+// A wavy torus, with a texture from 0 to 1 in both directions that has seams along a meridian and a parallel.
 Mesh waved_torus(std::size_t around, std::size_t across)
 {
   Mesh mesh;
@@ -99,7 +99,7 @@ Mesh waved_torus(std::size_t around, std::size_t across)
   return mesh;
 }
 
-// Squares whose color changes from one end of the texture to the other, so that its seams can be seen.
+// Squares whose color changes across the texture, so that its seams are visible.
 Rgb texture_color(double u, double v)
 {
   const auto wrapped = [](double x) { return (std::min)(0.999999, (std::max)(0., x)); };
@@ -183,7 +183,7 @@ void picture_properties(const Setting& setting)
             {textured(ring.mesh, torus_camera, 16, 0.45), "and on " + vertices_of(ring.mesh), "", ""}}});
 }
 
-// The distance of the middle of each face of the mesh from the other.
+// Returns the distance of the center of each face of the mesh from the other mesh.
 std::vector<double> distances(const Mesh& mesh, const Mesh& other)
 {
   typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
@@ -226,7 +226,7 @@ void picture_distance(const Setting& setting)
   compose(setting.directory, "distance", rows);
 }
 
-// The color of a cluster is that of the coarsest one it is part of.
+// A cluster has the color of the coarsest cluster that contains it.
 void picture_levels(const Setting& setting)
 {
   const Mesh mesh = read(setting, "bunny00.off");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The plots of error against shape and of time against size, and the figures that they show.
+// The plots of error against shape and of time against size, and their figures.
 
 #include "Picture_kit.h"
 
@@ -23,7 +23,7 @@
 namespace coarsening_pictures {
 namespace {
 
-// What edge collapses have to reach.
+// The stop predicate of edge collapses.
 struct Few_edges_left
 {
   std::size_t edges;
