@@ -17,9 +17,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Flips edges of a coarse mesh where that lowers the squared distance from the input enough for what it takes from the
-// smallest angles of the two triangles, or gives enough to these for what it adds to the distance. The rate between the two
-// is that at which the mean of the smallest angles comes to a goal.
+// Flips edges of a coarse mesh if this lowers the squared distance from the input enough for the loss in the smallest
+// angles of the two triangles, or improves the angles enough for the added distance. The exchange rate between the two is
+// chosen such that the mean of the smallest angles reaches a goal.
 class Edge_flips
 {
 public:
@@ -27,7 +27,7 @@ public:
              const Cancellation_point& cancellation)
     : coarse_(coarse), positions_(positions), samples_(samples), cancellation_(cancellation) {}
 
-  // Angles are in radians. No flip makes an angle smaller than `min_angle` if there is none yet among the two triangles.
+  // Angles are in radians. No flip creates an angle below `min_angle` unless the two triangles have one already.
   void run(double mean_angle, double min_angle)
   {
     sharpest_allowed_ = std::cos(min_angle);
@@ -51,7 +51,7 @@ public:
     rate_ = rate;
   }
 
-  // The squared distance that the last run took an angle of one radian to be worth.
+  // The exchange rate of the last run: squared distance per radian.
   double rate() const { return rate_; }
 
 private:
@@ -92,7 +92,7 @@ private:
     return flip;
   }
 
-  // Whether the new triangles look away from each other or from the old.
+  // Returns whether the new triangles face away from each other or from the old ones.
   bool folds_over(const Triangle& old_t, const Triangle& old_u, const Triangle& new_t, const Triangle& new_u) const
   {
     const Vector old_normal = normal_of(positions_, old_t) + normal_of(positions_, old_u);
@@ -100,8 +100,8 @@ private:
     return !(dot(n, old_normal) > 0 && dot(m, old_normal) > 0 && dot(n, m) > 0);
   }
 
-  // The smallest rate at which all flips that pay take no more than `budget` from the angles. It is bounded, because there
-  // may be no such rate. `unit` is a typical squared distance.
+  // Returns the smallest rate at which all profitable flips reduce the angles by at most `budget`. It is bounded, because
+  // there may be no such rate. `unit` is a typical squared distance.
   static double rate_for(const std::vector<Flip>& flips, double budget, double unit)
   {
     constexpr double degrees_per_radian = 180 / CGAL_PI;
@@ -117,7 +117,7 @@ private:
     return unit * std::exp(high) * degrees_per_radian;
   }
 
-  // The best first. Triangles are flipped only once, later ones having been judged with the earlier in place.
+  // Makes the best flips first; re-evaluates each after the earlier ones. Each triangle is flipped at most once.
   void apply(std::vector<Flip>& flips, double rate)
   {
     flips.erase(std::remove_if(flips.begin(), flips.end(), [&](const Flip& f) { return !f.pays(rate); }), flips.end());
@@ -140,7 +140,7 @@ private:
   }
 
   static constexpr std::size_t steps_of_flip = 64;
-  // Flips that raise the distance by a larger factor are not looked at closely.
+  // Flips that increase the distance by a larger factor are not evaluated exactly.
   static constexpr double max_growth = 1.2;
 
   Flippable_triangulation& coarse_;

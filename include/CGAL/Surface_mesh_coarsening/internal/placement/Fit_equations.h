@@ -61,12 +61,12 @@ struct Symmetric_block
   }
 };
 
-// The normal equations of a linear least squares problem for the movements of the vertices of a triangle mesh, kept triangle
-// by triangle and vertex by vertex. They are solved by conjugate gradients, preconditioned with the blocks of the vertices;
-// the matrix is much like a mass matrix, whose condition does not grow with the mesh.
+// The normal equations of a linear least squares problem for the movements of the vertices of a triangle mesh, stored per
+// triangle and per vertex. They are solved by conjugate gradients, preconditioned with the blocks of the vertices; the
+// matrix resembles a mass matrix, whose condition does not grow with the mesh.
 //
-// Why it is not Eigen::ConjugateGradient: the symmetric blocks of the triangles take a third of the memory of the sparse matrix,
-// and need not be put together.
+// Eigen::ConjugateGradient does not serve here: the symmetric blocks of the triangles take a third of the memory of the
+// sparse matrix, and need no assembly.
 class Fit_equations
 {
 public:
@@ -74,8 +74,8 @@ public:
     : triangles_(triangles), of_triangle_(triangles.size()), of_vertex_(vertices), right_(vertices, Vector{{0, 0, 0}}),
       is_fixed_(vertices, false) {}
 
-  // Wants points of triangle `t` to move, with the weights of directions that `metric` gives. `products` are the sums over the
-  // points of their weights times the products of their barycentric coordinates.
+  // Adds terms for the movement of points of triangle `t`, with weights of directions by `metric`. `products` are the sums
+  // over the points of their weights times the products of their barycentric coordinates.
   void add_stiffness(Index t, const Symmetric_block& products, const Symmetric_block& metric)
   {
     Element& e = of_triangle_[t];
@@ -85,7 +85,7 @@ public:
         e[i].add(factor[i], metric);
   }
 
-  // Wants vertex `v` to move by `d` with weight `weight`.
+  // Adds a term for the movement of vertex `v` by `d` with weight `weight`.
   void add_vertex(Index v, const Vector& d, double weight)
   {
     of_vertex_[v].add(weight, Symmetric_block::identity());
@@ -94,10 +94,10 @@ public:
 
   void add_force(Index v, const Vector& d, double weight) { right_[v] = right_[v] + weight * d; }
 
-  // Keeps vertex `v` where it is.
+  // Fixes vertex `v`.
   void fix(Index v) { is_fixed_[v] = true; }
 
-  // The movements; none if numbers get out of hand.
+  // Returns the movements; empty if numbers overflow.
   std::vector<Vector> solve(std::size_t max_steps, double tolerance, const Cancellation_point& cancellation) const
   {
     const std::size_t n = right_.size();

@@ -19,18 +19,18 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Samples of the input and of a coarse mesh, each with its closest point, its foot, on the other surface. Feet are searched for
-// downhill from where they were, so they stay on the same side of thin parts, and a search takes no longer at vertices of high
-// valence.
+// Samples of the input and of a coarse mesh, each with its closest point, its foot, on the other surface. The search for a
+// foot descends from the previous one, so feet remain on the same side of thin parts, and a search takes no longer at
+// vertices of high valence.
 class Fit_samples
 {
 public:
-  // A point of the input. As large as a line of a cache.
+  // A point of the input. Fills one cache line.
   struct Sample
   {
     Vector position;
     Index face;
-    Index triangle; // where its foot is; NONE before the first search
+    Index triangle; // the triangle of its foot; NONE before the first search
     Foot_point foot;
   };
 
@@ -58,7 +58,7 @@ public:
 
   // The area of the input.
   double area() const { return area_; }
-  // The part of the area that a sample of the input stands for.
+  // The area that a sample of the input represents.
   double weight() const { return samples_.empty() ? 0 : area_ / double(number_of_used()); }
 
   // Uses one in `step` of the samples of the input.
@@ -98,7 +98,7 @@ public:
 
   const Back_samples& of_triangle(Index t) const { return back_[t]; }
 
-  // The sum over the samples of the input of their part of the area times the squared distance.
+  // Returns the sum over the samples of the input of area times squared distance.
   double sum_of_squared_distances() const
   {
     double sum = 0;
@@ -107,7 +107,7 @@ public:
     return weight() * sum;
   }
 
-  // What a triangle adds to the sums of both directions.
+  // Returns the contribution of a triangle to the sums of both directions.
   double cost(Index t) const
   {
     double sum = 0;
@@ -115,7 +115,8 @@ public:
     return weight() * sum + cost_of(back_[t]);
   }
 
-  // What two other triangles in the place of `t` and `u` would add; or more than `limit`, if that can be told early.
+  // Returns the contribution of two other triangles that replace `t` and `u`; or a value above `limit` if it is found
+  // early to exceed it.
   double cost_instead(Index t, Index u, const Triangle& first, const Triangle& second, double limit) const
   {
     const Prepared_triangle to_first(positions_, first), to_second(positions_, second);
@@ -134,7 +135,7 @@ public:
     return sum > limit ? sum : sum + cost_of(feet_of(second, starts));
   }
 
-  // Finds the feet on two triangles, and theirs, after these two have changed.
+  // Updates the feet on two changed triangles, and the feet of their samples.
   void redistribute(Index t, Index u)
   {
     const Starts starts = starts_between(t, u);
@@ -165,7 +166,7 @@ public:
     return sum;
   }
 
-  // The part of the cost of a triangle that the samples of the input have.
+  // Returns the cost of a triangle from the samples of the input.
   double cost_of_input(Index t) const
   {
     double sum = 0;
@@ -173,7 +174,7 @@ public:
     return weight() * sum;
   }
 
-  // Finds the feet of the samples of some triangles on others that have come in their place, and the feet of these.
+  // Finds the feet of the samples of replaced triangles on their replacements, and the feet of the latter's samples.
   void redistribute(const std::vector<Index>& old_triangles, const std::vector<Index>& new_triangles)
   {
     std::vector<Index> samples;
@@ -200,10 +201,10 @@ private:
   static constexpr std::size_t samples_per_triangle = 16;
   static constexpr int max_steps = 20;              // of a search on the input
   static constexpr int max_steps_on_triangles = 64; // of a search on the coarse mesh
-  // Of more triangles around a vertex, not all are looked at.
+  // If more triangles surround a vertex, not all are tested.
   static constexpr std::size_t max_around = 16;
 
-  // Points of the input where searches may begin.
+  // Initial points of searches on the input.
   class Starts
   {
   public:
@@ -242,8 +243,8 @@ private:
     first_on_[samples_[i].triangle] = i;
   }
 
-  // Begins around the vertex of the cluster, later where the foot was before, and goes on to triangles around the corner
-  // nearest to the foot, and across the side opposite to it.
+  // Begins around the vertex of the cluster, later at the previous foot, and proceeds to triangles around the corner
+  // nearest to the foot, and across the opposite side.
   void find_foot(Sample& s) const
   {
     if (s.triangle == NONE)
@@ -260,7 +261,7 @@ private:
     }
   }
 
-  // The nearest of the triangles around a vertex, or of some of them, in their order, if there are many.
+  // Returns the nearest of the triangles around a vertex, or of some of them, in order, if there are many.
   Index triangle_near(const Vector& p, Index vertex) const
   {
     const std::vector<Index>& around = coarse_.around(vertex);

@@ -16,9 +16,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Fits the polyline that a feature line becomes to the line, by the squared distances of samples of the line, its ends being
-// kept: in turns, looks for the closest points of the samples, and moves each vertex to where its two sides are closest to
-// theirs. Compared with vertices on the line, those of a polyline along a circle are less than half as far off.
+// Fits the polyline of a feature line to the line by the squared distances of samples of the line, with fixed ends:
+// alternately finds the closest points of the samples, and moves each vertex to the position where its two sides are closest
+// to their samples. Along a circle, this more than halves the distance of a polyline with vertices on the line.
 class Line_fit
 {
 public:
@@ -52,8 +52,8 @@ public:
       find_foot(s);
   }
 
-  // Calls `visit(x, y, at, off, weight)` for each sample: the vertices at the ends of its side, the place of its foot on it,
-  // from 0 to 1, the way from there to the sample, and its part of the length of the line.
+  // Calls `visit(x, y, at, off, weight)` for each sample: the vertices at the ends of its side, the position of its foot on
+  // it, from 0 to 1, the vector from there to the sample, and its share of the length of the line.
   template <class Visit>
   void for_each_foot(const Visit& visit) const
   {
@@ -73,8 +73,8 @@ private:
     Vector position;
     double weight;
     std::size_t arc;
-    std::size_t side; // where its foot is, of those from the vertex of each arc to the next
-    double at;        // the place of the foot on it, from 0 to 1
+    std::size_t side; // the side of its foot; sides connect the vertices of consecutive arcs
+    double at;        // the position of the foot on it, from 0 to 1
   };
 
   Vector& vertex(std::size_t k) { return positions_[line_.arcs[k % line_.arcs.size()].cluster]; }
@@ -106,7 +106,7 @@ private:
     }
   }
 
-  // Moves the vertex where side `k` begins, and that before ends.
+  // Moves the vertex between side `k` and the previous side.
   void move(std::size_t k)
   {
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();

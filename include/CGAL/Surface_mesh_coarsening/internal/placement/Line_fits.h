@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The feature lines in the fit of a surface, if there are some: first each is fitted by itself, then all of them add to the
-// equations for the whole.
+// The feature lines in the fit of a surface, if any: first each line is fitted alone, then all contribute to the equations
+// of the surface.
 class Line_fits
 {
 public:
@@ -33,7 +33,7 @@ public:
     }
   }
 
-  // Whether a vertex lies on a line, and not at a corner.
+  // Returns whether a vertex lies on a line, but not at a corner.
   bool is_on_line(Index v) const { return !is_on_line_.empty() && is_on_line_[v]; }
 
   void find_feet()
@@ -42,7 +42,7 @@ public:
       line.find_feet();
   }
 
-  // Samples of lines are held across the edge where their foot is. Lines count as strips of width `width`.
+  // Samples of lines constrain movements across the edge of their foot. Lines count as strips of width `width`.
   void add_to(Fit_equations& equations, const Flippable_triangulation& coarse, double width, double damping) const
   {
     for (const Line_fit& line : lines_)

@@ -18,14 +18,14 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A placement without its type: the stages of the pipeline are compiled once for all placements. It refers to the placement
-// that it was made of.
+// A placement with its type erased: the stages of the pipeline are compiled once for all placements. Refers to the original
+// placement.
 struct Placement_model
 {
   // One of the two: a position for each cluster, or all positions together, which may flip edges of the triangles.
   std::function<Vector(const Clustered_surface&, std::size_t)> local;
   std::function<void(const Clustered_surface&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&)> global;
-  // The same, exchanging vertices between regions.
+  // The same with vertex exchange between regions.
   std::function<void(const Clustered_surface&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&,
                      const Vertex_relocation&)>
     exchanging;

@@ -24,8 +24,8 @@ namespace Surface_mesh_coarsening {
 namespace internal {
 
 // Fits a triangle mesh, one vertex per cluster, to the faces of the clusters, by the squared distances of samples of both
-// surfaces from the other: alternately looks for the closest points of the samples, and solves for the movements that
-// bring them closest.
+// surfaces from the other: alternately finds the closest points of the samples, and solves for the movements that bring
+// them closest.
 class Surface_fit
 {
 public:
@@ -35,7 +35,7 @@ public:
       lines_(surface, positions)
   {}
 
-  // Finds the closest points of the samples, or of one in `step` of those of the input.
+  // Finds the closest points of the samples, for the input only of one in `step`.
   void find_feet(std::size_t step)
   {
     samples_.find_feet(step);
@@ -44,9 +44,8 @@ public:
 
   Fit_samples& samples() { return samples_; }
 
-  // Moves the vertices, but for those on the border and at corners, to where the sum of the squared distances is smallest as far
-  // as it can be told from the closest points. Where that leaves a vertex free to slide, it does so towards the middle of its
-  // neighbors.
+  // Moves the vertices, except on the border and at corners, to the minimum of the sum of squared distances as estimated from
+  // the closest points. A vertex that is free to slide moves towards the mean of its neighbors.
   void move_vertices()
   {
     const std::vector<Triangle>& triangles = coarse_.triangles();
@@ -80,20 +79,20 @@ public:
 
 private:
   static constexpr int max_halvings = 5;
-  // Closest points follow the triangles, so movements fall short: with this factor, 5 rounds come as close as 7 without.
+  // Closest points follow the triangles, so movements fall short: 5 rounds with this factor come as close as 7 without.
   static constexpr double over_relaxation = 1.5;
   static constexpr std::size_t steps_of_triangle = 16;
   // The weight of sideways movements of samples. They do not change the distance as long as they are small.
   static constexpr double damping = 0.02;
-  // The weight of the way to the middle of the neighbors, where the coarse mesh is as far off as it is wide.
+  // The weight of the movement to the mean of the neighbors if the error of the coarse mesh equals its edge length.
   static constexpr double shape_part = 3;
-  // Eigenvalues of the normals around a vertex that are smaller than this part of the largest leave it free to slide.
+  // Eigenvalues of the normals around a vertex below this fraction of the largest leave it free to slide.
   static constexpr double free_part_below = 0.01;
   static constexpr double min_inertia = 0.001;
   // Lines count as strips of this width, where 1 is about the length of an edge.
   static constexpr double line_width = 1;
 
-  // What holds a vertex: the weights of the samples around, and the sum of the squares of their normals.
+  // The constraint of a vertex: the weights of the samples around it, and the sum of the squares of their normals.
   struct Hold
   {
     double weight = 0, squared_weight = 0;
@@ -106,7 +105,7 @@ private:
     }
   };
 
-  // Triangles may not turn by more than a right angle: the vertices of those that would go half as far.
+  // Triangles must not turn by more than a right angle: otherwise, the movements of their vertices are halved.
   void move_by(std::vector<Vector> moves)
   {
     const std::vector<Vector> before = positions_;
@@ -127,8 +126,9 @@ private:
       positions_[v] = before[v] + moves[v];
   }
 
-  // Samples whose foot is inside the triangle are held across it, others across the way to their foot. How much a vertex is
-  // held is told by those of the input: ways back from chords of sharp edges have directions of their own.
+  // Samples whose foot is inside the triangle constrain movements across it, others along the vector to their foot. Only
+  // samples of the input determine the constraint of a vertex: vectors from chords of sharp edges back to the input have
+  // other directions.
   void add_triangle(Index t, Fit_equations& equations, std::vector<Hold>& holds) const
   {
     const Triangle& corner = coarse_.triangles()[t];
@@ -179,7 +179,7 @@ private:
     }
   }
 
-  // From a vertex to the mean of its neighbors, along the surface.
+  // Returns the vector from a vertex to the mean of its neighbors, along the surface.
   Vector way_to_middle(Index v) const
   {
     Vector normal{{0, 0, 0}};
@@ -190,7 +190,7 @@ private:
     return square > 0 ? d - (dot(d, normal) / square) * normal : d;
   }
 
-  // The part of `d` in the directions in which no sample holds a vertex.
+  // Returns the component of `d` in the directions in which no sample constrains the vertex.
   static Vector free_part(const Eigen::Matrix3d& normals, const Vector& d)
   {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normals);

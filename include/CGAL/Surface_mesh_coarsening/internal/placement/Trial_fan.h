@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A few triangles that a change would put in the place of others, with the samples of the input that these have. One vertex of
-// them may be moved to where the samples are closest.
+// A few triangles that a change would replace others by, with their samples of the input. One vertex of them may move to the
+// position closest to the samples.
 class Trial_fan
 {
 public:
@@ -33,7 +33,8 @@ public:
     samples_.clear();
   }
 
-  // `free_corner`: that of the vertex which may be moved. `reference`: a normal that the triangle must not turn away from.
+  // `free_corner`: the corner of the vertex that may move. `reference`: a normal from which the triangle must not turn
+  // away.
   void add_triangle(const Vector& a, const Vector& b, const Vector& c, int free_corner, const Vector& reference)
   {
     triangles_.push_back({{{a, b, c}}, std::size_t(free_corner), reference, {}});
@@ -49,7 +50,8 @@ public:
     }
   }
 
-  // Whether all triangles look where they should, and no angle is smaller than one of the given cosine.
+  // Returns whether all triangles have a proper orientation, and no angle is smaller than the angle of the given
+  // cosine.
   bool is_sound(double max_cosine) const
   {
     for (const Local_triangle& t : triangles_) {
@@ -69,8 +71,8 @@ public:
     return sum;
   }
 
-  // The sum of the squared distances of the samples; and where the free vertex, which is at `p`, would be best as far as it can be
-  // told from the closest points.
+  // Returns the sum of the squared distances of the samples, and the best position of the free vertex, which is at `p`, as
+  // estimated from the closest points.
   double squared_distances(const Vector& p, Vector& better) const
   {
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
@@ -115,7 +117,7 @@ private:
     return largest;
   }
 
-  // Begins with the triangle that was nearest to the sample before.
+  // Begins with the triangle that was nearest to the previous sample.
   Foot_point closest(const Vector& s, std::size_t& nearest) const
   {
     Foot_point best = triangles_[nearest].prepared.closest(s);

@@ -19,12 +19,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Takes vertices out of a coarse mesh where that costs little and puts them back where the distance from the input is large, a
-// vertex at a time: an edge is collapsed, another one is split. The number of vertices, that of triangles and the topology stay
-// what they are. The error of an optimal mesh is spread evenly over its vertices; this is what spreads it.
+// Moves vertices of a coarse mesh from places where they cost little to places where the distance from the input is large,
+// one at a time: collapses an edge and splits another one. The numbers of vertices and triangles and the topology do not
+// change. In an optimal mesh the error is evenly distributed over the vertices; the exchange distributes it.
 //
-// Costs are sums of squared distances of the samples of the input, with one of the vertices concerned where it is best for these,
-// and of angles at the rate at which flips trade them for distance.
+// Costs are sums of squared distances of the samples of the input, with one of the vertices at its optimal position, and of
+// angles at the exchange rate of flips.
 class Vertex_exchange
 {
 public:
@@ -32,9 +32,9 @@ public:
                   const Cancellation_point& cancellation)
     : border_(border), coarse_(coarse), positions_(positions), samples_(samples), cancellation_(cancellation) {}
 
-  // Exchanges vertices for as long as there are two places, none touched before, that make it worth while. `rate` is the squared
-  // distance that a radian is worth. `relocate(v, w, f)` is asked before vertex `v` is moved
-  // into `w` and comes back near face `f` of the input. Returns the number of vertices exchanged.
+  // Exchanges vertices as long as an exchange between two untouched places is profitable. `rate` is the squared distance per
+  // radian. `relocate(v, w, f)` is called before vertex `v` is merged into `w` and inserted near face `f` of the input, and
+  // may refuse. Returns the number of exchanged vertices.
   template <class Relocate>
   std::size_t run(double rate, const Relocate& relocate)
   {
@@ -59,18 +59,17 @@ public:
   }
 
 private:
-  // What is gained by the one and lost by the other are both estimates before anything else has adapted to it, which lowers the
-  // loss more than the gain.
+  // Gain and loss are estimated before other vertices adapt, which lowers the loss more than the gain.
   static constexpr double min_ratio = 0.6;
-  // The height of a pyramid squared times the area of its base, relative to what the squared distance grows by if the pyramid
-  // is cut off; and what part of the cost of two triangles a vertex on their edge takes away. Both are taken so that most of what
-  // is best is measured.
+  // Factors of the quick estimates. Removing a pyramid increases the squared distance by the first factor times its height
+  // squared times the area of its base; a vertex on the edge of two triangles saves the second fraction of their cost. With
+  // these values, most of the best candidates are measured.
   static constexpr double pyramid_part = 0.18, insertion_part = 0.65;
   static constexpr double min_angle = 10 / 57.29577951308232;
   static constexpr std::size_t max_valence = 32;
   static constexpr int max_steps = 3;
 
-  // Collapses the edge from a vertex to `into`, which comes to lie at `place`.
+  // Collapses the edge from a vertex to `into`, which moves to `place`.
   struct Removal
   {
     double loss;
@@ -80,7 +79,7 @@ private:
     bool operator<(const Removal& r) const { return std::tie(loss, vertex) > std::tie(r.loss, r.vertex); } // the least comes first
   };
 
-  // Splits the edge from the first to the second of four corners, those of two triangles, at `place`.
+  // Splits the edge between the first two of the four corners of two triangles at `place`.
   struct Insertion
   {
     double gain;
@@ -95,7 +94,7 @@ private:
   Vector normal(Index t) const { return normal_of(positions_, triangle(t)); }
   double angle(const Triangle& t) const { return std::acos((std::min)(1., sharpest_of(positions_, t))); }
 
-  // The squared distance in both directions is taken for twice that from the samples of the input.
+  // The squared distance in both directions is estimated as twice the distance of the samples of the input.
   double sample_weight() const { return 2 * samples_.weight(); }
 
   void measure_triangles()
@@ -120,7 +119,7 @@ private:
     return false;
   }
 
-  // Whether all edges at a vertex may go.
+  // Returns whether all edges at a vertex may be removed.
   bool is_free(Index v) const
   {
     if (border_.is_on_border(v) || coarse_.around(v).size() > max_valence)
@@ -145,7 +144,7 @@ private:
     }
   }
 
-  // That of the edges at a vertex whose collapse leaves the new surface closest to where the vertex is.
+  // Returns the edge at a vertex whose collapse keeps the new surface closest to the vertex.
   Removal estimated_removal(Index v) const
   {
     Removal best{std::numeric_limits<double>::infinity(), v, NONE, false, {}};
@@ -170,7 +169,7 @@ private:
     return best;
   }
 
-  // Returns whether the triangles that remain around a vertex are sound after it has moved into another one. `height`: the
+  // Returns whether the triangles that remain around a vertex are valid after it has moved into another one. `height`: the
   // smallest squared distance from its old position to one of them.
   bool look_at_collapse(Index v, Index into, double least_angle, double& height, double& angles) const
   {
@@ -195,8 +194,8 @@ private:
     return t;
   }
 
-  // Whether the mesh remains a manifold, with three triangles or more around each vertex: the two have no neighbors in common but
-  // for those of the two triangles at the edge (link condition).
+  // Whether the mesh remains a manifold, with three triangles or more around each vertex: the two have no common neighbors
+  // except in the two triangles at the edge (link condition).
   bool may_collapse(Index v, Index w) const
   {
     if (coarse_.around(w).size() > max_valence)
@@ -325,8 +324,8 @@ private:
     x.is_measured = true;
   }
 
-  // The least that the samples and angles of the fan cost, its vertex going from `p` to better places; infinite if the fan is
-  // sound nowhere.
+  // Returns the minimal cost of samples and angles of the fan while its vertex moves from `p` to better positions; infinite
+  // if the fan is never valid.
   double best_place(Vector p, int steps, double least_angle, double limit, Vector& place)
   {
     double best = std::numeric_limits<double>::infinity();
@@ -350,7 +349,7 @@ private:
     return any_around(r.vertex, is_corner) || any_around(r.into, is_corner);
   }
 
-  // Of the input, among the samples around.
+  // Returns the nearest face of the input among the samples around.
   Index nearest_face(const Insertion& x) const
   {
     Index nearest = NONE;
@@ -366,8 +365,8 @@ private:
     return nearest;
   }
 
-  // Returns whether the two were done: they are not if the distance in both directions would become larger, or if the clusters
-  // cannot follow.
+  // Returns whether both steps were made: not if the distance in both directions would increase, or if the clusters cannot
+  // follow.
   template <class Relocate>
   bool exchange(const Removal& r, const Insertion& x, const Relocate& relocate)
   {

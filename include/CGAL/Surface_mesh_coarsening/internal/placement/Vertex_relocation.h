@@ -12,15 +12,16 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// What a placement that exchanges vertices asks of the clusters, which follow.
+// The functions by which a placement that exchanges vertices relocates their clusters.
 struct Vertex_relocation
 {
   std::size_t rounds = 0; // with exchanges
-  // Moves cluster `x` into a neighbor, to `into` if possible, and back to face `f` of the surface. Returns whether it did.
+  // Merges cluster `x` into a neighbor, if possible into `into`, and forms it again around face `f` of the surface.
+  // Returns whether this was possible.
   std::function<bool(Index x, Index into, Index f)> relocate;
-  // The point nearest to `p` where the vertex of cluster `x` may lie.
+  // Returns the point nearest to `p` that is allowed for the vertex of cluster `x`.
   std::function<Vector(Index x, const Vector& p)> within_bounds;
-  // Gives all clusters the faces back that they had.
+  // Restores all clusters.
   std::function<void()> undo;
 };
 

@@ -15,9 +15,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Fits all vertices together, starting from quadrics: see `Fitted_placement`. `mean_angle` is in degrees. After two thirds of the
-// rounds, as many follow as `relocation` wants, which exchange vertices for as long as there are some to exchange, then one or more
-// without; if all these do not lower the distance, they are taken back.
+// Fits all vertices together, starting from quadrics: see `Fitted_placement`. `mean_angle` is in degrees. After two thirds of
+// the rounds, up to the number of rounds in `relocation` exchange vertices, until none is profitable, and then one or more
+// rounds without exchange follow; if all these do not lower the distance, they are undone.
 void fit_vertices(const Clustered_surface& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
                   std::vector<Triangle>& triangles, std::vector<Vector>& positions,
                   const Vertex_relocation& relocation = Vertex_relocation());

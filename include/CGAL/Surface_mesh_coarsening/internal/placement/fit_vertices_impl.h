@@ -30,15 +30,15 @@ public:
 
   const std::vector<Triangle>& triangles() const { return coarse_.triangles(); }
 
-  // What rounds begin with.
+  // The initial state of rounds.
   void find_feet(std::size_t step = 1) { fit_.find_feet(step); }
   double cost() { return fit_.samples().sum_of_costs(); }
 
-  // Returns the number of vertices exchanged.
+  // Returns the number of exchanged vertices.
   std::size_t advance(bool exchanges)
   {
     constexpr double degrees_per_radian = 180 / CGAL_PI;
-    // The movements after the last flips take a little from the angles.
+    // The movements after the last flips reduce the angles slightly.
     constexpr double reserve = 0.4;
     constexpr double min_angle = 7;
     flips_.run((mean_angle_ + reserve) / degrees_per_radian, min_angle / degrees_per_radian);
@@ -74,7 +74,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices(const Clustered_surface& s
                                                       std::size_t rounds, double mean_angle, std::vector<Triangle>& triangles,
                                                       std::vector<Vector>& positions, const Vertex_relocation& relocation)
 {
-  // Before the last rounds, one in so many samples will do.
+  // Before the last rounds, one in this number of samples suffices.
   constexpr std::size_t rounds_with_all = 3, step_before = 4;
   place_by_quadrics(surface, border, positions);
   Vertex_fit fit(surface, border, mean_angle, triangles, positions, relocation);

@@ -23,7 +23,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// What the input says of coarse triangles: how the surface that they stand for faces, and whether it intersects itself there.
+// The properties of the input near coarse triangles: the orientation of the surface that they approximate, and whether
+// it intersects itself there.
 class Input_oracle
 {
 public:
@@ -42,19 +43,19 @@ public:
     });
   }
 
-  // The mean normal of the faces of a cluster, the shorter the more they are bent. It is zero where they have no area.
+  // The mean normal of the faces of a cluster; it is shorter for curved clusters, and zero if they have no area.
   const Vector& normal(Index cluster) const { return normals_[cluster]; }
 
-  // Whether any of the clusters of a coarse triangle has an area.
+  // Returns whether any of the clusters of a coarse triangle has an area.
   bool has_area(const Triangle& t) const
   {
     constexpr Vector none{{0, 0, 0}};
     return std::any_of(t.begin(), t.end(), [&](Index x) { return normals_[x] != none; });
   }
 
-  // Whether a coarse triangle looks away from the surface at the closest point of its clusters. That is looked for only where
-  // the mean normals are not enough. Where the point lies on an edge, or several are as close, roundings do not choose: all
-  // faces there count.
+  // Returns whether a coarse triangle faces away from the surface at the closest point of its clusters. The point is computed
+  // only if the mean normals do not decide. If it lies on an edge, or if several points are as close, all faces there count,
+  // so that rounding does not decide.
   bool is_against(const Triangle& t, const std::vector<Vector>& positions) const
   {
     const Vector n = normal_of(positions, t), mean = normals_[t[0]] + normals_[t[1]] + normals_[t[2]];
@@ -82,8 +83,8 @@ public:
     return dot(n, there) < -1e-9 * size * std::sqrt(dot(there, there));
   }
 
-  // The sum over some clusters of about their area times their mean squared distance from coarse triangles. Stops where it
-  // has reached `limit`.
+  // Estimates the sum over some clusters of their area times their mean squared distance from coarse triangles. Stops at
+  // `limit`.
   double squared_distance(const std::vector<Index>& clusters, const std::vector<Triangle>& triangles,
                           const std::vector<Vector>& positions, double limit) const
   {
@@ -92,7 +93,7 @@ public:
     balls.reserve(triangles.size());
     for (const Triangle& t : triangles)
       balls.push_back(ball_around(t, positions));
-    std::size_t last = 0; // the triangle nearest to the sample before
+    std::size_t last = 0; // the triangle nearest to the previous sample
     double sum = 0;
     for (const Index x : clusters) {
       const Clustered_surface::Range faces = surface_.faces(x);
@@ -107,8 +108,8 @@ public:
     return sum;
   }
 
-  // Whether faces of the clusters of one coarse triangle intersect those of another's. Faces with a common vertex are not
-  // looked at: there are many of them, and they hardly ever have more than that in common.
+  // Returns whether faces of the clusters of two coarse triangles intersect. Faces with a common vertex are not tested:
+  // there are many, and they hardly ever have more in common.
   bool intersects_itself(const Triangle& t, const Triangle& u)
   {
     for (const Index x : t)
@@ -119,7 +120,7 @@ public:
   }
 
 private:
-  // Up to where squared distances are the same but for rounding, in a triangle of about that squared size.
+  // Returns the bound below which squared distances are equal up to rounding, in a triangle of about that squared size.
   static double same_as(double squared_distance, double squared_size)
   {
     return 1.000000001 * squared_distance + 1e-18 * squared_size;
@@ -127,7 +128,7 @@ private:
 
   typedef Clustered_surface::Range Face_range;
 
-  // The faces of a cluster are looked through for the nearest one in blocks of so many, in their order, each with its box.
+  // The nearest face of a cluster is searched in blocks of this number of faces, in order, each with its box.
   static constexpr std::size_t faces_of_block = 32;
 
   // Calls `visit(faces, number)` for each block.
@@ -161,7 +162,7 @@ private:
 
   Vector mean_normal(std::size_t cluster) const
   {
-    constexpr double rounding = 1e-13; // what the rounding of coordinates makes of the area of points on a line
+    constexpr double rounding = 1e-13; // bounds the area of collinear points by rounding of coordinates
     Vector sum{{0, 0, 0}};
     double area = 0;
     for (const Index f : surface_.faces(cluster)) {
@@ -171,7 +172,7 @@ private:
     return area > rounding * squared_diagonal(box_of_cluster(cluster)) ? (1 / area) * sum : Vector{{0, 0, 0}};
   }
 
-  // The squared distance of the block whose box is nearest.
+  // Returns the squared distance of the block whose box is nearest.
   double squared_distance_from_nearest_block(const Vector& p, const Triangle& t) const
   {
     double from_box = std::numeric_limits<double>::infinity(), nearest = from_box;
@@ -206,7 +207,8 @@ private:
     return ball;
   }
 
-  // From the nearest of some triangles. Those whose balls are farther away than the nearest so far are passed over.
+  // Returns the squared distance from the nearest of some triangles. Skips triangles whose bounding balls are farther
+  // away than the nearest so far.
   static double squared_distance(const Vector& p, const std::vector<Triangle>& triangles, const std::vector<Ball>& balls,
                                  const std::vector<Vector>& positions, std::size_t& last)
   {
@@ -258,7 +260,7 @@ private:
     return std::find_first_of(t.begin(), t.end(), u.begin(), u.end()) != t.end();
   }
 
-  // The faces of a cluster, as fans, as far as they may have to do with what is in a box.
+  // Returns the faces of a cluster, as fans, that may intersect a box.
   std::vector<Triangle> pieces_at(Index x, const Bbox_3& box) const
   {
     std::vector<Triangle> triangles;
@@ -272,7 +274,7 @@ private:
     return triangles;
   }
 
-  // Numbers the corners from 0, and makes their points.
+  // Numbers the corners from 0, and creates their points.
   std::vector<Triangle> name_common_points(std::vector<Triangle> triangles, std::vector<Exact_point>& points) const
   {
     std::vector<Index> used;
@@ -294,7 +296,7 @@ private:
   std::vector<Vector> normals_;
   std::vector<std::size_t> first_block_; // of each cluster
   std::vector<Bbox_3> box_of_block_;
-  std::map<std::pair<Index, Index>, bool> intersecting_; // pairs of clusters that were looked at
+  std::map<std::pair<Index, Index>, bool> intersecting_; // tested pairs of clusters
 };
 
 } // namespace internal

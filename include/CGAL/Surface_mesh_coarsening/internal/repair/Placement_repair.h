@@ -25,14 +25,14 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Moves vertices of a coarse mesh, and flips edges, where triangles intersect that do not in the input, and where they look
-// away from the surface that they stand for. Fault by fault, many small changes are tried: vertices pulled back towards the
-// centroids of their clusters or towards their neighbors, vertices pushed along the normal of the surface, edges flipped. The
-// one that does the least harm to the distance for each fault that it takes away is made.
+// Moves vertices of a coarse mesh, and flips edges, where triangles intersect that do not in the input, or face away from the
+// surface that they approximate. For each fault, many small changes are tried: moving vertices towards the centroids of their
+// clusters or towards their neighbors, or along the normal of the surface, and flipping edges. The change with the least harm
+// to the distance per removed fault is made.
 class Placement_repair
 {
 public:
-  // The coordinates that a position has in the output.
+  // Maps positions to coordinates of the output.
   typedef std::function<Vector(const Vector&)> Output_coordinates;
 
   Placement_repair(const Clustered_surface& surface, const Border_arcs& border, const Output_coordinates& output,
@@ -45,7 +45,7 @@ public:
       points_.push_back(point(p));
   }
 
-  // Gives vertices no other positions than those of input vertices of their clusters.
+  // Restricts vertices to positions of input vertices of their clusters.
   void stay_at_input_vertices() { at_input_vertices_ = true; }
 
   Repair_counts run()
@@ -81,12 +81,12 @@ public:
 
 private:
   static constexpr std::size_t max_rounds = 20;
-  // Exact tests of two triangles whose boxes overlap, in all rounds together, for each triangle and for all: a second or two.
-  // What is left of sheets that are too near each other all over stays.
+  // Bounds on the number of exact tests of two triangles whose boxes overlap, in all rounds together, per triangle and in
+  // total: a second or two. Faults of sheets that are too close to each other everywhere may remain.
   static constexpr std::size_t max_tests_each = 20000, max_tests = 2000000;
   static constexpr std::size_t max_measured = 500; // triangles
 
-  // By how much a change lowers the number of faults, and the squared distance from the input after it.
+  // The number of faults that a change removes, and the squared distance from the input after it.
   struct Effect
   {
     long gain = 0;
@@ -129,7 +129,7 @@ private:
     return reference_.intersects_itself(coarse_.triangles()[pair.first], coarse_.triangles()[pair.second]);
   }
 
-  // Or without area. Where the input has none, triangles need not have any, and look nowhere.
+  // Degenerate triangles count, too. Triangles without area of the input never do.
   bool is_reversed(Index t) const
   {
     const Triangle& triangle = coarse_.triangles()[t];
@@ -150,7 +150,7 @@ private:
         repair({t});
   }
 
-  // Makes the best of the changes at a few triangles, if there is one that leaves fewer faults.
+  // Makes the best change at a few triangles, if one reduces the faults.
   void repair(const std::vector<Index>& faulty)
   {
     const std::vector<Index> vertices = corners_of(faulty);
@@ -171,14 +171,14 @@ private:
       make(best);
   }
 
-  // What does little harm comes first, and later, when that has not led to an end, what takes most faults away.
+  // Changes of least harm come first; later, if faults remain, changes that remove most faults.
   bool is_better(const Effect& a, const Effect& b) const
   {
     if (a.gain <= 0 || b.gain <= 0)
       return a.gain > 0;
     if (is_in_hurry_ && a.gain != b.gain)
       return a.gain > b.gain;
-    // Roundings decide nothing where a mesh is symmetric and harms are the same.
+    // On symmetric meshes harms are equal; rounding must not decide.
     const double harm = a.harm * double(b.gain), other = b.harm * double(a.gain);
     return other - harm > 1e-9 * (std::abs(harm) + std::abs(other) + distance_before_ * double(a.gain + b.gain));
   }
@@ -193,7 +193,7 @@ private:
     return vertices;
   }
 
-  // The triangles that changes at these vertices can have to do with.
+  // Returns the triangles that changes at these vertices may affect.
   void find_near(const std::vector<Index>& vertices)
   {
     const Triangle_conflict conflict(points_);
@@ -213,7 +213,7 @@ private:
         near_.push_back(Index(t));
   }
 
-  // The triangles that a change alters.
+  // Returns the triangles that a change alters.
   std::vector<Index> altered_by(const Placement_change& change) const
   {
     std::vector<Index> altered;
@@ -227,7 +227,7 @@ private:
     return altered;
   }
 
-  // No more is computed than it takes to see whether the effect is better than another one.
+  // Computes only as much as is needed to decide whether the effect is better than another one.
   Effect effect_of(const Placement_change& change, const std::vector<Index>& vertices, const Effect& other)
   {
     const std::vector<Index> altered = altered_by(change);
@@ -257,17 +257,17 @@ private:
     return effect;
   }
 
-  // From which harm on an effect of so large a gain is not better than another one.
+  // Returns the harm limit for pruning: from this harm on, an effect with this gain is not better than another one.
   double max_harm(long gain, const Effect& other) const
   {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     if (other.gain <= 0 || (is_in_hurry_ && gain > other.gain))
       return infinite;
-    // One that takes away fewer faults will not be made, but must not be taken for one that does no harm.
+    // A change that removes fewer faults is not made, but must not count as harmless.
     return other.harm > 0 ? 1.000001 * other.harm * double(gain) / double(other.gain) : infinite;
   }
 
-  // The faults of triangles as they are; changes of the same vertex alter the same ones.
+  // Returns the current number of faults of triangles; changes of the same vertex alter the same triangles.
   long faults_before(const std::vector<Index>& altered)
   {
     if (altered != last_altered_) {
@@ -277,8 +277,8 @@ private:
     return last_faults_;
   }
 
-  // Of the clusters of some vertices and those around them. At vertices of very many triangles it would take quadratic time,
-  // and is left out of account.
+  // Returns the squared distance of the clusters of some vertices and of adjacent clusters. At vertices of very high valence
+  // it would take quadratic time, and is ignored.
   double squared_distance_around(const std::vector<Index>& vertices,
                                  double limit = std::numeric_limits<double>::infinity()) const
   {
@@ -309,7 +309,7 @@ private:
       coarse_.flip(change.flipped, change.corner, coarse_.across(change.flipped, change.corner));
   }
 
-  // The number of faults, or at least `limit` of them.
+  // Returns the number of faults, or at least `limit`.
   long faults_of(const std::vector<Index>& altered, long limit)
   {
     const Triangle_conflict conflict(points_);
@@ -336,8 +336,8 @@ private:
     return faults;
   }
 
-  // Where nothing helped, brings the vertices around half way to the centroids of their clusters, pushes them out, which
-  // makes thin parts thicker, or pushes them in, which widens gaps; then changes are tried again.
+  // If nothing helped, moves the surrounding vertices half way to the centroids of their clusters, outwards, which
+  // thickens thin parts, or inwards, which widens gaps; then tries changes again.
   void shake_around_faults(std::size_t time)
   {
     std::set<Index> vertices;
@@ -382,14 +382,14 @@ private:
   std::vector<Vector>& positions_;
   Flippable_triangulation coarse_;
   Input_oracle reference_;
-  std::vector<Exact_point> points_; // of the vertices, as the output will have them
+  std::vector<Exact_point> points_; // of the vertices, in coordinates of the output
   std::vector<Triangle_pair> pairs_;
   std::vector<Index> reversed_;
   std::vector<Index> near_;
-  std::vector<Index> last_altered_; // the triangles whose faults were counted last before a change
+  std::vector<Index> last_altered_; // the last triangles whose faults were counted before a change
   long last_faults_ = 0;
   std::size_t tests_ = 0;
-  double distance_before_ = 0; // of the surroundings of what is being repaired
+  double distance_before_ = 0; // around the current fault
   bool is_in_hurry_ = false, at_input_vertices_ = false;
 };
 

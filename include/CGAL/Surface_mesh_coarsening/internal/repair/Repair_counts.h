@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// What a repair found and left.
+// The faults that a repair found and left.
 struct Repair_counts
 {
   std::size_t intersections_found = 0, reversals_found = 0, reversals_left = 0;

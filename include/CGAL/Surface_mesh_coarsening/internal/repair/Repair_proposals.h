@@ -31,7 +31,7 @@ struct Placement_change
   int corner = 0;
 };
 
-// The square root of the area of the triangles around a vertex.
+// Returns the square root of the area of the triangles around a vertex.
 inline double size_around(const Flippable_triangulation& coarse, const std::vector<Vector>& positions, Index v)
 {
   double area = 0;
@@ -46,7 +46,7 @@ inline double size_around(const Flippable_triangulation& coarse, const std::vect
 class Repair_proposals
 {
 public:
-  // `at_input_vertices`: whether vertices may go to input vertices of their clusters only.
+  // `at_input_vertices`: whether vertices may move only to input vertices of their clusters.
   Repair_proposals(const Clustered_surface& surface, const Border_arcs& border, const Flippable_triangulation& coarse,
                    const Input_oracle& reference, const std::vector<Vector>& positions, bool at_input_vertices)
     : surface_(surface), border_(border), coarse_(coarse), reference_(reference), positions_(positions),
@@ -79,7 +79,7 @@ public:
 private:
   static constexpr std::size_t max_input_vertices = 24;
 
-  // Where a vertex might go.
+  // Returns possible positions of a vertex.
   std::vector<Vector> places_for(Index v) const
   {
     std::vector<Vector> places;
@@ -105,8 +105,8 @@ private:
     return places;
   }
 
-  // Changes that move several vertices: all towards their centroids; those of two triangles apart or into each other, each
-  // along the normals of its own surface.
+  // Changes that move several vertices: all towards their centroids; the vertices of two triangles apart or into each
+  // other, each along the normals of its own surface.
   void add_common_moves(const std::vector<Index>& faulty, const std::vector<Index>& vertices,
                         std::vector<Placement_change>& changes) const
   {
