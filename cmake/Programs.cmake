@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Stands for all tools.
+# Builds all tools.
 add_custom_target(tools)
 
 # surface_mesh_coarsening_add_tool(NAME SOURCE...): a program in bin/ with the parts of coarsen_mesh.

@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(random_adds_and_removes, Weight, Weights)
   }
 }
 
-// The tenth power of 50 is 10^17 times that of 1.
+// The tenth power of 50 is 10^17.
 BOOST_AUTO_TEST_CASE(norm_survives_the_largest_face)
 {
   for (const double low : {1., 1.5, 3.})

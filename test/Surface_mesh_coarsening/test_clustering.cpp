@@ -411,7 +411,7 @@ BOOST_AUTO_TEST_CASE(start_from_clusters)
   BOOST_CHECK(test::labels_of(mesh, grown) != before);
   BOOST_CHECK_EQUAL(first.final_energy, second.final_energy);
   BOOST_CHECK(same_mesh(output, again));
-  // From converged clusters nothing moves; the number may be left out.
+  // Converged clusters do not change; the number may be omitted.
   const auto third =
     SMC::coarsen_mesh(mesh, again, SMC::parameters::face_cluster_map(grown).start_from_face_clusters(true));
   BOOST_CHECK_EQUAL(third.moves, 0u);

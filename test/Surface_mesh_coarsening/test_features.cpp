@@ -293,7 +293,7 @@ void check(const Model& model, std::size_t number, const Output& output)
     BOOST_TEST((before == after));
     BOOST_TEST(output.report.feature_corners == before.corners.size());
     BOOST_TEST(output.report.feature_lines == before.lines.size() + before.loops);
-    // Patches are those of the input, and change at lines only.
+    // Patches are the patches of the input, and change at lines only.
     std::set<int> patches, given;
     for (const Face f : model.mesh.faces())
       given.insert(model.patch[f]);

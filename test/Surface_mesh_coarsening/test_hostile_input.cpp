@@ -388,7 +388,7 @@ BOOST_AUTO_TEST_CASE(bounded_work)
   BOOST_CHECK(report.rounds <= SMC::Mwcvd_clustering<Mesh>::default_number_of_iterations);
 }
 
-// ---- what fails on the way ----
+// ---- failures during the call ----
 
 namespace {
 

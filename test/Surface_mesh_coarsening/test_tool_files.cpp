@@ -77,7 +77,7 @@ void check_done(const Tool_directory& shop, const std::string& arguments, const 
 
 } // namespace
 
-// ---- what the readers accept and refuse ----
+// ---- accepted and refused files ----
 
 BOOST_AUTO_TEST_CASE(every_form_is_read)
 {
@@ -469,7 +469,7 @@ BOOST_AUTO_TEST_CASE(signals_while_waiting_for_input, *boost::unit_test::timeout
   const std::vector<std::string> before = shop.files();
   for (const auto& signal : {std::make_pair(SIGINT, "SIGINT"), {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}}) {
     Tool_process tool(shop.path(), "in.off out.off -n 100");
-    std::ofstream writer(shop / "in.off"); // goes on when the tool reads
+    std::ofstream writer(shop / "in.off"); // continues when the tool reads
     writer << "OFF\n4 4 0\n" << std::flush;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     tool.send(signal.first);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tests what the programs share: the check of a soup, the counts of the certificate, the colors of clusters, the renderer.
+// Tests the common parts of the programs: the check of a soup, the counts of the certificate, the colors of clusters,
+// the renderer.
 
 #define BOOST_TEST_MODULE tool_support
 #include "check/certificate.h"

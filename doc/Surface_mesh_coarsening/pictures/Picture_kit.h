@@ -117,7 +117,7 @@ inline bool no_edge(Edge) { return false; }
 inline Rgb pale(Face) { return Rgb{{205, 212, 222}}; }
 inline Rgb bluish(Face) { return Rgb{{190, 208, 228}}; }
 
-// The edges of a polygon mesh, without those that its triangulation adds.
+// The edges of a polygon mesh, without the diagonals of its triangulation.
 inline Image polygons(const Mesh& mesh, const Camera& camera)
 {
   Labels faces;

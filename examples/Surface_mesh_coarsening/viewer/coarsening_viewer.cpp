@@ -169,7 +169,7 @@ protected:
         coarsen();
       fill();
       redraw();
-    } catch (const SMC::Invalid_input& fault) { // keeps what it has
+    } catch (const SMC::Invalid_input& fault) { // keeps its state
       std::swap(choice, changed);
       displayMessage(fault.what());
     }

@@ -30,8 +30,8 @@ void read_clusters(Clustering&, const CGAL::internal_np::Param_not_found&)
   throw Invalid_input("start_from_face_clusters(true) was given without a face_cluster_map");
 }
 
-// Seeds by `seed` and grows, unless the caller gives the clusters: then `number` of them, or any number of them if
-// it is 0.
+// Seeds by `seed` and grows, unless the caller gives the clusters: then `number` clusters, or any number if it is
+// 0.
 template <class ConcurrencyTag, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
 Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
                                std::size_t number, const Seed& seed)
@@ -92,8 +92,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 /// \tparam NamedParametersOut a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param input a 2-manifold polygon mesh: any number of components, borders, faces of any number of sides
-/// \param number_of_vertices the number of vertices of the output, at least what the topology of the input needs
-/// and at most the number of vertices of the input
+/// \param number_of_vertices the number of vertices of the output, at least the minimum for the topology of the
+/// input and at most the number of vertices of the input
 /// \param output is cleared and filled; its `i`-th vertex is the vertex of cluster `i`. It must not be the input.
 /// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 /// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below

@@ -59,7 +59,7 @@ inline void try_split_edge(test::Mesh& m, Halfedge h)
 {
   const Halfedge at = CGAL::Euler::split_edge(h, m);
   for (const Halfedge g : {m.next(at), m.opposite(at)}) {
-    // The face is that of `g`, which leaves the new vertex.
+    // The face of `g`, which leaves the new vertex.
     if (m.is_border(g))
       continue;
     const Halfedge arriving = m.prev(g), far = m.next(g);

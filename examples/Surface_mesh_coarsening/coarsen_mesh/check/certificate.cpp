@@ -89,7 +89,7 @@ Mesh_components mesh_components(const Mesh& mesh)
   const std::size_t n = CGAL::Polygon_mesh_processing::connected_components(mesh, map);
   result.counts.resize(n);
   result.of_face.resize(mesh.num_faces());
-  result.of_vertex.assign(mesh.num_vertices(), n); // n stands for an isolated vertex
+  result.of_vertex.assign(mesh.num_vertices(), n); // n denotes an isolated vertex
   for (Face f : mesh.faces()) {
     result.of_face[f] = get(map, f);
     ++result.counts[get(map, f)].faces;

@@ -34,7 +34,7 @@ inline void stop_at(std::size_t element, const Stop& stop)
     stop();
 }
 
-// The text of a message, possibly as a function: when millions of numbers are read, none is formatted in vain.
+// The text of a message, possibly as a function: so that reading millions of numbers formats none.
 template <class Words>
 std::string words_of(const Words& words)
 {

@@ -47,9 +47,9 @@ public:
     return sum;
   }
 
-  // Calls `visit(point)` for points spread evenly, whatever the sizes of the faces: at equal steps of the cumulated
-  // area, in the triangles at the points of the additive recurrence of the plastic number. Each point represents an
-  // equal part of `area`, the area of all the fans.
+  // Calls `visit(point)` for points spread evenly, independently of the sizes of the faces: at equal steps of the
+  // cumulated area, in the triangles at the points of the additive recurrence of the plastic number. Each point
+  // represents an equal part of `area`, the area of all the fans.
   template <class Visit>
   void for_each_sample(std::size_t number, double area, const Cancellation_point& cancellation, const Visit& visit) const
   {

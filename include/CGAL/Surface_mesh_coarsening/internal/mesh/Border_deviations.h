@@ -53,7 +53,8 @@ private:
   // Border edges on each side of a vertex between which its turn is measured; with fewer, the zigzag of triangles
   // counts.
   static constexpr std::size_t edges_aside = 3;
-  // The reach of a border relative to the length of its loop: a small hole needs few vertices, however it turns.
+  // The reach of a border relative to the length of its loop: a small hole needs few vertices, even if it turns
+  // sharply.
   static constexpr double far = 0.1;
   // In a regular mesh of triangles of area 1, the distance between two faces around a vertex is 1.09 on average, and
   // the distance of a circle from an inscribed polygon is sqrt(6) times the distance from the best polygon. This gives

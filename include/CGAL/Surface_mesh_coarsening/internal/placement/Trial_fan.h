@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A few triangles that a change would replace others by, with their samples of the input. One vertex of them may move to the
+// A few triangles that would replace others in a change, with their samples of the input. One vertex of them may move to the
 // position closest to the samples.
 class Trial_fan
 {
