@@ -6,11 +6,14 @@
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Surface_location.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh_to_distance.h>
 #include <CGAL/Surface_mesh_coarsening/is_valid_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
 
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <vector>
@@ -49,6 +52,28 @@ BOOST_AUTO_TEST_CASE(bounds_hold)
       BOOST_CHECK(test::to_soup(again).points == test::to_soup(output).points);
     }
   }
+}
+
+// Clusterings with exchanged vertices take fewer vertices than levels do.
+BOOST_AUTO_TEST_CASE(fewer_vertices_with_error_feedback)
+{
+  Mesh mesh;
+  BOOST_REQUIRE(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/eight.off"), mesh));
+  const auto cluster = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:cluster").first;
+  const double distance = 0.01 * SMC::measure_coarsening(mesh, mesh, 10).diagonal;
+  const auto np = SMC::parameters::cluster_weight(SMC::Weighted_area_weight())
+                    .vertex_placement(SMC::Fitted_placement())
+                    .face_cluster_map(cluster);
+  Mesh of_level, output;
+  const std::size_t level = SMC::coarsen_mesh_to_distance(mesh, distance, of_level, np.error_feedback(0)).vertices;
+  const SMC::Distance_report report = SMC::coarsen_mesh_to_distance(mesh, distance, output, np);
+  BOOST_TEST(report.vertices < 0.9 * double(level));
+  BOOST_TEST(report.vertices == output.number_of_vertices());
+  BOOST_TEST(report.vertices == report.clustering.clusters);
+  BOOST_TEST(CGAL::is_valid_polygon_mesh(output));
+  BOOST_TEST(SMC::is_valid_clustering(mesh, cluster));
+  BOOST_TEST(report.distance_bound <= distance);
+  BOOST_TEST(SMC::measure_coarsening(mesh, output, 20000).maximum_distance <= report.distance_bound);
 }
 
 BOOST_AUTO_TEST_CASE(distances_out_of_reach_are_refused)

@@ -98,9 +98,9 @@ BOOST_AUTO_TEST_CASE(distance_falls)
   {
     std::string name;
     std::size_t vertices;
-    double factor; // by which the distance decreases
-  } cases[] = {{"fandisk.off", 527, 0.9}, {"elephant.off", 277, 0.97}, {"rotor.off", 300, 0.85}, {"blobby.off", 202, 0.97},
-               {"lion-head.off", 417, 1}};
+    double factor; // by which the distance falls
+  } cases[] = {{"fandisk.off", 527, 0.8}, {"elephant.off", 277, 0.97}, {"mannequin-devil.off", 259, 0.9},
+               {"blobby.off", 202, 0.97}, {"lion-head.off", 417, 0.9}};
   for (const auto& c : cases) {
     BOOST_TEST_CONTEXT(c.name)
     {
@@ -150,9 +150,30 @@ BOOST_AUTO_TEST_CASE(features_stay)
   BOOST_TEST(with.report.exchanged_vertices > 0);
   BOOST_TEST(with.report.feature_lines == without.report.feature_lines);
   BOOST_TEST(with.report.feature_corners == without.report.feature_corners);
-  // Clusters on features are not split: the distance may rise a little.
   const auto before = SMC::measure_coarsening(input, without.mesh, 20000), after = SMC::measure_coarsening(input, with.mesh, 20000);
-  BOOST_TEST(after.rms_distance < 1.1 * before.rms_distance);
+  BOOST_TEST(after.rms_distance < before.rms_distance);
+}
+
+// Thin sheets near each other, which the repair has to keep apart: what exchanges do not improve in the end is undone.
+BOOST_AUTO_TEST_CASE(thin_parts_do_not_get_worse)
+{
+  const struct
+  {
+    std::string name;
+    std::size_t vertices;
+  } cases[] = {{"couplingdown.off", 36}, {"rotor.off", 300}, {"spool.off", 12}};
+  for (const auto& c : cases) {
+    BOOST_TEST_CONTEXT(c.name)
+    {
+      const Mesh input = data_mesh(c.name);
+      const Outcome without = coarsened(input, c.vertices, parameters(0)), with = coarsened(input, c.vertices, parameters(7));
+      check_kept(input, with, c.vertices);
+      BOOST_TEST(with.report.intersections_left <= without.report.intersections_left);
+      const auto before = SMC::measure_coarsening(input, without.mesh, 20000), after = SMC::measure_coarsening(input, with.mesh, 20000);
+      if (with.report.intersections_left == without.report.intersections_left)
+        BOOST_TEST(after.rms_distance <= 1.02 * before.rms_distance); // estimates have errors
+    }
+  }
 }
 
 // Given or frozen clusters do not change.

@@ -156,14 +156,13 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{error_feedback}
 ///     \cgalParamDescription{the number of rounds of `Fitted_placement` that relocate vertices from places where they hardly
-///                           lower the distance to places where it is large. Clusters follow, and keep their number;
-///                           relocations that do not lower the distance are undone. With 0, the densities alone distribute
-///                           the vertices.}
+///                           lower the distance to places where it is large. Clusters follow, and keep their number. If the
+///                           result is not nearer than the fit without these rounds, or has more intersections, it is
+///                           undone. With 0, the densities alone distribute the vertices.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`7`; `0` if `face_density_map` is given}
 ///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, or if clusters are given, edited or
-///                     frozen. Clusters on features and borders are not split, so if features are kept, the distance may
-///                     instead increase by some per cent.}
+///                     frozen. Clusters on features and borders are not split.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{feature_angle}
 ///     \cgalParamDescription{edges whose two faces have normals that differ by this angle in degrees or more are kept as

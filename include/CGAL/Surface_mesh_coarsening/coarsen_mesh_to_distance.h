@@ -48,6 +48,8 @@ struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
 /// `GlobalVertexPlacement`), then with the placement.
 /// `CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance()` bounds the distance of the result over both
 /// surfaces, not only at points; if the bound is too large, the search continues with a finer level.
+/// If the placement exchanges vertices (parameter `error_feedback`), the mesh is then clustered for some smaller numbers of
+/// vertices, up to three of them, since such a result is nearer than a level.
 ///
 /// The distance is measured between surfaces: polygons of the input are triangulated as fans around the corner of smallest
 /// number, and degenerate triangles do not count. Otherwise the output has the properties of the output of

@@ -6,9 +6,11 @@
 #include <CGAL/Surface_mesh_coarsening/Distance_report.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_estimate.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/hausdorff_bound.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/place_and_exchange.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +26,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Searches the levels of a fine clustering for the coarsest result within a distance.
+// Searches the levels of a fine clustering for the coarsest result within a distance; if the placement exchanges vertices, then
+// also clusterings for fewer vertices.
 class Distance_search
 {
 public:
@@ -35,7 +38,8 @@ public:
                   Distance_report& report)
     : state_(state), placement_(placement), quick_(quick), output_coordinates_(output_coordinates), minimization_end_(end),
       vertices_(vertices), number_((std::max)(vertices / 16, std::size_t(4))), report_(report), distance_(distance),
-      local_distance_((std::min)(state.frame.length_to_local(distance), farthest_needed(state.base_input())))
+      local_distance_((std::min)(state.frame.length_to_local(distance), farthest_needed(state.base_input()))),
+      surface_(triangles_of(state.base_input().mesh))
   {}
 
   void run()
@@ -44,6 +48,9 @@ public:
       find_clustering();
       find_level();
     } while (!bound_result());
+    clusters_ = clusters_of_level();
+    if (may_exchange_vertices(state_, placement_))
+      cluster_for_fewer();
   }
 
   // Every result is nearer, since vertices lie near their clusters. Squares of much larger distances would overflow.
@@ -58,7 +65,18 @@ public:
   // Of the result:
   const std::vector<Vector>& positions() const { return result_->positions; }
   const std::vector<Triangle>& triangles() const { return result_->triangles; }
-  std::vector<Index> clusters_of_base_faces() const
+  const std::vector<Index>& clusters_of_base_faces() const { return clusters_; }
+
+private:
+  struct Result
+  {
+    std::size_t level;
+    std::vector<Triangle> triangles;
+    std::vector<Vector> positions;
+    double estimate;
+  };
+
+  std::vector<Index> clusters_of_level() const
   {
     const Clustering_input& base = state_.base_input();
     const std::size_t faces = base.mesh.number_of_faces();
@@ -72,15 +90,6 @@ public:
       clusters.push_back(all[base.parent_of(Index(f))]);
     return clusters;
   }
-
-private:
-  struct Result
-  {
-    std::size_t level;
-    std::vector<Triangle> triangles;
-    std::vector<Vector> positions;
-    double estimate;
-  };
 
   // Estimates are slightly smaller than bounds.
   double wanted() const { return 0.97 * local_distance_; }
@@ -199,15 +208,11 @@ private:
   // whether a finer level, or a finer clustering, is near enough.
   bool bound_result()
   {
-    const double error = local_distance_ / 32;
-    const Distance_mesh surface = triangles_of(state_.base_input().mesh);
     const std::size_t finest = levels_->finest();
     if (!result_)
       result_ = place(finest, placement_, state_.repairs_output);
     for (;;) {
-      const double bound = hausdorff_bound(surface, output_positions(), triangles(), error);
-      ++report_.bounds;
-      const double external = state_.frame.length_to_mesh(bound);
+      const double bound = bound_of(*result_), external = state_.frame.length_to_mesh(bound);
       if (bound <= local_distance_) {
         report_.vertices = result_->level;
         report_.distance_bound = external;
@@ -224,6 +229,69 @@ private:
     }
   }
 
+  // Clusters that are made for a number of vertices, some of them exchanged, are nearer than a level of as many. Such numbers are
+  // tried below the level found, until the smallest that will do is known to a tenth.
+  void cluster_for_fewer()
+  {
+    constexpr int max_runs = 3;
+    constexpr double width = 1.1, usual_part = 0.75;
+    double low = 0, high = double(result_->level); // too few, and enough
+    levels_.reset();
+    Coarsening_report best = state_.report;
+    double next = usual_part * high * std::pow(state_.frame.length_to_local(report_.distance_bound) / local_distance_, 0.8);
+    for (int i = 0; i < max_runs && high > width * low + 1; ++i) {
+      const double n = std::floor((std::min)((std::max)(next, (std::max)(low, 3.) + 1), high - 1));
+      if (!(n > low))
+        break;
+      const double distance = try_clustering(std::size_t(n));
+      (distance <= local_distance_ ? high : low) = n;
+      if (distance <= local_distance_)
+        best = state_.report;
+      const double from = low > 0 ? low : high / 2, ratio = high / from;
+      next = n * std::pow(distance / wanted(), 0.8);
+      next = (std::min)((std::max)(next, from * std::pow(ratio, 0.3)), from * std::pow(ratio, 0.7));
+    }
+    state_.report = best;
+  }
+
+  // Returns the distance of the result, infinite if there is none without intersections, and keeps it if it is near enough.
+  double try_clustering(std::size_t n)
+  {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    try {
+      seed(state_, {Seeding::FOR_NUMBER, n});
+      grow(state_);
+    } catch (const Unreachable_number_of_vertices&) {
+      return infinite;
+    }
+    minimize(state_, minimization_end_);
+    ++report_.clusterings;
+    Placed_dual dual = place_and_exchange(state_, placement_, output_coordinates_);
+    report_placement(state_, dual);
+    if (dual.number_left() > 0)
+      return infinite;
+    Result result{n, std::move(dual.triangles), std::move(dual.positions), 0};
+    result.estimate = Distance_estimate(labels(state_), result.positions, result.triangles, state_.cancellation())
+                        .distance(0.5 * local_distance_);
+    ++report_.estimates;
+    if (result.estimate > wanted())
+      return (std::max)(result.estimate, std::nextafter(local_distance_, infinite));
+    const double bound = bound_of(result);
+    if (bound <= local_distance_) {
+      clusters_ = internal::clusters_of_base_faces(state_);
+      report_.vertices = n;
+      report_.distance_bound = state_.frame.length_to_mesh(bound);
+      result_ = std::move(result);
+    }
+    return bound;
+  }
+
+  double bound_of(const Result& result)
+  {
+    ++report_.bounds;
+    return hausdorff_bound(surface_, output_positions(result), result.triangles, local_distance_ / 32);
+  }
+
   Result place(std::size_t n, const Placement_model& placement, bool with_repair)
   {
     Placed_level placed = levels_->place(n, placement, with_repair, output_coordinates_);
@@ -233,10 +301,10 @@ private:
   }
 
   // Returns the positions after rounding to the output, in coordinates of the arrays.
-  std::vector<Vector> output_positions() const
+  std::vector<Vector> output_positions(const Result& of) const
   {
     std::vector<Vector> result;
-    for (const Vector& p : positions())
+    for (const Vector& p : of.positions)
       result.push_back(state_.frame.to_local(output_coordinates_(p)));
     return result;
   }
@@ -252,7 +320,9 @@ private:
   Distance_report& report_;
   double distance_, local_distance_;
   std::map<std::size_t, double> estimates_by_level_, quick_estimates_; // of the clustering
+  const Distance_mesh surface_;
   std::optional<Result> result_;
+  std::vector<Index> clusters_; // of the result, of the faces of the mesh
 };
 
 } // namespace internal

@@ -83,6 +83,17 @@ inline double sharpest_of(const std::vector<Vector>& positions, const Triangle& 
   return largest;
 }
 
+inline double smallest_angle(const std::vector<Vector>& positions, const Triangle& t)
+{
+  return std::acos((std::min)(1., sharpest_of(positions, t)));
+}
+
+inline Triangle with_corner(Triangle t, Index old_corner, Index new_corner)
+{
+  std::replace(t.begin(), t.end(), old_corner, new_corner);
+  return t;
+}
+
 // The triangles of the dual, with the triangles around each vertex and across each edge. Edges may be flipped unless
 // they are feature edges, which have no neighbors across, like the border.
 class Flippable_triangulation

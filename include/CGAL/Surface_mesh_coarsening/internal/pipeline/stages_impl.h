@@ -7,9 +7,9 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/place_and_exchange.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 #include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
-#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_relocation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Initial_clustering.h>
 
 #include <algorithm>
@@ -264,66 +264,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place(const Clustering_state& st
   return dual;
 }
 
-// Returns the surface with its current clusters.
-inline std::unique_ptr<Clustered_surface> clustered_surface(const Clustering_state& state, Placed_dual& dual)
-{
-  dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
-  return std::make_unique<Clustered_surface>(dual.pieces->input(), dual.pieces->labels(), state.number_of_clusters(),
-                                             state.execution, dual.pieces->features(), state.cancellation());
-}
-
-// Returns the functions by which the placement relocates clusters while it exchanges vertices.
-inline Vertex_relocation vertex_relocation(const Clustering_state& state, const Clustered_surface& surface,
-                                           Cluster_relocation& clusters)
-{
-  Vertex_relocation relocation;
-  relocation.rounds = state.exchange_rounds;
-  relocation.relocate = [&](Index x, Index into, Index f) { return clusters.relocate(x, into, f); };
-  relocation.undo = [&] { clusters.undo(); };
-  relocation.within_bounds = [&](Index x, const Vector& p) {
-    return clusters.has_changed(x) ? closest_in_box(p, vertex_bounds(state.working_input().mesh, clusters.faces(x)))
-                                   : surface.within_bounds(x, p);
-  };
-  return relocation;
-}
-
-// Places the vertices, exchanges some of them together with their clusters, and repairs the placement.
-inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
-                                      const Output_coordinates& output_coordinates)
-{
-  if (!placement.exchanging || state.exchange_rounds == 0 || state.minimization_end.max_rounds == 0 ||
-      state.seeding.kind == Seeding::BY_CALLER)
-    return place(state, placement, output_coordinates);
-  state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
-  Placed_dual dual;
-  std::unique_ptr<Clustered_surface> surface = clustered_surface(state, dual);
-  dual.triangles = dual_triangles(labels(state), state.cancellation(), state.execution);
-  dual.positions.resize(state.number_of_clusters());
-  Cluster_relocation clusters(state.featured_input(), *state.labels, Index(state.number_of_clusters()));
-  try {
-    const Border_arcs border(*surface);
-    border.place(dual.positions);
-    placement.exchanging(*surface, border, dual.triangles, dual.positions, vertex_relocation(state, *surface, clusters));
-  } catch (...) {
-    clusters.undo();
-    throw;
-  }
-  if (clusters.number() > 0) {
-    state.minimization.reset();
-    state.editing.reset();
-    surface = clustered_surface(state, dual);
-  }
-  state.report.exchanged_vertices = clusters.number();
-  for (std::size_t x = 0; x < dual.positions.size(); ++x)
-    dual.positions[x] = surface->within_bounds(x, dual.positions[x]);
-  if (state.repairs_output)
-    dual.counts = repair_placement(*surface, Border_arcs(*surface), placement, output_coordinates, dual.triangles,
-                                   dual.positions, state.cancellation());
-  state.visitor.throw_if_cancelled();
-  state.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
-  return dual;
-}
-
 CGAL_SURFACE_MESH_COARSENING_INLINE void report_placement(Clustering_state& state, const Placed_dual& dual)
 {
   state.report.intersections_found = dual.counts.intersections_found;
@@ -354,8 +294,7 @@ inline void recluster(Clustering_state& state, const std::vector<double>& densit
 // Returns whether other densities are likely to help.
 inline bool is_worth_reclustering(const Clustering_state& state, const Placed_dual& dual)
 {
-  return dual.number_left() > 0 && 2 * dual.number_left() <= state.number_of_clusters() &&
-         state.seeding.kind != Seeding::BY_CALLER && state.energy->depends_on_densities();
+  return is_worth_repairing(state, dual) && state.seeding.kind != Seeding::BY_CALLER && state.energy->depends_on_densities();
 }
 
 // Raises the densities of the faces in clusters whose vertices belong to intersecting triangles.
@@ -380,6 +319,8 @@ inline void raise_at_intersections(std::vector<double>& densities, const Cluster
       densities[f] = (std::min)(4 * densities[f], largest_density);
 }
 
+// Where the repair leaves pairs of intersecting triangles, clusters are made again with other densities. While that goes on, no
+// vertices are exchanged, which takes longer and is decided by the pairs in the end.
 CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state& state, const Placement_model& placement,
                                                                const Output_coordinates& output_coordinates)
 {
@@ -389,21 +330,22 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
     return dual;
   std::size_t clusterings = 1, fewest = dual.number_left();
   std::vector<double> densities = state.base_input().density, best_densities = densities;
-  const auto repeat = [&](const std::vector<double>& with) {
-    recluster(state, with);
-    dual = place_and_exchange(state, placement, output_coordinates);
-    ++clusterings;
-  };
   while (clusterings <= max_repetitions && is_worth_reclustering(state, dual)) {
     raise_at_intersections(densities, state, dual);
-    repeat(densities);
+    recluster(state, densities);
+    dual = place(state, placement, output_coordinates);
+    ++clusterings;
     if (dual.number_left() <= fewest) {
       fewest = dual.number_left();
       best_densities = densities;
     }
   }
-  if (dual.number_left() > fewest)
-    repeat(best_densities);
+  if (dual.number_left() > fewest) {
+    recluster(state, best_densities);
+    ++clusterings;
+  }
+  if (dual.number_left() > fewest || may_exchange_vertices(state, placement))
+    dual = place_and_exchange(state, placement, output_coordinates);
   dual.clusterings = clusterings;
   return dual;
 }

@@ -27,8 +27,9 @@ public:
              const Cancellation_point& cancellation)
     : coarse_(coarse), positions_(positions), samples_(samples), cancellation_(cancellation) {}
 
-  // Angles are in radians. No flip creates an angle below `min_angle` unless the two triangles have one already.
-  void run(double mean_angle, double min_angle)
+  // Angles are in radians. No flip creates an angle below `min_angle` unless the two triangles have one already. A steady run
+  // changes the exchange rate of the run before only a little.
+  void run(double mean_angle, double min_angle, bool is_steady)
   {
     sharpest_allowed_ = std::cos(min_angle);
     const std::vector<Triangle>& triangles = coarse_.triangles();
@@ -47,8 +48,8 @@ public:
     if (triangles.empty() || !(total > 0))
       return;
     const double rate = rate_for(flips, budget, total / double(triangles.size()));
-    apply(flips, rate);
-    rate_ = rate;
+    rate_ = is_steady && rate_ > 0 ? (std::min)((std::max)(rate, rate_ / max_change), rate_ * max_change) : rate;
+    apply(flips, rate_);
   }
 
   // The exchange rate of the last run: squared distance per radian.
@@ -139,6 +140,8 @@ private:
     }
   }
 
+  // The largest factor between the exchange rates of steady runs. With larger ones the rates oscillate.
+  static constexpr double max_change = 3;
   static constexpr std::size_t steps_of_flip = 64;
   // Flips that increase the distance by a larger factor are not evaluated exactly.
   static constexpr double max_growth = 1.2;

@@ -107,6 +107,18 @@ public:
     return weight() * sum;
   }
 
+  // Returns the mean squared distance of the direction in which it is larger.
+  double squared_distance() const
+  {
+    double back = 0, area = 0;
+    for (const Back_samples& samples : back_) {
+      back += cost_of(samples);
+      for (const Back_sample& s : samples)
+        area += s.weight;
+    }
+    return (std::max)(area_ > 0 ? sum_of_squared_distances() / area_ : 0, area > 0 ? back / area : 0);
+  }
+
   // Returns the contribution of a triangle to the sums of both directions.
   double cost(Index t) const
   {
@@ -156,14 +168,6 @@ public:
     }
     back_[t] = feet_of(coarse_.triangles()[t], starts);
     back_[u] = feet_of(coarse_.triangles()[u], starts);
-  }
-
-  double sum_of_costs() const
-  {
-    double sum = 0;
-    for (std::size_t t = 0; t < back_.size(); ++t)
-      sum += cost(Index(t));
-    return sum;
   }
 
   // Returns the cost of a triangle from the samples of the input.

@@ -25,8 +25,8 @@ struct Placement_model
   // One of the two: a position for each cluster, or all positions together, which may flip edges of the triangles.
   std::function<Vector(const Clustered_surface&, std::size_t)> local;
   std::function<void(const Clustered_surface&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&)> global;
-  // The same with vertex exchange between regions.
-  std::function<void(const Clustered_surface&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&,
+  // The same with vertex exchange between regions. Returns the squared distance without exchange.
+  std::function<double(const Clustered_surface&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&,
                      const Vertex_relocation&)>
     exchanging;
   bool may_run_in_parallel = false;
@@ -72,7 +72,7 @@ Placement_model placement_model(const Placement& placement)
   if constexpr (exchanges_vertices<Placement>)
     model.exchanging = [&placement](const Clustered_surface& surface, const Border_arcs& border, std::vector<Triangle>& triangles,
                                     std::vector<Vector>& positions, const Vertex_relocation& relocation) {
-      placement.place_and_exchange(surface, border, triangles, positions, relocation);
+      return placement.place_and_exchange(surface, border, triangles, positions, relocation);
     };
   model.may_run_in_parallel = may_run_in_parallel<Placement>;
   model.is_at_input_vertices = is_at_input_vertices<Placement>;

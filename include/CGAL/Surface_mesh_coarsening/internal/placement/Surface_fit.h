@@ -43,6 +43,7 @@ public:
   }
 
   Fit_samples& samples() { return samples_; }
+  const Fit_samples& samples() const { return samples_; }
 
   // Moves the vertices, except on the border and at corners, to the minimum of the sum of squared distances as estimated from
   // the closest points. A vertex that is free to slide moves towards the mean of its neighbors.

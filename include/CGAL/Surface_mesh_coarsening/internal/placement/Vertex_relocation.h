@@ -4,9 +4,11 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_VERTEX_RELOCATION_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Relocation.h>
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -16,10 +18,12 @@ namespace internal {
 struct Vertex_relocation
 {
   std::size_t rounds = 0; // with exchanges
-  // Merges cluster `x` into a neighbor, if possible into `into`, and forms it again around face `f` of the surface.
-  // Returns whether this was possible.
-  std::function<bool(Index x, Index into, Index f)> relocate;
-  // Returns the point nearest to `p` that is allowed for the vertex of cluster `x`.
+  // Triangles that shall get a vertex each from elsewhere. With any, this is all that the placement does.
+  std::vector<Index> faulty;
+  // Moves cluster `x` into a neighbor, to `into` if possible, and back to one of some faces of the surface, the first that is
+  // possible.
+  std::function<Relocation(Index x, Index into, const std::vector<Index>& faces)> relocate;
+  // The point nearest to `p` where the vertex of cluster `x` may lie.
   std::function<Vector(Index x, const Vector& p)> within_bounds;
   // Restores all clusters.
   std::function<void()> undo;

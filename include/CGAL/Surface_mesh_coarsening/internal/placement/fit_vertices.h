@@ -15,12 +15,17 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Fits all vertices together, starting from quadrics: see `Fitted_placement`. `mean_angle` is in degrees. After two thirds of
-// the rounds, up to the number of rounds in `relocation` exchange vertices, until none is profitable, and then one or more
-// rounds without exchange follow; if all these do not lower the distance, they are undone.
-void fit_vertices(const Clustered_surface& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
-                  std::vector<Triangle>& triangles, std::vector<Vector>& positions,
-                  const Vertex_relocation& relocation = Vertex_relocation());
+// Fits all vertices together, starting from quadrics: see `Fitted_placement`. `mean_angle` is in degrees. After the rounds, as many
+// follow as `relocation` wants, which exchange vertices for as long as there are some to exchange, then two without. The plain
+// fit is the result if none of the last meshes is nearer at angles as large. Returns the squared distance of the plain fit; 0 if
+// no others follow it.
+double fit_vertices(const Clustered_surface& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
+                    std::vector<Triangle>& triangles, std::vector<Vector>& positions,
+                    const Vertex_relocation& relocation = Vertex_relocation());
+
+// The mean squared distance of samples of a surface from a coarse mesh, or the other way if that is larger.
+double squared_fit_distance(const Clustered_surface& surface, const std::vector<Triangle>& triangles,
+                            const std::vector<Vector>& positions);
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

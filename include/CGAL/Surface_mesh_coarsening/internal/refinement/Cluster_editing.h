@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/faces_in_bfs_order.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Relocation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
 
@@ -52,28 +53,34 @@ public:
     return true;
   }
 
-  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` of faces around `f`, taken
-  // from the cluster of `f`. Returns whether this was possible; `changed` receives the changed clusters. Clusters on
-  // the border or on features lose no faces, and frozen clusters do not change.
-  bool relocate(Index x, Index into, Index f, std::vector<Index>& changed)
+  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around the first possible of some
+  // faces, taken from the cluster of that face. `changed` receives the changed clusters. Clusters on the border or on features
+  // lose no faces, and frozen clusters do not change.
+  Relocation relocate(Index x, Index into, const std::vector<Index>& to, std::vector<Index>& changed)
   {
-    const Index y = labels_[f];
-    if (x == y || !is_free(x) || !is_free(y))
-      return false;
+    constexpr std::size_t max_tried = 4;
+    if (!is_free(x))
+      return Relocation::NOT_FROM_HERE;
     const std::vector<Index> faces = outward(face_of_[x]);
     const Index heir = merge(x, faces, into);
     if (heir == NONE)
-      return false;
-    const std::vector<Index> others = outward(f);
-    const Index former = std::exchange(face_of_[x], f);
-    if (labels_[f] != y || (!try_split(y, x, others, others.back(), f) && !split_anyhow(y, x, others))) {
-      for (const Index g : faces)
-        labels_.move(g, x);
-      face_of_[x] = former;
-      return false;
+      return Relocation::NOT_FROM_HERE;
+    std::vector<Index> tried;
+    for (const Index f : to) {
+      const Index y = labels_[f];
+      if (std::find(tried.begin(), tried.end(), y) != tried.end())
+        continue;
+      if (tried.size() == max_tried)
+        break;
+      tried.push_back(y);
+      if (is_free(y) && split_around(y, x, f)) {
+        changed = {x, y, heir};
+        return Relocation::DONE;
+      }
     }
-    changed = {x, y, heir};
-    return true;
+    for (const Index g : faces)
+      labels_.move(g, x);
+    return Relocation::NOT_THERE;
   }
 
   std::vector<Index> faces(Index x) { return outward(face_of_[x]); }
@@ -121,6 +128,17 @@ private:
         labels_.move(f, x);
     }
     return NONE;
+  }
+
+  // Splits a cluster `x` around face `f` off cluster `y`, or else a half of `y`.
+  bool split_around(Index y, Index x, Index f)
+  {
+    const std::vector<Index> faces = outward(f);
+    const Index former = std::exchange(face_of_[x], f);
+    if (try_split(y, x, faces, faces.back(), f) || split_anyhow(y, x, faces))
+      return true;
+    face_of_[x] = former;
+    return false;
   }
 
   // Splits cluster `x` into two of similar extent. The new one is `y`.

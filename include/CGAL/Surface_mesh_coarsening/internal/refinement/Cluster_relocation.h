@@ -28,26 +28,34 @@ public:
   // Returns the faces of a cluster, as faces of the input.
   std::vector<Index> faces(Index x) { return editing_.faces(x); }
 
-  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around a face of the
-  // input, or around a piece of it if features are kept. Returns whether this was possible.
-  bool relocate(Index x, Index into, Index face)
+  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces of the
+  // input, or around a piece of it if features are kept.
+  Relocation relocate(Index x, Index into, std::vector<Index> faces)
   {
+    if (cells_)
+      for (Index& f : faces)
+        f = cells_->polygon(f);
     std::vector<Index> changed;
-    if (!editing_.relocate(x, into, cells_ ? cells_->polygon(face) : face, changed))
-      return false;
+    const Relocation outcome = editing_.relocate(x, into, faces, changed);
     for (const Index y : changed)
       has_changed_[y] = true;
-    ++number_;
-    return true;
+    number_ += outcome == Relocation::DONE;
+    return outcome;
   }
 
   void undo()
   {
-    for (std::size_t f = 0; f < old_labels_.size(); ++f)
-      if (labels_[Index(f)] != old_labels_[f])
-        labels_.move(Index(f), old_labels_[f]);
+    take_labels(old_labels_);
     has_changed_.assign(has_changed_.size(), false);
     number_ = 0;
+  }
+
+  // Gives the faces the labels that they had after some moves.
+  void take_labels(const std::vector<Index>& labels)
+  {
+    for (std::size_t f = 0; f < labels.size(); ++f)
+      if (labels_[Index(f)] != labels[f])
+        labels_.move(Index(f), labels[f]);
   }
 
 private:

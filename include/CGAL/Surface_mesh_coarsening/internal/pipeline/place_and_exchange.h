@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_PLACE_AND_EXCHANGE_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_PLACE_AND_EXCHANGE_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_relocation.h>
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Returns the surface with its current clusters.
+inline std::unique_ptr<Clustered_surface> clustered_surface(const Clustering_state& state, Placed_dual& dual)
+{
+  dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
+  return std::make_unique<Clustered_surface>(dual.pieces->input(), dual.pieces->labels(), state.number_of_clusters(),
+                                             state.execution, dual.pieces->features(), state.cancellation());
+}
+
+// Returns whether the triangles that still intersect are few.
+inline bool is_worth_repairing(const Clustering_state& state, const Placed_dual& dual)
+{
+  return dual.number_left() > 0 && 2 * dual.number_left() <= state.number_of_clusters();
+}
+
+// Returns the functions by which the placement relocates clusters while it exchanges vertices.
+inline Vertex_relocation vertex_relocation(const Clustering_state& state, const Clustered_surface& surface,
+                                           Cluster_relocation& clusters)
+{
+  Vertex_relocation relocation;
+  relocation.rounds = state.exchange_rounds;
+  relocation.relocate = [&](Index x, Index into, const std::vector<Index>& faces) { return clusters.relocate(x, into, faces); };
+  relocation.undo = [&] { clusters.undo(); };
+  relocation.within_bounds = [&](Index x, const Vector& p) {
+    return clusters.has_changed(x) ? closest_in_box(p, vertex_bounds(state.working_input().mesh, clusters.faces(x)))
+                                   : surface.within_bounds(x, p);
+  };
+  return relocation;
+}
+
+// Moves the vertices into their bounds and repairs the placement.
+inline Repair_counts repair_exchanged(const Clustering_state& state, const Clustered_surface& surface,
+                                      const Placement_model& placement, const Output_coordinates& output_coordinates,
+                                      Placed_dual& dual)
+{
+  for (std::size_t x = 0; x < dual.positions.size(); ++x)
+    dual.positions[x] = surface.within_bounds(x, dual.positions[x]);
+  return state.repairs_output ? repair_placement(surface, Border_arcs(surface), placement, output_coordinates, dual.triangles,
+                                                 dual.positions, state.cancellation())
+                              : Repair_counts();
+}
+
+// Relocates vertices to the triangles that still intersect, and repairs the placement again. Returns whether fewer pairs are
+// left; otherwise nothing changes.
+inline bool repair_by_exchange(Clustering_state& state, const Placement_model& placement,
+                               const Output_coordinates& output_coordinates, Cluster_relocation& clusters,
+                               std::unique_ptr<Clustered_surface>& surface, Placed_dual& dual)
+{
+  const std::vector<Index> old_labels = labels(state).labels();
+  Placed_dual next;
+  next.triangles = dual.triangles;
+  next.positions = dual.positions;
+  Vertex_relocation relocation = vertex_relocation(state, *surface, clusters);
+  for (const auto& pair : dual.counts.intersections_left)
+    relocation.faulty.insert(relocation.faulty.end(), {pair.first, pair.second});
+  sort_unique(relocation.faulty);
+  placement.exchanging(*surface, Border_arcs(*surface), next.triangles, next.positions, relocation);
+  surface = clustered_surface(state, next);
+  next.counts = repair_exchanged(state, *surface, placement, output_coordinates, next);
+  next.counts.intersections_found = dual.counts.intersections_found;
+  next.counts.reversals_found = dual.counts.reversals_found;
+  const bool is_better = next.number_left() < dual.number_left();
+  if (is_better) {
+    dual = std::move(next);
+  } else {
+    clusters.take_labels(old_labels);
+    surface = clustered_surface(state, dual);
+  }
+  return is_better;
+}
+
+// Places the vertices, exchanges some of them together with their clusters, and repairs the placement. `plain_distance` receives
+// the squared distance of the fit without exchange, before the repair.
+inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
+                                      const Output_coordinates& output_coordinates, Cluster_relocation& clusters,
+                                      double& plain_distance)
+{
+  constexpr std::size_t max_repairs = 5;
+  state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
+  Placed_dual dual;
+  std::unique_ptr<Clustered_surface> surface = clustered_surface(state, dual);
+  dual.triangles = dual_triangles(labels(state), state.cancellation(), state.execution);
+  dual.positions.resize(state.number_of_clusters());
+  const Border_arcs border(*surface);
+  border.place(dual.positions);
+  plain_distance =
+    placement.exchanging(*surface, border, dual.triangles, dual.positions, vertex_relocation(state, *surface, clusters));
+  if (clusters.number() > 0)
+    surface = clustered_surface(state, dual);
+  dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual);
+  bool is_better = true;
+  for (std::size_t i = 0; i < max_repairs && is_better && is_worth_repairing(state, dual); ++i)
+    is_better = repair_by_exchange(state, placement, output_coordinates, clusters, surface, dual);
+  state.visitor.throw_if_cancelled();
+  state.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
+  return dual;
+}
+
+inline bool may_exchange_vertices(const Clustering_state& state, const Placement_model& placement)
+{
+  return placement.exchanging && state.exchange_rounds > 0 && state.minimization_end.max_rounds > 0 &&
+         state.seeding.kind != Seeding::BY_CALLER;
+}
+
+// Replaces a repaired placement by the one without exchange if that has fewer pairs of intersecting triangles, or as many and a
+// smaller distance. `plain_distance` is its squared distance before its own repair. Returns whether it was replaced.
+inline bool is_better_plain(Clustering_state& state, const Placement_model& placement,
+                            const Output_coordinates& output_coordinates, Cluster_relocation& clusters, double plain_distance,
+                            Placed_dual& dual)
+{
+  const bool is_repaired = dual.counts.intersections_found + dual.counts.reversals_found > 0;
+  if (!is_repaired)
+    return false;
+  const double distance = squared_fit_distance(*clustered_surface(state, dual), dual.triangles, dual.positions);
+  if (dual.number_left() == 0 && distance < plain_distance)
+    return false;
+  const std::vector<Index> labels_of_dual = labels(state).labels();
+  clusters.undo();
+  Placed_dual plain = place(state, placement, output_coordinates);
+  const std::size_t left = plain.number_left();
+  if (left < dual.number_left() ||
+      (left == dual.number_left() &&
+       squared_fit_distance(*clustered_surface(state, plain), plain.triangles, plain.positions) < distance)) {
+    dual = std::move(plain);
+    return true;
+  }
+  clusters.take_labels(labels_of_dual);
+  return false;
+}
+
+// Chooses the better placement, with or without exchange.
+inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
+                                      const Output_coordinates& output_coordinates)
+{
+  if (!may_exchange_vertices(state, placement))
+    return place(state, placement, output_coordinates);
+  Cluster_relocation clusters(state.featured_input(), *state.labels, Index(state.number_of_clusters()));
+  try {
+    double plain_distance = 0;
+    Placed_dual dual = place_and_exchange(state, placement, output_coordinates, clusters, plain_distance);
+    std::size_t exchanged = clusters.number();
+    if (is_better_plain(state, placement, output_coordinates, clusters, plain_distance, dual))
+      exchanged = 0;
+    if (exchanged > 0) {
+      state.minimization.reset();
+      state.editing.reset();
+    }
+    state.report.exchanged_vertices = exchanged;
+    return dual;
+  } catch (...) {
+    clusters.undo();
+    throw;
+  }
+}
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_PLACE_AND_EXCHANGE_H

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EXCHANGE_CANDIDATES_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EXCHANGE_CANDIDATES_H
+
+#include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Collapses the edge from a vertex to `into`, which moves to `place`.
+struct Vertex_removal
+{
+  double loss;
+  Index vertex, into;
+  bool is_measured;
+  Vector place;
+  // The least comes first.
+  bool operator<(const Vertex_removal& r) const { return std::tie(loss, vertex) > std::tie(r.loss, r.vertex); }
+};
+
+// Splits the edge between the first two of the four corners of two triangles at `place`.
+struct Vertex_insertion
+{
+  double gain;
+  Index t, u;
+  std::array<Index, 4> corners;
+  bool is_measured;
+  Vector place;
+  bool operator<(const Vertex_insertion& i) const { return std::tie(gain, i.t, i.u) < std::tie(i.gain, t, u); }
+};
+
+// The vertices that a coarse mesh may lose and the edges that may get one, with what that changes of the distance.
+//
+// Costs are sums of squared distances of the samples of the input, with one of the vertices at its optimal position, and of
+// angles at the exchange rate of flips.
+class Exchange_candidates
+{
+public:
+  Exchange_candidates(const Border_arcs& border, const Flippable_triangulation& coarse, const std::vector<Vector>& positions,
+                      const Fit_samples& samples, const Cancellation_point& cancellation)
+    : border_(border), coarse_(coarse), positions_(positions), samples_(samples), cancellation_(cancellation) {}
+
+  // Of the triangles as they are now. `rate` is the squared distance that a radian is worth.
+  void measure_triangles(double rate)
+  {
+    rate_ = rate;
+    const std::size_t n = coarse_.triangles().size();
+    cost_.resize(n);
+    angle_.resize(n);
+    for (std::size_t t = 0; t < n; ++t) {
+      cancellation_.poll();
+      cost_[t] = 2 * samples_.cost_of_input(Index(t));
+      angle_[t] = smallest_angle(positions_, triangle(Index(t)));
+    }
+  }
+
+  // Calls `visit` for a removal at each vertex that may go, with an estimate of the loss.
+  template <class Visit>
+  void for_each_removal(const Visit& visit) const
+  {
+    for (std::size_t v = 0; v < positions_.size(); ++v) {
+      cancellation_.poll();
+      if (!is_free(Index(v)))
+        continue;
+      const Vertex_removal r = estimated_removal(Index(v));
+      if (r.into != NONE)
+        visit(r);
+    }
+  }
+
+  // Calls `visit` for an insertion on each edge that is on no feature, with an estimate of the gain.
+  template <class Visit>
+  void for_each_insertion(const Visit& visit) const
+  {
+    for (std::size_t t = 0; t < coarse_.triangles().size(); ++t) {
+      cancellation_.poll();
+      for (int i = 0; i < 3; ++i) {
+        const Index u = coarse_.across(Index(t), i);
+        if (u != NONE && u > t)
+          visit(insertion_at(Index(t), i));
+      }
+    }
+  }
+
+  // On the edge from corner `i` of a triangle, which is on no feature, with an estimate of the gain.
+  Vertex_insertion insertion_at(Index t, int i) const
+  {
+    const Index u = coarse_.across(t, i), a = triangle(t)[i], b = triangle(t)[(i + 1) % 3];
+    return {insertion_part * (cost_[t] + cost_[u]), t, u,
+            {a, b, coarse_.opposite(t, i), coarse_.opposite(u, coarse_.corner(u, b))}, false, {}};
+  }
+
+  void measure(Vertex_removal& r)
+  {
+    fan_.clear();
+    double cost = 0, angles = 0, least = min_angle;
+    const auto add = [&](Index t, const Triangle& now) {
+      const bool remains = now[0] != now[1] && now[1] != now[2] && now[2] != now[0];
+      if (remains)
+        fan_.add_triangle(positions_[now[0]], positions_[now[1]], positions_[now[2]],
+                          int(std::find(now.begin(), now.end(), r.into) - now.begin()), normal(t));
+      add_samples_of(t);
+      cost += cost_[t];
+      angles += angle_[t];
+      least = (std::min)(least, angle_[t]);
+    };
+    for (const Index t : coarse_.around(r.vertex))
+      add(t, with_corner(triangle(t), r.vertex, r.into));
+    for (const Index t : coarse_.around(r.into))
+      if (coarse_.corner(t, r.vertex) < 0)
+        add(t, triangle(t));
+    const Vector& p = positions_[r.into];
+    Vector place;
+    double rest = best_place(p, 1, least, std::numeric_limits<double>::infinity(), r.place);
+    if (!border_.is_on_border(r.into)) {
+      const double moved = best_place(0.5 * (p + positions_[r.vertex]), max_steps, least, rest, place);
+      if (moved < rest) {
+        rest = moved;
+        r.place = place;
+      }
+    }
+    r.loss = rest - (cost - rate_ * angles);
+    r.is_measured = true;
+  }
+
+  void measure(Vertex_insertion& x)
+  {
+    fan_.clear();
+    const Vector n = normal(x.t) + normal(x.u);
+    const Vector &a = positions_[x.corners[0]], &b = positions_[x.corners[1]], &c = positions_[x.corners[2]],
+                 &d = positions_[x.corners[3]];
+    const Vector middle = 0.5 * (a + b);
+    fan_.add_triangle(a, middle, c, 1, n);
+    fan_.add_triangle(middle, b, c, 0, n);
+    fan_.add_triangle(b, middle, d, 1, n);
+    fan_.add_triangle(middle, a, d, 0, n);
+    add_samples_of(x.t);
+    add_samples_of(x.u);
+    const double least = (std::min)({min_angle, angle_[x.t], angle_[x.u]});
+    const double rest = best_place(middle, max_steps, least, std::numeric_limits<double>::infinity(), x.place);
+    x.gain = cost_[x.t] + cost_[x.u] - rate_ * (angle_[x.t] + angle_[x.u]) - rest;
+    x.is_measured = true;
+  }
+
+private:
+  // Factors of the quick estimates. Removing a pyramid increases the squared distance by the first factor times its height
+  // squared times the area of its base; a vertex on the edge of two triangles saves the second fraction of their cost. With
+  // these values, most of the best candidates are measured.
+  static constexpr double pyramid_part = 0.18, insertion_part = 0.65;
+  static constexpr double min_angle = 10 / 57.29577951308232;
+  static constexpr std::size_t max_valence = 32;
+  static constexpr int max_steps = 3;
+
+  const Triangle& triangle(Index t) const { return coarse_.triangles()[t]; }
+  Vector normal(Index t) const { return normal_of(positions_, triangle(t)); }
+
+  // The squared distance in both directions is estimated as twice the distance of the samples of the input.
+  double sample_weight() const { return 2 * samples_.weight(); }
+
+  // Whether all edges at a vertex may go.
+  bool is_free(Index v) const
+  {
+    if (border_.is_on_border(v) || coarse_.around(v).size() > max_valence)
+      return false;
+    for (const Index t : coarse_.around(v))
+      for (int i = 0; i < 3; ++i)
+        if (triangle(t)[(i + 2) % 3] != v && coarse_.across(t, i) == NONE)
+          return false;
+    return true;
+  }
+
+  // That of the edges at a vertex whose collapse leaves the new surface closest to where the vertex is.
+  Vertex_removal estimated_removal(Index v) const
+  {
+    Vertex_removal best{std::numeric_limits<double>::infinity(), v, NONE, false, {}};
+    double area = 0, angles = 0, least = min_angle;
+    for (const Index t : coarse_.around(v)) {
+      const Vector n = normal(t);
+      area += 0.5 * std::sqrt(dot(n, n));
+      angles += angle_[t];
+      least = (std::min)(least, angle_[t]);
+    }
+    for (const Index t : coarse_.around(v)) {
+      const Index w = triangle(t)[(coarse_.corner(t, v) + 1) % 3];
+      double height = std::numeric_limits<double>::infinity(), new_angles = 0;
+      if (!look_at_collapse(v, w, least, height, new_angles))
+        continue;
+      const double loss = pyramid_part * area * height + rate_ * (angles - new_angles);
+      if (loss < best.loss && may_collapse(v, w)) {
+        best.loss = loss;
+        best.into = w;
+      }
+    }
+    return best;
+  }
+
+  // Returns whether the triangles that remain around a vertex are sound after it has moved into another one. `height`: the
+  // smallest squared distance from its old position to one of them.
+  bool look_at_collapse(Index v, Index into, double least_angle, double& height, double& angles) const
+  {
+    for (const Index t : coarse_.around(v)) {
+      if (coarse_.corner(t, into) >= 0)
+        continue;
+      const Triangle now = with_corner(triangle(t), v, into);
+      const Vector m = normal_of(positions_, now), n = normal(t);
+      const double new_angle = smallest_angle(positions_, now);
+      if (!(dot(m, n) > Trial_fan::max_turn * std::sqrt(dot(m, m) * dot(n, n))) || new_angle < least_angle)
+        return false;
+      angles += new_angle;
+      height = (std::min)(height, closest_on_triangle(positions_[v], positions_[now[0]], positions_[now[1]],
+                                                      positions_[now[2]]).squared_distance);
+    }
+    return true;
+  }
+
+  // Whether the mesh remains a manifold, with three triangles or more around each vertex: the two have no neighbors in common but
+  // for those of the two triangles at the edge (link condition).
+  bool may_collapse(Index v, Index w) const
+  {
+    if (coarse_.around(w).size() > max_valence)
+      return false;
+    std::size_t common = 0;
+    for (const Index t : coarse_.around(v)) {
+      const Index x = triangle(t)[(coarse_.corner(t, v) + 1) % 3];
+      if (x == w || !coarse_.is_edge(w, x))
+        continue;
+      if (coarse_.around(x).size() < (border_.is_on_border(x) ? 3u : 4u))
+        return false;
+      ++common;
+    }
+    return common == 2;
+  }
+
+  void add_samples_of(Index t)
+  {
+    samples_.for_each_on(t, [this](const Fit_samples::Sample& s) { fan_.add_sample(s.position); });
+  }
+
+  // The least that the samples and angles of the fan cost, its vertex going from `p` to better places; infinite if the fan is
+  // sound nowhere.
+  double best_place(Vector p, int steps, double least_angle, double limit, Vector& place)
+  {
+    double best = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < steps; ++i) {
+      fan_.move_to(p);
+      Vector better;
+      const double bonus = rate_ * fan_.sum_of_angles();
+      const double cost = sample_weight() * fan_.squared_distances(p, better) - bonus;
+      if (cost < best && cost < limit && fan_.is_sound(std::cos(least_angle) + 1e-12)) {
+        best = cost;
+        place = p;
+      }
+      p = better;
+    }
+    return best;
+  }
+
+  const Border_arcs& border_;
+  const Flippable_triangulation& coarse_;
+  const std::vector<Vector>& positions_;
+  const Fit_samples& samples_;
+  Cancellation_point cancellation_;
+  double rate_ = 0;
+  std::vector<double> cost_, angle_; // of each triangle
+  Trial_fan fan_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EXCHANGE_CANDIDATES_H

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_PLACEMENT_FAULTS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_PLACEMENT_FAULTS_H
+
+#include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_hierarchy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Triangle_conflicts.h>
+#include <CGAL/Surface_mesh_coarsening/internal/repair/Input_oracle.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The faults of a coarse mesh: triangles that intersect where the input does not, and triangles that look away from the surface
+// that they stand for.
+class Placement_faults
+{
+public:
+  // The coordinates that a position has in the output.
+  typedef std::function<Vector(const Vector&)> Output_coordinates;
+
+  Placement_faults(const Clustered_surface& surface, Input_oracle& reference, const Flippable_triangulation& coarse,
+                   const std::vector<Vector>& positions, const Output_coordinates& output, const Cancellation_point& cancellation)
+    : cancellation_(cancellation), execution_(surface.execution()), surface_(surface), reference_(reference), coarse_(coarse),
+      positions_(positions), output_(output), points_(positions.size())
+  {}
+
+  // Finds all, of the positions as they are now.
+  void find()
+  {
+    for (std::size_t v = 0; v < positions_.size(); ++v)
+      follow(Index(v));
+    const Triangle_conflict conflict(points_);
+    std::vector<Bbox_3> boxes;
+    boxes.reserve(coarse_.triangles().size());
+    for (const Triangle& t : coarse_.triangles())
+      boxes.push_back(conflict.box(t));
+    boxes_.build(std::move(boxes));
+    pairs_.clear();
+    for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), points_, execution_, cancellation_))
+      if (!is_in_input(pair))
+        pairs_.push_back(pair);
+    find_reversed();
+  }
+
+  const std::vector<Triangle_pair>& pairs() const { return pairs_; }
+  const std::vector<Index>& reversed() const { return reversed_; }
+  std::size_t number() const { return pairs_.size() + reversed_.size(); }
+
+  bool are_in_conflict(const Triangle_pair& p) const
+  {
+    return Triangle_conflict(points_)(coarse_.triangles()[p.first], coarse_.triangles()[p.second]);
+  }
+
+  // Or without area. Where the input has none, triangles need not have any, and look nowhere.
+  bool is_reversed(Index t) const
+  {
+    const Triangle& triangle = coarse_.triangles()[t];
+    return reference_.has_area(triangle) &&
+           (Triangle_conflict(points_).is_flat(triangle) || reference_.is_against(triangle, positions_));
+  }
+
+  // Whether the exact tests of all rounds together are few enough yet.
+  bool may_test() const { return tests_ < (std::min)(max_tests, max_tests_each * coarse_.triangles().size()); }
+
+  // A vertex has another position. It may be taken back as long as nothing is searched for.
+  void follow(Index v)
+  {
+    const Vector q = output_(positions_[v]);
+    points_[v] = Exact_point(q[0], q[1], q[2]);
+  }
+
+  // Some triangles have changed for good.
+  void update(const std::vector<Index>& triangles)
+  {
+    const Triangle_conflict conflict(points_);
+    for (const Index t : triangles)
+      boxes_.grow(t, conflict.box(coarse_.triangles()[t]));
+  }
+
+  // Finds the triangles that changes at some vertices can have to do with.
+  void look_around(const std::vector<Index>& vertices)
+  {
+    const Triangle_conflict conflict(points_);
+    Bbox_3 region;
+    for (const Index v : vertices)
+      for (const Index t : coarse_.around(v))
+        region += conflict.box(coarse_.triangles()[t]);
+    for (const Index v : vertices) {
+      const Vector q = output_(surface_.cluster_centroid(v));
+      region += Bbox_3(q[0], q[1], q[2], q[0], q[1], q[2]);
+    }
+    region = grown(region, 0.25 * (std::max)({region.x_span(), region.y_span(), region.z_span()}));
+    near_.clear();
+    boxes_.for_each_overlapping(region, [this](Index t) { near_.push_back(t); });
+    cancellation_.poll(near_.size());
+    std::sort(near_.begin(), near_.end());
+  }
+
+  // The number of faults of some triangles there, in order, or at least `limit` of them.
+  long number_of(const std::vector<Index>& altered, long limit)
+  {
+    const Triangle_conflict conflict(points_);
+    long faults = 0;
+    for (const Index t : altered) {
+      const Triangle triangle = coarse_.triangles()[t];
+      const Bbox_3 box = conflict.box(triangle);
+      faults += is_reversed(t);
+      if (faults >= limit)
+        return faults;
+      cancellation_.poll(near_.size());
+      tests_ += near_.size() / 16; // a comparison of boxes takes a fraction of a test
+      for (const Index u : near_) {
+        if (u == t || (u < t && std::binary_search(altered.begin(), altered.end(), u)))
+          continue;
+        const Triangle& other = coarse_.triangles()[u];
+        if (!do_overlap(box, conflict.box(other)))
+          continue;
+        ++tests_;
+        if (conflict(triangle, other) && !is_in_input({t, u}))
+          ++faults;
+      }
+    }
+    return faults;
+  }
+
+private:
+  // Exact tests of two triangles whose boxes overlap, in all rounds together, for each triangle and for all: a second or two.
+  // What is left of sheets that are too near each other all over stays.
+  static constexpr std::size_t max_tests_each = 20000, max_tests = 2000000;
+
+  void find_reversed()
+  {
+    reversed_.clear();
+    std::vector<char> reversed(coarse_.triangles().size());
+    for_each_chunk(execution_, reversed.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t)
+        reversed[t] = is_reversed(Index(t));
+    });
+    for (std::size_t t = 0; t < reversed.size(); ++t)
+      if (reversed[t])
+        reversed_.push_back(Index(t));
+  }
+
+  bool is_in_input(const Triangle_pair& pair)
+  {
+    return reference_.intersects_itself(coarse_.triangles()[pair.first], coarse_.triangles()[pair.second]);
+  }
+
+  const Cancellation_point cancellation_;
+  const Execution execution_;
+  const Clustered_surface& surface_;
+  Input_oracle& reference_;
+  const Flippable_triangulation& coarse_;
+  const std::vector<Vector>& positions_;
+  const Output_coordinates output_;
+  std::vector<Exact_point> points_; // of the vertices, as the output will have them
+  Box_hierarchy boxes_;
+  std::vector<Triangle_pair> pairs_;
+  std::vector<Index> reversed_;
+  std::vector<Index> near_;
+  std::size_t tests_ = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_PLACEMENT_FAULTS_H
