@@ -16,6 +16,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <thread>
 #include <type_traits>
 #include <vector>
 
@@ -122,6 +123,40 @@ void for_each_in_groups(Execution execution, const std::vector<Index>& group, st
                    });
   }
 }
+
+// A cancellation point for loops on several threads. The visitor is asked on the thread that began the loop; the others learn of its
+// refusal.
+class Shared_cancellation_point
+{
+public:
+  explicit Shared_cancellation_point(const Cancellation_point& cancellation) : cancellation_(cancellation) {}
+
+  // To be called before the loop.
+  void begin()
+  {
+    thread_ = std::this_thread::get_id();
+    is_refused_ = false;
+  }
+
+  // Returns whether to go on. On the thread that began, a refusal leaves as an exception.
+  bool poll(std::size_t steps)
+  {
+    if (std::this_thread::get_id() != thread_)
+      return !is_refused_;
+    try {
+      cancellation_.poll(steps);
+    } catch (...) {
+      is_refused_ = true;
+      throw;
+    }
+    return true;
+  }
+
+private:
+  Cancellation_point cancellation_;
+  std::thread::id thread_;
+  std::atomic<bool> is_refused_{false};
+};
 
 // Returns the smallest number from 0 to `n` that satisfies `is_found`; `n` if there is none.
 template <class Predicate>

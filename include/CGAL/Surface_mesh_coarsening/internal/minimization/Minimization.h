@@ -22,8 +22,14 @@ class Minimization
 {
 public:
   virtual ~Minimization() = default;
-  // Runs one round. Returns the number of moves.
-  virtual std::size_t round() = 0;
+  struct Progress
+  {
+    std::size_t rounds = 0, moves = 0;
+  };
+  // Makes rounds, up to the end; parts of the clustering may come to theirs before others do.
+  virtual Progress run(const Minimization_end& end) = 0;
+  // How many rounds are best made at a time.
+  virtual std::size_t rounds_at_a_time() const = 0;
   virtual double energy() const = 0;
   // The number of edges tested so far.
   virtual std::size_t tests() const = 0;
