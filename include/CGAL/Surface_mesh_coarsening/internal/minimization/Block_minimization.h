@@ -161,7 +161,7 @@ private:
     return i;
   }
 
-  Trial trial(const Face& face, Index from, Index to) const
+  BOOST_FORCEINLINE Trial trial(const Face& face, Index from, Index to) const
   {
     const Sums& source = state_.clusters[from];
     const Sums& target = state_.clusters[to];

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Featured_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Block_minimization.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Cluster_blocks.h>
@@ -136,12 +137,12 @@ private:
   }
 
   // In two orthogonal frames, whose planes cross each other at large angles: clusters at the border of a block in one are inside a
-  // block in the other, nearly always. Products with 2 are exact, so fused operations change nothing.
+  // block in the other, nearly always. What roundings of fused operations tell apart is taken for equal.
   void divide(std::size_t blocks)
   {
     std::vector<Vector> straight, oblique;
     for (const Sums& x : state_.clusters) {
-      const Vector& p = x.centroid;
+      const Vector p = without_last_digits(x.centroid);
       straight.push_back(p);
       oblique.push_back({p[0] + 2 * p[1] + 2 * p[2], 2 * p[0] + p[1] - 2 * p[2], 2 * p[0] - 2 * p[1] + p[2]});
     }
