@@ -49,16 +49,16 @@ struct Grown
   {
     const auto np = CGAL::parameters::default_values();
     Local_frame frame;
-    input = clustering_input(mesh, np, numbering(mesh, np), frame, Cancellation_point());
+    input.items = clustering_input(mesh, np, numbering(mesh, np), frame, Cancellation_point());
     initial = std::make_unique<Initial_clustering>(input, report, Cancellation_point(), Execution::SEQUENTIAL);
     initial->seed(number_of_clusters);
     labels = std::make_unique<Cluster_labels>(initial->grow());
   }
 
-  const Clustering_input& working_input() const { return initial->input(); }
+  const Featured_input& working_input() const { return initial->input(); }
 
   test::Mesh mesh;
-  Clustering_input input;
+  Featured_input input;
   SMC::Coarsening_report report;
   std::unique_ptr<Initial_clustering> initial;
   std::unique_ptr<Cluster_labels> labels;
@@ -88,10 +88,10 @@ public:
   typedef Block_minimization<Weight> Block;
 
   explicit Divided(const Grown& grown)
-    : labels(*grown.labels), state{grown.working_input(), labels, Cluster_energy<Weight>(Weight()),
+    : labels(*grown.labels), state{grown.working_input().items, labels, Cluster_energy<Weight>(Weight()),
                                    std::vector<Cluster_sums<Weight> >(number_of_clusters),
                                    std::vector<Move_time>(number_of_clusters, 1),
-                                   Listed_edges(grown.working_input().mesh.corner_vertex.size()), nullptr, {}},
+                                   Listed_edges(grown.working_input().items.mesh.corner_vertex.size()), nullptr, {}},
       cancellation_(Cancellation_point())
   {
     state.last_change.push_back(0);
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(edges_are_distributed)
     for (Index x = 0; x < number_of_clusters; ++x)
       ++size[divided.division[x]];
     BOOST_CHECK_LE(*std::max_element(size.begin(), size.end()), *std::min_element(size.begin(), size.end()) + number_of_blocks);
-    const Flat_mesh& m = grown.working_input().mesh;
+    const Flat_mesh& m = grown.working_input().items.mesh;
     std::size_t expected = 0, between = 0;
     for (Index f = 0; f < m.number_of_faces(); ++f)
       for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c) {
@@ -259,8 +259,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(ends_in_a_local_minimum, Weight, Weights)
 {
   const Grown grown(soups().front().second);
   Cluster_labels labels(*grown.labels);
-  const Clustering_input& input = grown.working_input();
-  Energy_minimization<Weight> minimization(input, labels, number_of_clusters, Weight(), Cancellation_point(),
+  const Clustering_input& input = grown.working_input().items;
+  Energy_minimization<Weight> minimization(grown.working_input(), labels, number_of_clusters, Weight(), Cancellation_point(),
                                            Execution::SEQUENTIAL);
   while (minimization.run({3, 0}).moves > 0)
     ;
