@@ -26,9 +26,9 @@ public:
   {
     std::size_t rounds = 0, moves = 0;
   };
-  // Makes rounds, up to the end; parts of the clustering may come to theirs before others do.
+  // Runs rounds until the end. Parts of the clustering may reach it earlier than others.
   virtual Progress run(const Minimization_end& end) = 0;
-  // How many rounds are best made at a time.
+  // Returns the number of rounds that a call should run.
   virtual std::size_t rounds_at_a_time() const = 0;
   virtual double energy() const = 0;
   // The number of edges tested so far.

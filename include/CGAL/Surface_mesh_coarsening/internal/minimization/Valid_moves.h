@@ -19,7 +19,7 @@ namespace internal {
 class Valid_moves
 {
 public:
-  // `rules`: those for features, where there are some.
+  // `rules`: the rules for features, null without features.
   Valid_moves(Cluster_labels& labels, Feature_rules* rules)
     : mesh_(labels.mesh()), labels_(labels), walk_(labels), rules_(rules) {}
 

@@ -270,7 +270,7 @@ private:
   const Flat_mesh& mesh_;
   Cluster_labels& labels_;
   Dual_walk walk_;
-  std::vector<Index> face_of_; // one of each cluster
+  std::vector<Index> face_of_; // a face of each cluster
 };
 
 } // namespace internal
