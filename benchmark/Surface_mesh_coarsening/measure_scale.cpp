@@ -6,16 +6,13 @@
 //   measure_scale --clusters FACES      one mesh, to numbers of vertices from 7 to all
 //   measure_scale --cancel FACES        the longest time in which the visitor is not asked whether to go on, in each stage, and
 //                                       how long it takes from its answer until the call has returned
-//
-// The torus is built face by face; 20 million faces take some 4 GB in all.
 
-#include "io/Mesh.h"
+#include "support/bumpy_torus.h"
 
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <ctime>
@@ -29,35 +26,13 @@
 namespace {
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
+using benchmark_support::bumpy_torus;
 using coarsening_support::Mesh;
-using coarsening_support::Point;
-using coarsening_support::Vertex;
 
 constexpr std::size_t vertices_per_cluster = 50;
 const std::array<const char*, 5> stages{{"preparation", "seeds", "growth", "minimization", "triangulation"}};
 
 double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
-
-Mesh bumpy_torus(std::size_t faces)
-{
-  const std::size_t n = (std::max)(std::size_t(4), std::size_t(std::sqrt(double(faces) / 2) + 0.5));
-  const double step = 2 * 3.14159265358979323846 / double(n);
-  Mesh mesh;
-  mesh.reserve(Mesh::size_type(n * n), Mesh::size_type(3 * n * n), Mesh::size_type(2 * n * n));
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      const double u = step * double(i), v = step * double(j), r = 0.4 + 0.04 * std::sin(9 * u) * std::sin(4 * v);
-      const double x = 1 + r * std::cos(v);
-      mesh.add_vertex(Point(x * std::cos(u), x * std::sin(u), r * std::sin(v)));
-    }
-  const auto at = [n](std::size_t i, std::size_t j) { return Vertex(Mesh::size_type(i % n * n + j % n)); };
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
-    }
-  return mesh;
-}
 
 // Processor seconds of each stage.
 struct Timing_visitor : SMC::Coarsening_visitor_base

@@ -272,7 +272,7 @@ void check_rules(const Model& model, std::size_t number)
       BOOST_TEST((with_corner.count(tree.first) || lines[tree.first].size() == 1));
       BOOST_TEST((!at_border.count(tree.first) || at_border_by_right.count(tree.first)));
     }
-    while (minimization.round() && round == 0)
+    while (minimization.run({1, 0}).moves > 0 && round == 0)
       ;
   }
 }

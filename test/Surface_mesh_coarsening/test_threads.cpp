@@ -86,15 +86,15 @@ typedef boost::mpl::list<SMC::Uniform_weight, SMC::Weighted_area_weight, SMC::Ma
 BOOST_AUTO_TEST_CASE_TEMPLATE(same_result, Weight, Weights)
 {
   const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(5), 0.01));
-  const Result sequential = coarsened<CGAL::Sequential_tag, Weight>(mesh, 300);
+  const Result sequential = coarsened<CGAL::Sequential_tag, Weight>(mesh, 900);
   BOOST_CHECK(sequential.rounds > 3);
-  BOOST_CHECK((coarsened<CGAL::Sequential_tag, Weight>(mesh, 300) == sequential));
-  BOOST_CHECK((coarsened<CGAL::Parallel_if_available_tag, Weight>(mesh, 300) == sequential));
+  BOOST_CHECK((coarsened<CGAL::Sequential_tag, Weight>(mesh, 900) == sequential));
+  BOOST_CHECK((coarsened<CGAL::Parallel_if_available_tag, Weight>(mesh, 900) == sequential));
 #ifdef CGAL_LINKED_WITH_TBB
   for (const std::size_t threads : {1, 2, 8})
     for (int repetition = 0; repetition < 5; ++repetition) {
       tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      BOOST_CHECK((coarsened<CGAL::Parallel_tag, Weight>(mesh, 300) == sequential));
+      BOOST_CHECK((coarsened<CGAL::Parallel_tag, Weight>(mesh, 900) == sequential));
     }
 #endif
 }

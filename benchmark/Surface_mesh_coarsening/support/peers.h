@@ -93,17 +93,17 @@ struct Method
   std::function<Seconds(const Mesh&, std::size_t, Result&)> run;
 };
 
-template <class Weight, class Placement = SMC::Centroid_placement>
+template <class Weight, class Placement = SMC::Centroid_placement, class ConcurrencyTag = CGAL::Sequential_tag>
 Method our_method(const std::string& name, double maximum_density, bool repair = true)
 {
   return {name, [maximum_density, repair](const Mesh& mesh, std::size_t number, Result& result) {
             Mesh output;
             const Stopwatch watch;
-            SMC::coarsen_mesh(mesh, number, output,
-                              SMC::parameters::cluster_weight(Weight())
-                                .maximum_density(maximum_density)
-                                .vertex_placement(Placement())
-                                .repair_output(repair));
+            SMC::coarsen_mesh<ConcurrencyTag>(mesh, number, output,
+                                              SMC::parameters::cluster_weight(Weight())
+                                                .maximum_density(maximum_density)
+                                                .vertex_placement(Placement())
+                                                .repair_output(repair));
             const Seconds seconds = watch.seconds();
             result = result_of(output);
             return seconds;

@@ -24,8 +24,8 @@ public:
   /// is called when `stage` has ended. It is not called for a stage that ended with an exception.
   void stage_ends(CGAL::Surface_mesh_coarsening::Coarsening_stage stage);
 
-  /// is called after each round of the minimization: `round` is its number, the first being 1, `moves` the number of faces
-  /// that changed cluster in it, and `energy` the energy (8) after it.
+  /// is called after each round of the minimization, or after some that are made together, where there are many clusters: `round` is the
+  /// number of rounds so far, `moves` the number of faces that changed cluster since the last call, and `energy` the energy (8).
   void round_done(std::size_t round, std::size_t moves, double energy);
 
   /// is asked at the beginning and at the end of each stage and after each round of the minimization, and possibly at other

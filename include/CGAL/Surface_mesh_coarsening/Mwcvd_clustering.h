@@ -137,8 +137,9 @@ public:
   /// \return whether a face has changed cluster
   bool minimize_round() { return internal::minimize_round(state_); }
 
-  /// runs rounds until one lowers the energy by at most the relative amount `convergence_tolerance`, or changes nothing, or
-  /// until `number_of_iterations` have been run.
+  /// runs rounds until one lowers the energy by no more than a part `convergence_tolerance` of it, or changes nothing, or until
+  /// `number_of_iterations` have been run. Where there are many clusters, some rounds are run at a time, block by block of clusters;
+  /// then the energies are compared, and the visitor is notified, after these.
   /// \throws Invalid_input if the tolerance is negative or not a number.
   void minimize(std::size_t number_of_iterations = default_number_of_iterations,
                 double convergence_tolerance = default_convergence_tolerance)

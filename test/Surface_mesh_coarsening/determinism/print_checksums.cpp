@@ -88,4 +88,5 @@ int main()
   print("handles", plate_with_windows(4, 4), 120);
   print("needles", needles(60, 12), 80);
   print("scattered", with_noise(triangulated(grid(50, 50)), 0.4), 200);
+  print("blocks", with_noise(triangle_sphere(5), 0.01), 1200); // so many clusters are minimized in blocks
 }

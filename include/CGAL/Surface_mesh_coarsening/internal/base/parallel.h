@@ -8,6 +8,8 @@
 
 #include <CGAL/tags.h>
 
+#include <boost/config.hpp>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
 #endif
@@ -16,6 +18,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <thread>
 #include <type_traits>
 #include <vector>
 
@@ -35,6 +38,22 @@ constexpr Execution execution()
   return is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL;
 }
 
+// Calls `run(i)` for the numbers from 0 to `n`, which are several, in parallel if `execution` says so. It is never inlined, so that
+// profilers separate parallel from serial work: `count_serial_part.sh` relies on that.
+template <class Run>
+BOOST_NOINLINE void run_concurrently(Execution execution, std::size_t n, const Run& run)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if (execution == Execution::PARALLEL) {
+    tbb::parallel_for(std::size_t(0), n, run);
+    return;
+  }
+#endif
+  (void)execution;
+  for (std::size_t i = 0; i < n; ++i)
+    run(i);
+}
+
 // Calls `work(i, begin, end)` for the i-th of the chunks of `size` numbers from 0 to `n`. Chunks, and hence results
 // combined in order, do not depend on the number of threads.
 template <class Work>
@@ -42,15 +61,10 @@ void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const 
 {
   const std::size_t chunks = (n + size - 1) / size;
   const auto run = [&](std::size_t i) { work(i, i * size, (std::min)(n, (i + 1) * size)); };
-#ifdef CGAL_LINKED_WITH_TBB
-  if (execution == Execution::PARALLEL && chunks > 1) {
-    tbb::parallel_for(std::size_t(0), chunks, run);
-    return;
-  }
-#endif
-  (void)execution;
-  for (std::size_t i = 0; i < chunks; ++i)
-    run(i);
+  if (chunks > 1)
+    run_concurrently(execution, chunks, run);
+  else if (chunks == 1)
+    run(0);
 }
 
 // The same with cancellation.
@@ -122,6 +136,40 @@ void for_each_in_groups(Execution execution, const std::vector<Index>& group, st
                    });
   }
 }
+
+// A cancellation point for loops on several threads. The visitor is asked on the thread that began the loop; the others learn of its
+// refusal.
+class Shared_cancellation_point
+{
+public:
+  explicit Shared_cancellation_point(const Cancellation_point& cancellation) : cancellation_(cancellation) {}
+
+  // To be called before the loop.
+  void begin()
+  {
+    thread_ = std::this_thread::get_id();
+    is_refused_ = false;
+  }
+
+  // Returns whether to go on. On the thread that began, a refusal leaves as an exception.
+  bool poll(std::size_t steps)
+  {
+    if (std::this_thread::get_id() != thread_)
+      return !is_refused_;
+    try {
+      cancellation_.poll(steps);
+    } catch (...) {
+      is_refused_ = true;
+      throw;
+    }
+    return true;
+  }
+
+private:
+  Cancellation_point cancellation_;
+  std::thread::id thread_;
+  std::atomic<bool> is_refused_{false};
+};
 
 // Returns the smallest number from 0 to `n` that satisfies `is_found`; `n` if there is none.
 template <class Predicate>

@@ -5,7 +5,6 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 
-#include <cstdint>
 #include <unordered_map>
 #include <vector>
 
@@ -28,15 +27,16 @@ public:
   explicit Cluster_labels(const Flat_mesh& mesh)
     : mesh_(mesh), label_(mesh.number_of_faces(), NONE), boundary_count_(mesh.number_of_vertices(), 0)
   {
-    for (std::size_t v = 0; v < mesh.number_of_vertices() && !has_hubs_; ++v)
-      has_hubs_ = is_hub(Index(v));
+    for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+      if (is_hub(Index(v)))
+        faces_at_hub_[Index(v)];
   }
 
   const Flat_mesh& mesh() const { return mesh_; }
   Index operator[](Index f) const { return label_[f]; }
   void set(Index f, Index label)
   {
-    if (has_hubs_)
+    if (!faces_at_hub_.empty())
       count_at_hubs(f, label);
     label_[f] = label;
   }
@@ -70,7 +70,7 @@ public:
   bool touches(Index v, Index label) const
   {
     if (is_hub(v))
-      return faces_at_hub_.count(hub_key(v, label)) != 0;
+      return faces_at_hub_.find(v)->second.count(label) != 0;
     for (const Index f : mesh_.faces_around(v))
       if (label_[f] == label)
         return true;
@@ -148,10 +148,10 @@ public:
 
 private:
   // Walking around a vertex of this valence for each of its faces would take quadratic time. There, the faces of each
-  // label are counted instead.
+  // label are counted instead, hub by hub: threads that move faces at different hubs change different counts.
   static constexpr Index hub_valence = 64;
   bool is_hub(Index v) const { return mesh_.first_in_star[v + 1] - mesh_.first_in_star[v] > hub_valence; }
-  static std::uint64_t hub_key(Index v, Index label) { return (std::uint64_t(v) << 32) | label; }
+  typedef std::unordered_map<Index, Index> Faces_of_labels;
 
   void count_at_hubs(Index f, Index label)
   {
@@ -159,13 +159,14 @@ private:
       const Index v = mesh_.corner_vertex[c];
       if (!is_hub(v))
         continue;
+      Faces_of_labels& faces = faces_at_hub_.find(v)->second;
       if (label_[f] != NONE) {
-        const auto i = faces_at_hub_.find(hub_key(v, label_[f]));
+        const auto i = faces.find(label_[f]);
         if (--i->second == 0)
-          faces_at_hub_.erase(i);
+          faces.erase(i);
       }
       if (label != NONE)
-        ++faces_at_hub_[hub_key(v, label)];
+        ++faces[label];
     }
   }
 
@@ -174,8 +175,7 @@ private:
   std::vector<Index> boundary_count_;
   std::vector<bool> is_frozen_; // per cluster, for the first clusters
   std::vector<bool> is_pinned_; // per face; empty if no face is pinned
-  bool has_hubs_ = false;
-  std::unordered_map<std::uint64_t, Index> faces_at_hub_; // by hub and label
+  std::unordered_map<Index, Faces_of_labels> faces_at_hub_;
 };
 
 } // namespace internal

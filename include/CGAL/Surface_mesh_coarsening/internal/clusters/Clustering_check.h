@@ -114,10 +114,8 @@ private:
   std::string fault_of_dual()
   {
     Dual_walk walk(labels_);
-    std::vector<Index> stamp_of_cluster(clusters_, 0);
-    Index stamp = 0;
     for (std::size_t x = 0; x < clusters_; ++x) {
-      const Index y = walk.first_link_defect(boundary_[x], stamp_of_cluster, stamp);
+      const Index y = walk.first_link_defect(boundary_[x]);
       if (y == x)
         return name(x) + " has fewer than three neighbors";
       if (Cluster_labels::is_cap(y))

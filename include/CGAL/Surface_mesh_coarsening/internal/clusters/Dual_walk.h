@@ -6,6 +6,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -41,6 +43,39 @@ inline void clusters_around_vertex(const Cluster_labels& labels, Index v, std::v
   else if (runs.size() > 1 && runs.back() == runs.front())
     runs.pop_back(); // the first run, the apex, continues across the end of the array
 }
+
+// A set of labels, mostly of so few that they are found fastest one by one.
+class Label_set
+{
+public:
+  void clear()
+  {
+    list_.clear();
+    many_.clear();
+  }
+  std::size_t size() const { return list_.size(); }
+
+  // Returns whether the label is new.
+  bool insert(Index label)
+  {
+    if (list_.size() < few) {
+      if (std::find(list_.begin(), list_.end(), label) != list_.end())
+        return false;
+    } else {
+      if (many_.empty())
+        many_.insert(list_.begin(), list_.end());
+      if (!many_.insert(label).second)
+        return false;
+    }
+    list_.push_back(label);
+    return true;
+  }
+
+private:
+  static constexpr std::size_t few = 32;
+  std::vector<Index> list_;
+  std::unordered_set<Index> many_;
+};
 
 // Walks along the boundary of a cluster that is a closed disc, and lists its neighbors in the dual triangulation in
 // order.
@@ -82,23 +117,17 @@ public:
   // Returns the neighbor that prevents the cluster on the left of `start` from having a simple link: a neighbor that
   // occurs twice, or a second cap. Returns NONE if the link is a simple cycle of three or more neighbors, and the
   // cluster itself if the cycle is simple but shorter.
-  Index first_link_defect(const Directed_edge start, std::vector<Index>& stamp_of_cluster, Index& stamp)
+  Index first_link_defect(const Directed_edge start)
   {
-    ++stamp;
-    Index fault = NONE, length = 0, loops = 0;
+    link_.clear();
+    Index defect = NONE, loops = 0;
     along_link(start, [&](Index label) {
-      ++length;
-      if (Cluster_labels::is_cap(label)) {
-        if (++loops > 1)
-          fault = label;
-      } else if (stamp_of_cluster[label] == stamp) {
-        fault = label;
-      } else {
-        stamp_of_cluster[label] = stamp;
-      }
-      return fault == NONE;
+      const bool is_second_loop = Cluster_labels::is_cap(label) && ++loops > 1;
+      if (!link_.insert(label) || is_second_loop)
+        defect = label;
+      return defect == NONE;
     });
-    return fault == NONE && length < 3 ? labels_[start.face] : fault;
+    return defect == NONE && link_.size() < 3 ? labels_[start.face] : defect;
   }
 
 private:
@@ -137,6 +166,7 @@ private:
   const Cluster_labels& labels_;
   const Flat_mesh& mesh_;
   std::vector<Index> runs_;
+  Label_set link_;
 };
 
 } // namespace internal

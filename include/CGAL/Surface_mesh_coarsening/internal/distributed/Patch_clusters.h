@@ -58,11 +58,12 @@ public:
     bool has_ended = false;
     double before = minimization->energy();
     while (rounds < end.max_rounds && !has_ended) {
-      const std::size_t moves = minimization->round();
+      const std::size_t some = (std::min)(end.max_rounds - rounds, minimization->rounds_at_a_time());
+      const Minimization::Progress progress = minimization->run({some, end.tolerance});
       const double after = minimization->energy();
-      has_ended = moves == 0 || before - after <= end.tolerance * before;
+      has_ended = progress.moves == 0 || before - after <= end.tolerance * before;
       before = after;
-      ++rounds;
+      rounds += progress.rounds;
     }
     for (std::size_t f = 0; f < patch_.is_own.size(); ++f)
       patch_.faces.cluster[f] = global_[labels_[Index(f)]];

@@ -53,6 +53,9 @@ public:
     }
   }
 
+  // Returns whether the face is part of a feature. Moves of other faces concern their two clusters alone.
+  bool is_on_feature(Index f) const { return cells_.node(f) != NONE; }
+
   // Returns whether face `f` may join the adjacent cluster `to`, and leave its own if it has one.
   bool may_take(Index f, Index to) const
   {

@@ -3,91 +3,121 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_ENERGY_MINIMIZATION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_ENERGY_MINIMIZATION_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Cluster_energy.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Valid_moves.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Featured_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Block_minimization.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Cluster_blocks.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Sections 5.1 and 8.2 of the paper: in rounds over the edges between clusters, the face on one side joins the cluster
-// across, whichever of the two faces lowers the energy more, as long as the clusters remain discs whose dual is a
-// simplicial surface. All weights are weights of the current sums, so the energy is a function of the clustering and
-// decreases with each move.
+// Sections 5.1 and 8.2 of the paper: in rounds over the edges between clusters, the face on one side or on the other
+// joins the cluster across, whichever lowers the energy more, as long as the clusters remain discs whose dual is a
+// simplicial surface. All weights are those of the current sums, so the energy is a function of the clustering and
+// falls with each move.
 //
-// For each batch of edges, a round first finds such moves with the current sums, which can run in parallel, and then
-// makes, in the order of the edges, the moves that still lower the energy.
+// Many clusters are divided into blocks, which make some rounds on their own, in parallel. Edges at which a face had to wait for another
+// block are in blocks of a second division next, and the few that had to wait again are gone through in order. The divisions take turns.
 template <class Weight>
 class Energy_minimization : public Minimization
 {
-  typedef Face_terms<Weight> Face;
   typedef Cluster_sums<Weight> Sums;
-  typedef typename Cluster_energy<Weight>::Outcome Outcome;
-  typedef Boundary_edges<Weight> Edges;
+  typedef Block_minimization<Weight> Block;
 
 public:
   Energy_minimization(const Featured_input& input, Cluster_labels& labels, std::size_t number_of_clusters,
                       const Weight& weight, const Cancellation_point& cancellation, Execution execution)
-    : input_(input.items), labels_(labels), energy_(weight), cancellation_(cancellation),
-      execution_(execution), moves_(labels, number_of_clusters), clusters_(number_of_clusters),
-      edges_(input.items, labels, energy_, number_of_clusters)
+    : labels_(labels), cancellation_(cancellation), shared_cancellation_(cancellation), execution_(execution),
+      state_{input.items, labels, Cluster_energy<Weight>(weight), std::vector<Sums>(number_of_clusters), {},
+             Listed_edges(input.items.mesh.corner_vertex.size()), nullptr, {}}
   {
-    if (input.cells)
-      moves_.keep_features(*input.cells);
-    energy_.add_up(input_, labels_, clusters_, cancellation_, execution_);
-    edges_.list_all(cancellation_, execution_);
+    if (input.cells) {
+      rules_.emplace(*input.cells, labels);
+      rules_->count(number_of_clusters);
+      state_.rules = &*rules_;
+    }
+    add_up(cancellation_);
+    if (number_of_clusters >= 2 * clusters_per_block)
+      divide(number_of_clusters / clusters_per_block);
   }
 
-  // Runs one round. Returns the number of moves.
-  std::size_t round() override
+  std::size_t rounds_at_a_time() const override { return is_divided() ? 5 : 1; }
+
+  Progress run(const Minimization_end& end) override
   {
-    ++round_;
-    // Repeated updates of sums accumulate rounding errors.
-    if (round_ % 64 == 0)
-      energy_.add_up(input_, labels_, clusters_, Cancellation_point(), execution_); // must not be interrupted
-    std::size_t moves = run(in_last_round | in_this_round);
-    // Edges between unchanged clusters were skipped, but other clusters, too, decide whether a move is valid. The
-    // minimization ends when no edge at all has a move left.
-    if (moves == 0)
-      moves = run(at_any_time);
-    edges_.end_round();
-    CGAL_expensive_assertion(agrees_with_recount());
-    return moves;
+    shared_cancellation_.begin();
+    // Sums that are updated again and again drift by roundings.
+    if (rounds_since_sums_ >= 64)
+      add_up(Cancellation_point()); // must not end half done
+    Progress progress = run_rounds(end, false);
+    // Edges were passed over whose two clusters had not changed. Whether a move is allowed depends on others, too:
+    // the end is reached when no edge at all has a move left.
+    if (progress.moves == 0)
+      progress = run_rounds(end, true);
+    rounds_since_sums_ += progress.rounds;
+    CGAL_expensive_assertion(agrees_with_recount() && has_all_edges());
+    return progress;
   }
 
-  // Returns whether the boundary-edge counts and the sums agree with recomputed ones.
+  // Whether the boundary-edge counts and the sums are those that counting and adding up from scratch gives.
   bool agrees_with_recount() const
   {
     if (labels_.recounted() != labels_.boundary_counts())
       return false;
-    std::vector<Sums> fresh(clusters_.size());
-    energy_.add_up(input_, labels_, fresh, Cancellation_point());
-    const auto agree = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); };
-    for (std::size_t i = 0; i < clusters_.size(); ++i) {
-      const Sums &x = clusters_[i], &y = fresh[i];
-      if (x.faces != y.faces || !agree(x.mass, y.mass) || !agree(x.inertia, y.inertia) || !agree(x.energy, y.energy))
+    std::vector<Sums> fresh(state_.clusters.size());
+    state_.energy.add_up(state_.input, labels_, fresh, Cancellation_point());
+    Sums mean;
+    for (const Sums& x : fresh) {
+      mean.inertia += x.inertia / double(fresh.size());
+      mean.energy += x.energy / double(fresh.size());
+    }
+    const auto agree = [](double a, double b, double scale) { return std::abs(a - b) <= 1e-9 * (std::abs(b) + scale); };
+    for (std::size_t i = 0; i < fresh.size(); ++i) {
+      const Sums &x = state_.clusters[i], &y = fresh[i];
+      if (x.faces != y.faces || !agree(x.mass, y.mass, 0) || !agree(x.inertia, y.inertia, mean.inertia) ||
+          !agree(x.energy, y.energy, mean.energy))
         return false;
     }
     return true;
   }
 
+  // Whether the edges between clusters are listed, each once.
+  bool has_all_edges() const
+  {
+    Boundary_edges all;
+    Listed_edges listed(state_.input.mesh.corner_vertex.size());
+    list_boundary_edges(labels_, all, listed, Cancellation_point(), Execution::SEQUENTIAL);
+    std::vector<Index> expected, corners;
+    for (const Boundary_edge& e : all)
+      expected.push_back(e.corner);
+    for (const Boundary_edge& e : edges_)
+      if (!e.is_inner() && labels_[e.face[0]] != labels_[e.face[1]])
+        corners.push_back(e.corner);
+    std::sort(expected.begin(), expected.end());
+    std::sort(corners.begin(), corners.end());
+    return corners == expected;
+  }
+
   double energy() const override
   {
     double sum = 0;
-    for (const Sums& x : clusters_)
+    for (const Sums& x : state_.clusters)
       sum += x.energy;
     return sum;
   }
@@ -95,173 +125,196 @@ public:
   std::size_t tests() const override { return tests_; }
 
 private:
-  static constexpr double no_gain = -std::numeric_limits<double>::infinity();
-  static constexpr std::size_t batch = 1024, edges_of_part = 32;
+  // Fewer have many edges to other blocks; more do not stay in the caches, and leave threads without work.
+  static constexpr std::size_t clusters_per_block = 384;
 
-  // A face of an edge joins a cluster, the cluster of the other face when the move was found.
-  struct Move
-  {
-    Index edge;
-    int side;
-    Index to;
-  };
+  bool is_divided() const { return divisions_[0].size() > 1; }
 
-  // The sides of an edge whose faces would lower the energy by joining the cluster across, the better one first.
-  struct Candidate
+  void add_up(const Cancellation_point& cancellation)
   {
-    Index edge;
-    int number;
-    std::array<int, 2> side;
-  };
-
-  struct Part_of_batch
-  {
-    std::size_t tests;
-    std::vector<Candidate> candidates;
-    std::vector<Move> found;
-  };
-
-  // The two clusters after a move.
-  struct Trial
-  {
-    double gain;      // decrease of the energy
-    double scale;     // magnitude of the energy changes whose difference it is
-    double magnitude; // magnitude of the energies whose differences these are
-    Outcome without, with;
-  };
-
-  Trial trial(const Face& face, Index from, Index to) const
-  {
-    const Sums& source = clusters_[from];
-    const Sums& target = clusters_[to];
-    if (source.faces == 1 || energy_.cannot_gain(source, target, face))
-      return {no_gain, 0, 0, {}, {}};
-    const Outcome without = energy_.outcome_without(source, face), with = energy_.outcome_with(target, face);
-    const double lost = source.energy - without.energy, won = with.energy - target.energy;
-    return {lost - won, std::abs(lost) + std::abs(won), source.energy + target.energy + without.energy + with.energy, without,
-            with};
+    state_.energy.add_up(state_.input, labels_, state_.clusters, cancellation, execution_);
+    rounds_since_sums_ = 0;
   }
 
-  // A gain counts only if it exceeds a small part of the terms whose difference it is. So moves between equal energies,
-  // frequent on regular meshes, do not depend on rounding, and each move lowers the computed energy.
-  static bool is_gain(const Trial& t) { return t.gain > 1e-7 * t.scale && t.gain > 1e-12 * t.magnitude; }
-  static bool is_better(const Trial& t, const Trial& than)
+  // In two orthogonal frames, whose planes cross each other at large angles: clusters at the border of a block in one are inside a
+  // block in the other, nearly always. What roundings of fused operations tell apart is taken for equal.
+  void divide(std::size_t blocks)
   {
-    return t.gain - than.gain > 1e-7 * (t.scale + than.scale);
-  }
-
-  // Visits the edges at clusters changed at one of the times.
-  std::size_t run(Change_times times)
-  {
-    if (!edges_.is_complete()) // cancelled during listing
-      edges_.list_all(cancellation_, execution_);
-    std::size_t moves = 0;
-    const std::size_t edges = edges_.size();
-    for (std::size_t begin = 0, end; begin < edges; begin = end) {
-      end = edges_.list_changed(begin, batch, times, tested_);
-      cancellation_.poll(end - begin);
-      find_moves();
-      for (const Part_of_batch& part : parts_)
-        for (const Move& m : part.found) {
-          cancellation_.poll(); // a move takes longer than a test
-          moves += make(m);
-        }
+    std::vector<Vector> straight, oblique;
+    for (const Sums& x : state_.clusters) {
+      const Vector p = without_last_digits(x.centroid);
+      straight.push_back(p);
+      oblique.push_back({p[0] + 2 * p[1] + 2 * p[2], 2 * p[0] + p[1] - 2 * p[2], 2 * p[0] - 2 * p[1] + p[2]});
     }
-    if (moves > 0)
-      edges_.update(cancellation_, execution_);
-    return moves;
+    divisions_ = {{Cluster_blocks(std::move(straight), blocks, execution_), Cluster_blocks(std::move(oblique), blocks, execution_)}};
   }
 
-  void find_moves()
+  Progress run_rounds(const Minimization_end& end, bool tests_all)
   {
-    parts_.resize((tested_.size() + edges_of_part - 1) / edges_of_part);
-    for_each_chunk(execution_, tested_.size(), edges_of_part,
-                   [this](std::size_t i, std::size_t begin, std::size_t end) { find_moves(begin, end, parts_[i]); });
-    for (const Part_of_batch& part : parts_)
-      tests_ += part.tests;
+    if (!is_complete_)
+      list_edges();
+    is_complete_ = false; // should the work end early
+    const Progress progress =
+      is_divided() ? run_blocks(end, tests_all) : run_whole(end, tests_all);
+    is_complete_ = true;
+    return progress;
   }
 
-  void find_moves(std::size_t begin, std::size_t end, Part_of_batch& part)
+  void list_edges()
   {
-    part.tests = 0;
-    part.candidates.clear();
-    part.found.clear();
-    for (std::size_t j = begin; j < end; ++j)
-      edges_.look_up(tested_[j]);
-    for (std::size_t j = begin; j < end; ++j) {
-      const std::array<Index, 2>& clusters = edges_.clusters(tested_[j]);
-      if (clusters[0] == clusters[1])
-        continue;
-      ++part.tests;
-      const Candidate candidate = candidate_at(tested_[j]);
-      if (candidate.number == 0)
-        continue;
-      part.candidates.push_back(candidate);
-      moves_.prefetch_corners(face_of(candidate));
-    }
-    for (const Candidate& x : part.candidates)
-      moves_.prefetch_labels(face_of(x));
-    for (const Candidate& x : part.candidates)
-      moves_.prefetch_stars(face_of(x));
-    for (const Candidate& x : part.candidates)
-      for (int k = 0; k < x.number; ++k) {
-        const Index to = edges_.clusters(x.edge)[1 - x.side[k]];
-        if (moves_.keeps_discs(edges_.faces(x.edge)[x.side[k]], to)) {
-          part.found.push_back({x.edge, x.side[k], to});
-          break;
-        }
+    whole_.reset();
+    list_boundary_edges(labels_, edges_, state_.listed, cancellation_, execution_);
+    begin_time();
+  }
+
+  void begin_time()
+  {
+    now_ = 1;
+    state_.last_change.assign(state_.clusters.size(), now_);
+    state_.last_change.push_back(0); // nowhere, nothing changes
+  }
+
+  Progress run_whole(const Minimization_end& end, bool tests_all)
+  {
+    if (!whole_)
+      whole_.emplace(state_, edges_, now_, shared_cancellation_);
+    if (tests_all)
+      whole_->test_all();
+    const std::size_t tests = whole_->tests();
+    const Progress progress = run_block(*whole_, end.max_rounds, end.tolerance * energy());
+    tests_ += whole_->tests() - tests;
+    return progress;
+  }
+
+  Progress run_blocks(const Minimization_end& end, bool tests_all)
+  {
+    look_up_edges(tests_all);
+    const double least_gain_per_edge = end.tolerance * energy() / double(edges_.size());
+    Progress progress;
+    Boundary_edges waiting = std::move(edges_), done;
+    for (const Cluster_blocks& blocks : divisions_)
+      add(run_division(blocks, end.max_rounds, least_gain_per_edge, waiting, done), progress);
+    std::swap(divisions_[0], divisions_[1]);
+    Part last;
+    last.edges.swap(waiting);
+    run_part(last, end.max_rounds, least_gain_per_edge);
+    take(last, done, waiting, progress);
+    edges_.swap(done);
+    return progress;
+  }
+
+  // Drops edges that came to lie within a cluster, and begins a new time.
+  void look_up_edges(bool tests_all)
+  {
+    for_each_chunk(execution_, edges_.size(), 4096, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        edges_[i].tested = tests_all || edges_[i].is_due(state_.last_change) ? 0 : 1;
+        edges_[i].look_up(labels_);
+        if (edges_[i].is_inner())
+          state_.listed.erase(edges_[i].corner);
       }
+    });
+    const auto is_inner = [](const Boundary_edge& e) { return e.is_inner(); };
+    edges_.erase(std::remove_if(edges_.begin(), edges_.end(), is_inner), edges_.end());
+    begin_time();
   }
 
-  Index face_of(const Candidate& x) const { return edges_.faces(x.edge)[x.side[0]]; }
-
-  // Section 8.2: of the three cases at an edge, unchanged or either face moved, returns the one of smallest energy.
-  Candidate candidate_at(Index edge) const
+  // The edges of a block, and what became of them.
+  struct Part
   {
-    const std::array<Index, 2>& clusters = edges_.clusters(edge);
-    const typename Edges::Terms& terms = edges_.terms(edge);
-    const std::array<Trial, 2> trials{{trial(terms[0], clusters[0], clusters[1]), trial(terms[1], clusters[1], clusters[0])}};
-    const int better = is_better(trials[1], trials[0]);
-    Candidate candidate{edge, 0, {{better, 1 - better}}};
-    for (const int side : {better, 1 - better})
-      if (is_gain(trials[side]))
-        candidate.side[candidate.number++] = side;
-    return candidate;
-  }
+    Boundary_edges edges, postponed;
+    Progress progress;
+    Move_time now = 0;
+    std::size_t tests = 0;
+  };
 
-  bool make(const Move& m)
+  // Runs the blocks of a division on the edges that wait.
+  Progress run_division(const Cluster_blocks& blocks, std::size_t max_rounds, double least_gain_per_edge, Boundary_edges& waiting,
+                        Boundary_edges& done)
   {
-    const Index f = edges_.faces(m.edge)[m.side], from = labels_[f];
-    const Face& face = edges_.terms(m.edge)[m.side];
-    if (from == m.to)
-      return false;
-    const Trial t = trial(face, from, m.to);
-    if (!is_gain(t) || !moves_.move(f, m.to))
-      return false;
-    Sums& source = clusters_[from];
-    Sums& target = clusters_[m.to];
-    CGAL_assertion_code(const double before = source.energy + target.energy;)
-    energy_.remove(source, face, t.without);
-    energy_.add(target, face, t.with);
-    CGAL_assertion(source.energy + target.energy < before);
-    edges_.note_change(from);
-    edges_.note_change(m.to);
-    edges_.note_edges(f, m.to);
-    return true;
+    Distributed_edges distributed = distribute(waiting, blocks, execution_);
+    waiting = std::move(distributed.between);
+    share_vertices(blocks, waiting, done);
+    std::vector<Part> parts(blocks.size());
+    for_each_chunk(execution_, parts.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+      parts[i].edges.swap(distributed.of_block[i]);
+      run_part(parts[i], max_rounds, least_gain_per_edge);
+    });
+    state_.is_shared.clear();
+    Progress progress;
+    std::size_t number = done.size() + waiting.size();
+    for (const Part& part : parts)
+      number += part.edges.size() + part.postponed.size();
+    if (number > done.capacity())
+      done.reserve(number + number / 16); // the rest comes later
+    for (Part& part : parts)
+      take(part, done, waiting, progress);
+    return progress;
   }
 
-  const Clustering_input& input_;
+  void share_vertices(const Cluster_blocks& blocks, const Boundary_edges& between, const Boundary_edges& done)
+  {
+    const Flat_mesh& m = state_.input.mesh;
+    state_.is_shared.assign(m.number_of_vertices(), false);
+    for (const Boundary_edge& e : between)
+      mark_ends(m, e, state_.is_shared);
+    for (const Boundary_edge& e : done)
+      if (blocks[labels_[e.face[0]]] != blocks[labels_[e.face[1]]])
+        mark_ends(m, e, state_.is_shared);
+  }
+
+  void run_part(Part& part, std::size_t max_rounds, double least_gain_per_edge)
+  {
+    Block block(state_, part.edges, now_, shared_cancellation_);
+    part.progress = run_block(block, max_rounds, least_gain_per_edge * double(part.edges.size()));
+    block.finish(part.postponed);
+    part.now = block.now();
+    part.tests = block.tests();
+  }
+
+  static Progress run_block(Block& block, std::size_t max_rounds, double least_gain)
+  {
+    Progress progress;
+    const std::size_t moves_before = block.moves();
+    std::size_t moves;
+    double gain;
+    do {
+      moves = block.moves();
+      gain = block.round();
+      ++progress.rounds;
+    } while (progress.rounds < max_rounds && block.moves() != moves && gain > least_gain && !block.is_cancelled());
+    progress.moves = block.moves() - moves_before;
+    return progress;
+  }
+
+  void take(Part& part, Boundary_edges& done, Boundary_edges& waiting, Progress& progress)
+  {
+    done.insert(done.end(), part.edges.begin(), part.edges.end());
+    waiting.insert(waiting.end(), part.postponed.begin(), part.postponed.end());
+    Boundary_edges().swap(part.edges); // gives the memory back
+    now_ = (std::max)(now_, part.now);
+    tests_ += part.tests;
+    add(part.progress, progress);
+  }
+
+  static void add(const Progress& part, Progress& progress)
+  {
+    progress.rounds = (std::max)(progress.rounds, part.rounds);
+    progress.moves += part.moves;
+  }
+
   Cluster_labels& labels_;
-  Cluster_energy<Weight> energy_;
   Cancellation_point cancellation_;
+  Shared_cancellation_point shared_cancellation_;
   Execution execution_;
-  Valid_moves moves_;
-  std::vector<Sums> clusters_;
-  Edges edges_;
-  std::vector<Index> tested_; // edges of a batch
-  std::vector<Part_of_batch> parts_;
-  Index round_ = 0;
-  std::size_t tests_ = 0;
+  std::optional<Feature_rules> rules_;
+  Minimization_state<Weight> state_;
+  std::array<Cluster_blocks, 2> divisions_;
+  Boundary_edges edges_;
+  bool is_complete_ = false;
+  std::optional<Block> whole_; // of all edges, where clusters are not divided
+  Move_time now_ = 1;
+  std::size_t rounds_since_sums_ = 0, tests_ = 0;
 };
 
 } // namespace internal

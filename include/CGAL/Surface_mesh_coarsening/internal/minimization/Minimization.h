@@ -22,8 +22,14 @@ class Minimization
 {
 public:
   virtual ~Minimization() = default;
-  // Runs one round. Returns the number of moves.
-  virtual std::size_t round() = 0;
+  struct Progress
+  {
+    std::size_t rounds = 0, moves = 0;
+  };
+  // Runs rounds until the end. Parts of the clustering may reach it earlier than others.
+  virtual Progress run(const Minimization_end& end) = 0;
+  // Returns the number of rounds that a call should run.
+  virtual std::size_t rounds_at_a_time() const = 0;
   virtual double energy() const = 0;
   // The number of edges tested so far.
   virtual std::size_t tests() const = 0;

@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <optional>
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -21,15 +19,9 @@ namespace internal {
 class Valid_moves
 {
 public:
-  Valid_moves(Cluster_labels& labels, std::size_t number_of_clusters)
-    : mesh_(labels.mesh()), labels_(labels), walk_(labels), stamp_of_cluster_(number_of_clusters, 0) {}
-
-  // Enables the rules for features.
-  void keep_features(const Feature_cells& cells)
-  {
-    rules_.emplace(cells, labels_);
-    rules_->count(stamp_of_cluster_.size());
-  }
+  // `rules`: the rules for features, null without features.
+  Valid_moves(Cluster_labels& labels, Feature_rules* rules)
+    : mesh_(labels.mesh()), labels_(labels), walk_(labels), rules_(rules) {}
 
   // Returns whether both clusters remain discs, features are kept, and the clusters may change.
   bool keeps_discs(Index f, Index to) const
@@ -122,16 +114,14 @@ private:
   {
     for (const Index c : mesh_.corners(f))
       if (labels_.label_across(c) == from)
-        return walk_.first_link_defect({f, c}, stamp_of_cluster_, stamp_) == NONE;
+        return walk_.first_link_defect({f, c}) == NONE;
     return false;
   }
 
   const Flat_mesh& mesh_;
   Cluster_labels& labels_;
   Dual_walk walk_;
-  std::optional<Feature_rules> rules_;
-  std::vector<Index> stamp_of_cluster_;
-  Index stamp_ = 0;
+  Feature_rules* rules_;
 };
 
 } // namespace internal

@@ -125,21 +125,29 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void set_clusters(Clustering_state& state, s
   all_or_nothing(state, [&] { begin_minimization(state); });
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE bool minimize_round(Clustering_state& state)
+// Returns whether anything changed.
+inline bool run_rounds(Clustering_state& state, const Minimization_end& end)
 {
   state.editing.reset();
   begin_minimization(state);
   Coarsening_report& report = state.report;
   const std::size_t tests_before = state.minimization->tests();
-  const std::size_t moves = state.minimization->round();
-  std::size_t& max_rounds = state.minimization_end.max_rounds;
-  max_rounds = (std::max)(max_rounds, ++report.rounds);
-  report.moves += moves;
+  const Minimization::Progress progress = state.minimization->run(end);
+  report.rounds += progress.rounds;
+  report.moves += progress.moves;
   report.tests += state.minimization->tests() - tests_before;
   report.final_energy = state.minimization->energy();
-  report.converged = moves == 0;
-  state.visitor.round_done(report.rounds, moves, report.final_energy);
-  return moves != 0;
+  report.converged = progress.moves == 0;
+  state.visitor.round_done(report.rounds, progress.moves, report.final_energy);
+  return progress.moves != 0;
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE bool minimize_round(Clustering_state& state)
+{
+  const bool has_changed = run_rounds(state, {1, 0});
+  std::size_t& max_rounds = state.minimization_end.max_rounds;
+  max_rounds = (std::max)(max_rounds, state.report.rounds);
+  return has_changed;
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE void minimize(Clustering_state& state, const Minimization_end& end)
@@ -150,8 +158,10 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void minimize(Clustering_state& state, const
   Coarsening_report& report = state.report;
   double energy = state.minimization->energy();
   bool has_ended = false;
-  for (std::size_t i = 0; i < end.max_rounds && !has_ended; ++i) {
-    has_ended = !minimize_round(state) || energy - report.final_energy <= end.tolerance * energy;
+  const std::size_t rounds_before = report.rounds;
+  for (std::size_t made = 0; made < end.max_rounds && !has_ended; made = report.rounds - rounds_before) {
+    const std::size_t rounds = (std::min)(end.max_rounds - made, state.minimization->rounds_at_a_time());
+    has_ended = !run_rounds(state, {rounds, end.tolerance}) || energy - report.final_energy <= end.tolerance * energy;
     energy = report.final_energy;
     report.converged = has_ended;
   }

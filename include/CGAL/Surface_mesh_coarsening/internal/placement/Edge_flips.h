@@ -24,8 +24,8 @@ class Edge_flips
 {
 public:
   Edge_flips(Flippable_triangulation& coarse, const std::vector<Vector>& positions, Fit_samples& samples,
-             const Cancellation_point& cancellation)
-    : coarse_(coarse), positions_(positions), samples_(samples), cancellation_(cancellation) {}
+             const Cancellation_point& cancellation, Execution execution)
+    : coarse_(coarse), positions_(positions), samples_(samples), cancellation_(cancellation), execution_(execution) {}
 
   // Angles are in radians. No flip creates an angle below `min_angle` unless the two triangles have one already. A steady run
   // changes the exchange rate of the run before only a little.
@@ -35,16 +35,17 @@ public:
     const std::vector<Triangle>& triangles = coarse_.triangles();
     std::vector<Flip> flips;
     double budget = 0, total = 0;
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      cancellation_.poll(steps_of_flip);
-      budget += angle(triangles[t]) - mean_angle;
-      total += samples_.cost(Index(t));
-      for (int i = 0; i < 3; ++i) {
-        const Flip flip = flip_at(Index(t), i);
-        if (flip.is_possible)
-          flips.push_back(flip);
-      }
-    }
+    for_each_part<Trials>(
+      execution_, triangles.size(), triangles_of_part, cancellation_,
+      [this](Trials& trials, std::size_t begin, std::size_t end) { try_flips(begin, end, trials); },
+      [&](const Trials& trials) {
+        cancellation_.poll(steps_of_flip * triangles_of_part);
+        flips.insert(flips.end(), trials.flips.begin(), trials.flips.end());
+        for (const double x : trials.angles)
+          budget += x - mean_angle;
+        for (const double x : trials.costs)
+          total += x;
+      });
     if (triangles.empty() || !(total > 0))
       return;
     const double rate = rate_for(flips, budget, total / double(triangles.size()));
@@ -65,6 +66,29 @@ private:
     double loss = 0; // of angle
     bool pays(double rate) const { return gain > rate * loss; }
   };
+
+  // The flips that are possible at some triangles, and the angles and costs of these.
+  struct Trials
+  {
+    std::vector<Flip> flips;
+    std::vector<double> angles, costs;
+  };
+
+  void try_flips(std::size_t begin, std::size_t end, Trials& trials) const
+  {
+    trials.flips.clear();
+    trials.angles.clear();
+    trials.costs.clear();
+    for (std::size_t t = begin; t != end; ++t) {
+      trials.angles.push_back(angle(coarse_.triangles()[t]));
+      trials.costs.push_back(samples_.cost(Index(t)));
+      for (int i = 0; i < 3; ++i) {
+        const Flip flip = flip_at(Index(t), i);
+        if (flip.is_possible)
+          trials.flips.push_back(flip);
+      }
+    }
+  }
 
   double angle(const Triangle& t) const { return std::acos((std::min)(1., sharpest_of(positions_, t))); }
 
@@ -126,15 +150,12 @@ private:
       return f.gain - rate * f.loss > g.gain - rate * g.loss;
     });
     std::vector<bool> is_done(coarse_.triangles().size(), false);
-    for (const Flip& old : flips) {
+    for (const Flip& flip : flips) {
       cancellation_.poll(steps_of_flip);
-      const Index t = old.triangle, u = coarse_.across(t, old.corner);
-      if (is_done[t] || u == NONE || is_done[u])
+      const Index t = flip.triangle, u = coarse_.across(t, flip.corner);
+      if (is_done[t] || is_done[u] || !coarse_.may_flip(t, flip.corner, u))
         continue;
-      const Flip flip = flip_at(t, old.corner);
-      if (!flip.is_possible || !flip.pays(rate))
-        continue;
-      coarse_.flip(t, old.corner, u);
+      coarse_.flip(t, flip.corner, u);
       samples_.redistribute(t, u);
       is_done[t] = is_done[u] = true;
     }
@@ -142,7 +163,7 @@ private:
 
   // The largest factor between the exchange rates of steady runs. With larger ones the rates oscillate.
   static constexpr double max_change = 3;
-  static constexpr std::size_t steps_of_flip = 64;
+  static constexpr std::size_t steps_of_flip = 64, triangles_of_part = 16;
   // Flips that increase the distance by a larger factor are not evaluated exactly.
   static constexpr double max_growth = 1.2;
 
@@ -150,6 +171,7 @@ private:
   const std::vector<Vector>& positions_;
   Fit_samples& samples_;
   const Cancellation_point cancellation_;
+  const Execution execution_;
   double sharpest_allowed_ = 1, rate_ = 0;
 };
 

@@ -38,7 +38,7 @@ public:
              const std::vector<Triangle>& triangles, std::vector<Vector>& positions, const Vertex_relocation& relocation)
     : surface_(surface), mean_angle_(mean_angle), positions_(positions), relocation_(relocation),
       coarse_(triangles, positions.size(), surface.features()), fit_(surface, border, coarse_, positions),
-      flips_(coarse_, positions, fit_.samples(), surface.cancellation()),
+      flips_(coarse_, positions, fit_.samples(), surface.cancellation(), surface.execution()),
       exchange_(border, coarse_, positions, fit_.samples(), relocation, surface.cancellation())
   {}
 

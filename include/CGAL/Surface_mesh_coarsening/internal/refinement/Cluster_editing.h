@@ -261,8 +261,7 @@ private:
 
   bool is_at_fault(const Directed_edge& edge)
   {
-    stamp_of_cluster_.resize(face_of_.size(), 0);
-    return walk_.first_link_defect(edge, stamp_of_cluster_, stamp_) != NONE;
+    return walk_.first_link_defect(edge) != NONE;
   }
 
   // The faces form a connected component of the cluster.
@@ -290,8 +289,6 @@ private:
   Cluster_labels& labels_;
   Dual_walk walk_;
   std::vector<Index> face_of_; // a face of each cluster
-  std::vector<Index> stamp_of_cluster_;
-  Index stamp_ = 0;
 };
 
 } // namespace internal

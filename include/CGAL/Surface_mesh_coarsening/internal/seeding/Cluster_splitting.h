@@ -91,27 +91,20 @@ private:
   // than three neighbors.
   std::vector<std::pair<Index, Index> > faults() const
   {
-    struct Part
-    {
-      std::vector<Index> stamp_of_cluster;
-      Index stamp = 0;
-      std::vector<std::pair<Index, Index> > faults;
-    };
+    typedef std::vector<std::pair<Index, Index> > Part;
     std::vector<std::pair<Index, Index> > all;
     for_each_part<Part>(
       execution_, clusters_ - foreign_, 1024, cancellation_,
       [this](Part& part, std::size_t begin, std::size_t end) {
         Dual_walk walk(labels_);
-        part.faults.clear();
-        part.stamp_of_cluster.resize(clusters_, 0);
+        part.clear();
         for (Index x = foreign_ + Index(begin); x != foreign_ + end; ++x) {
-          const Index fault =
-            edge_[x].face == NONE ? x : walk.first_link_defect(edge_[x], part.stamp_of_cluster, part.stamp);
+          const Index fault = edge_[x].face == NONE ? x : walk.first_link_defect(edge_[x]);
           if (fault != NONE)
-            part.faults.emplace_back(x, fault);
+            part.emplace_back(x, fault);
         }
       },
-      [&all](const Part& part) { all.insert(all.end(), part.faults.begin(), part.faults.end()); });
+      [&all](const Part& part) { all.insert(all.end(), part.begin(), part.end()); });
     return all;
   }
 

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_BLOCK_MINIMIZATION_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_BLOCK_MINIMIZATION_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/prefetch.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Cluster_energy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Valid_moves.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// What the blocks of a minimization share. Each block reads and writes the parts that belong to its own clusters.
+template <class Weight>
+struct Minimization_state
+{
+  const Clustering_input& input;
+  Cluster_labels& labels;
+  Cluster_energy<Weight> energy;
+  std::vector<Cluster_sums<Weight> > clusters;
+  std::vector<Move_time> last_change; // of each cluster, and of none
+  Listed_edges listed;
+  Feature_rules* rules; // none without features
+  // Of each vertex, whether clusters of several blocks meet there; empty while there is one block only.
+  std::vector<char> is_shared;
+
+  // In the place of the cluster where there is none.
+  Index nowhere() const { return Index(clusters.size()); }
+};
+
+// Section 8.2 of the paper: rounds over the edges between the clusters of a block. The face on one side or on the other joins the
+// cluster across, whichever lowers the energy more, if both clusters remain discs and the dual a simplicial surface.
+//
+// A face moves only if none of its vertices is shared with another block, and if it is not part of a feature. Section
+// smc_blocks of the manual proves that the moves of a block then read and write nothing that those of another block write.
+template <class Weight>
+class Block_minimization
+{
+  typedef Face_terms<Weight> Face;
+  typedef Cluster_sums<Weight> Sums;
+  typedef typename Cluster_energy<Weight>::Outcome Outcome;
+  typedef Minimization_state<Weight> State;
+
+public:
+  // `edges`: those between clusters of the block. `now`: a time after all changes and tests so far.
+  Block_minimization(State& state, Boundary_edges& edges, Move_time now, Shared_cancellation_point& cancellation)
+    : state_(state), mesh_(state.input.mesh), labels_(state.labels), cancellation_(cancellation),
+      moves_(state.labels, state.rules), edges_(edges), is_postponed_(edges.size(), false),
+      now_(now)
+  {}
+
+  // One round. Returns by how much the energy falls.
+  double round()
+  {
+    const double before = gain_;
+    const Index size = Index(edges_.size());
+    for (Index i = 0; i < size && !is_cancelled_;) {
+      const Index first = i;
+      i = list_due(i, size);
+      is_cancelled_ = !cancellation_.poll(i - first);
+      find_moves();
+      for (const Move& m : found_)
+        make(m);
+    }
+    append_new();
+    return gain_ - before;
+  }
+
+  // Whether the work has to end early.
+  bool is_cancelled() const { return is_cancelled_; }
+
+  // Ends the work on the block. Edges within clusters leave the list. Edges where a face could not move because of other blocks or
+  // features go to `postponed`.
+  void finish(Boundary_edges& postponed)
+  {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      Boundary_edge e = edges_[i];
+      if (e.is_inner())
+        continue;
+      const bool is_due = e.is_due(state_.last_change);
+      e.look_up(labels_);
+      if (e.is_inner()) {
+        state_.listed.erase(e.corner);
+        continue;
+      }
+      e.terms = NONE;
+      if (is_due || is_postponed_[i])
+        e.tested = 0;
+      if (is_postponed_[i])
+        postponed.push_back(e);
+      else
+        edges_[n++] = e;
+    }
+    edges_.resize(n);
+    edges_.shrink_to_fit(); // there are many blocks
+  }
+
+  // Makes all edges due.
+  void test_all()
+  {
+    for (Boundary_edge& e : edges_)
+      e.tested = 0;
+  }
+
+  std::size_t tests() const { return tests_; }
+  std::size_t moves() const { return number_of_moves_; }
+  Move_time now() const { return now_; }
+
+private:
+  static constexpr double no_gain = -std::numeric_limits<double>::infinity();
+  static constexpr Index batch = 32;
+
+  // A face of an edge joins a cluster, that of the other face when the move was found.
+  struct Move
+  {
+    Index edge;
+    int side;
+    Index to;
+  };
+
+  // The sides of an edge whose faces would lower the energy by joining the cluster across, the better one first.
+  struct Candidate
+  {
+    Index edge;
+    int number;
+    std::array<int, 2> side;
+  };
+
+  typedef std::array<Face, 2> Terms;
+
+  // What a move would make of the two clusters.
+  struct Trial
+  {
+    double gain;      // by which the energy falls
+    double scale;     // of the changes of energy that it is the difference of
+    double magnitude; // of the energies that these are the difference of
+    Outcome without, with;
+  };
+
+  Index list_due(Index i, Index size)
+  {
+    number_due_ = 0;
+    for (; i < size && number_due_ < batch; ++i) {
+      due_[number_due_] = i;
+      const Boundary_edge& e = edges_[i];
+      number_due_ += e.is_due(state_.last_change);
+    }
+    return i;
+  }
+
+  BOOST_FORCEINLINE Trial trial(const Face& face, Index from, Index to) const
+  {
+    const Sums& source = state_.clusters[from];
+    const Sums& target = state_.clusters[to];
+    if (source.faces == 1 || state_.energy.cannot_gain(source, target, face))
+      return {no_gain, 0, 0, {}, {}};
+    const Outcome without = state_.energy.outcome_without(source, face), with = state_.energy.outcome_with(target, face);
+    const double lost = source.energy - without.energy, won = with.energy - target.energy;
+    return {lost - won, std::abs(lost) + std::abs(won), source.energy + target.energy + without.energy + with.energy, without,
+            with};
+  }
+
+  // Gains this small, relative to what they are the difference of, are taken for none. So moves between equal
+  // energies, frequent on regular meshes, do not depend on roundings, and each move lowers the energy as computed.
+  static bool is_gain(const Trial& t) { return t.gain > 1e-7 * t.scale && t.gain > 1e-12 * t.magnitude; }
+  static bool is_better(const Trial& t, const Trial& than)
+  {
+    return t.gain - than.gain > 1e-7 * (t.scale + than.scale);
+  }
+
+  // The terms of the faces at an edge, computed when they are first needed.
+  const Terms& terms(Index i)
+  {
+    Boundary_edge& e = edges_[i];
+    if (e.terms == NONE) {
+      if (free_terms_.empty()) {
+        free_terms_.push_back(Index(terms_.size()));
+        terms_.emplace_back();
+      }
+      e.terms = free_terms_.back();
+      free_terms_.pop_back();
+      terms_[e.terms] = {{state_.energy.terms_of(state_.input, e.face[0]), state_.energy.terms_of(state_.input, e.face[1])}};
+    }
+    return terms_[e.terms];
+  }
+
+  void find_moves()
+  {
+    number_of_candidates_ = 0;
+    found_.clear();
+    for (Index k = 0; k < number_due_; ++k)
+      prefetch_faces(edges_[due_[k]]);
+    for (Index k = 0; k < number_due_; ++k)
+      prefetch_points(edges_[due_[k]]);
+    for (Index k = 0; k < number_due_; ++k)
+      find_candidate(due_[k]);
+    for (Index k = 0; k < number_of_candidates_; ++k)
+      moves_.prefetch_labels(face_of(candidates_[k]));
+    for (Index k = 0; k < number_of_candidates_; ++k)
+      moves_.prefetch_stars(face_of(candidates_[k]));
+    for (Index k = 0; k < number_of_candidates_; ++k)
+      find_move(candidates_[k]);
+  }
+
+  // What a test of an edge reads, in two steps, the second of which reads what the first has asked for.
+  BOOST_FORCEINLINE void prefetch_faces(const Boundary_edge& e) const
+  {
+    for (const Index f : e.face) {
+      prefetch(&labels_.labels()[f]);
+      if (e.terms != NONE)
+        continue;
+      prefetch(&state_.input.density[f]);
+      prefetch(&state_.input.area[f]);
+      prefetch(&mesh_.corner_vertex[mesh_.first_corner[f]]);
+    }
+  }
+  BOOST_FORCEINLINE void prefetch_points(const Boundary_edge& e) const
+  {
+    if (e.terms != NONE)
+      return;
+    for (const Index f : e.face)
+      for (const Index c : mesh_.corners(f))
+        prefetch(&mesh_.points[mesh_.corner_vertex[c]]);
+  }
+
+  void find_candidate(Index i)
+  {
+    Boundary_edge& e = edges_[i];
+    e.look_up(labels_);
+    e.tested = now_;
+    is_postponed_[i] = false;
+    if (e.is_inner()) {
+      take_out(e);
+      return;
+    }
+    ++tests_;
+    const Candidate candidate = candidate_at(i);
+    if (candidate.number == 0)
+      return;
+    candidates_[number_of_candidates_++] = candidate;
+    moves_.prefetch_corners(face_of(candidate));
+  }
+
+  void find_move(const Candidate& x)
+  {
+    const Boundary_edge& e = edges_[x.edge];
+    for (int k = 0; k < x.number; ++k) {
+      const Index f = e.face[x.side[k]], to = e.cluster[1 - x.side[k]];
+      if (must_wait(f)) {
+        is_postponed_[x.edge] = true;
+      } else if (moves_.keeps_discs(f, to)) {
+        found_.push_back({x.edge, x.side[k], to});
+        return;
+      }
+    }
+  }
+
+  bool must_wait(Index f) const
+  {
+    if (state_.is_shared.empty())
+      return false;
+    for (const Index c : mesh_.corners(f))
+      if (state_.is_shared[mesh_.corner_vertex[c]])
+        return true;
+    return state_.rules != nullptr && state_.rules->is_on_feature(f);
+  }
+
+  Index face_of(const Candidate& x) const { return edges_[x.edge].face[x.side[0]]; }
+
+  // Section 8.2: of the three cases at an edge, as it is or either face moved, the one of the smallest energy.
+  Candidate candidate_at(Index i)
+  {
+    const std::array<Index, 2>& clusters = edges_[i].cluster;
+    const Terms& terms = this->terms(i);
+    const std::array<Trial, 2> trials{{trial(terms[0], clusters[0], clusters[1]), trial(terms[1], clusters[1], clusters[0])}};
+    const int better = is_better(trials[1], trials[0]);
+    Candidate candidate{i, 0, {{better, 1 - better}}};
+    for (const int side : {better, 1 - better})
+      if (is_gain(trials[side]))
+        candidate.side[candidate.number++] = side;
+    return candidate;
+  }
+
+  void make(const Move& m)
+  {
+    const Index f = edges_[m.edge].face[m.side], from = labels_[f];
+    const Face& face = terms(m.edge)[m.side];
+    if (from == m.to)
+      return;
+    const Trial t = trial(face, from, m.to);
+    if (!is_gain(t) || !moves_.move(f, m.to))
+      return;
+    Sums& source = state_.clusters[from];
+    Sums& target = state_.clusters[m.to];
+    CGAL_assertion_code(const double before = source.energy + target.energy;)
+    state_.energy.remove(source, face, t.without);
+    state_.energy.add(target, face, t.with);
+    CGAL_assertion(source.energy + target.energy < before);
+    gain_ += t.gain;
+    ++number_of_moves_;
+    state_.last_change[from] = state_.last_change[m.to] = ++now_;
+    note_edges(f, m.to);
+  }
+
+  // Notes the edges of a face that has joined cluster `to`: they may lie between clusters now.
+  void note_edges(Index f, Index to)
+  {
+    for (const Index c : mesh_.corners(f)) {
+      const Index g = mesh_.face_across[c];
+      if (g == NONE || labels_[g] == to)
+        continue;
+      const Index corner = f < g ? c : mesh_.corner_of(g, mesh_.corner_vertex[mesh_.next_corner(f, c)]);
+      if (state_.listed.insert(corner))
+        new_edges_.push_back({{{(std::min)(f, g), (std::max)(f, g)}}, corner, {{NONE, NONE}}, 0, NONE});
+    }
+  }
+
+  // Edges within a cluster keep their places until there are many of them. Nothing changes there.
+  void take_out(Boundary_edge& e)
+  {
+    state_.listed.erase(e.corner);
+    e.cluster.fill(state_.nowhere());
+    if (e.terms != NONE)
+      free_terms_.push_back(e.terms);
+    ++number_taken_out_;
+  }
+
+  void close_gaps()
+  {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+      if (!edges_[i].is_inner()) {
+        edges_[n] = edges_[i];
+        is_postponed_[n++] = is_postponed_[i];
+      }
+    edges_.resize(n);
+    is_postponed_.resize(n);
+    number_taken_out_ = 0;
+  }
+
+  void append_new()
+  {
+    if (number_taken_out_ > edges_.size() / 4)
+      close_gaps();
+    for (Boundary_edge& e : new_edges_) {
+      e.look_up(labels_);
+      if (e.is_inner())
+        state_.listed.erase(e.corner);
+      else
+        edges_.push_back(e);
+    }
+    new_edges_.clear();
+    is_postponed_.resize(edges_.size(), false);
+  }
+
+  State& state_;
+  const Flat_mesh& mesh_;
+  Cluster_labels& labels_;
+  Shared_cancellation_point& cancellation_;
+  Valid_moves moves_;
+  Boundary_edges& edges_;
+  Boundary_edges new_edges_;
+  std::vector<char> is_postponed_; // of each edge
+  std::vector<Terms> terms_;       // of the faces at edges that have been tested
+  std::vector<Index> free_terms_;  // those of edges that are gone
+  std::array<Index, batch> due_;
+  std::array<Candidate, batch> candidates_;
+  std::vector<Move> found_;
+  Index number_due_ = 0, number_of_candidates_ = 0;
+  Move_time now_;
+  double gain_ = 0;
+  std::size_t tests_ = 0, number_of_moves_ = 0, number_taken_out_ = 0;
+  bool is_cancelled_ = false;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_BLOCK_MINIMIZATION_H
