@@ -25,7 +25,7 @@ _coarsen_mesh()
     --minimum-component-area | --threads) return ;;
     *)
       if [[ $word == -* ]]; then
-        values="--vertices --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --weight --maximum-density --placement --error-feedback --features --clusters --picture
+        values="--vertices --range --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --weight --maximum-density --placement --error-feedback --paper --features --clusters --picture
           --view --up --report --repair --fill-holes --minimum-component-area --subdivide --measure --threads --quiet
           --version --help -n -k -w -h"
       else

@@ -6,6 +6,7 @@
 #include "found_models.h"
 #include "support/models.h"
 
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 
 #include <benchmark/benchmark.h>
@@ -152,7 +153,7 @@ void triangulate(benchmark::State& state, const Model& model)
   clustering.minimize();
   Mesh output;
   for (auto _ : state)
-    clustering.extract_dual_mesh(output);
+    clustering.extract_dual_mesh(output, SMC::Centroid_placement());
   count(state, mesh);
 }
 

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -87,7 +88,8 @@ Coarsening coarsening_with(double maximum_density)
   return [=](const Mesh& mesh, std::size_t number, Mesh& output, Labels labels) {
     return SMC::coarsen_mesh(mesh, number, output,
                              SMC::parameters::cluster_weight(Weight())
-                               .repair_output(false) // flips no edges: the triangles are the dual of the clusters
+                               .vertex_placement(SMC::Centroid_placement()) // flips no edges: the triangles are those of the clusters
+                               .repair_output(false)
                                .maximum_density(maximum_density)
                                .face_cluster_map(labels));
   };

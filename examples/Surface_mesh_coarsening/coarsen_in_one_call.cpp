@@ -24,8 +24,16 @@ int main(int argc, char* argv[])
     std::cerr << "cannot read " << name << std::endl;
     return EXIT_FAILURE;
   }
-  const SMC::Coarsening_report report = SMC::coarsen_mesh(input, number_of_vertices, output);
-  std::cout << input.number_of_vertices() << " -> " << output.number_of_vertices() << " vertices in " << report.rounds
-            << " rounds" << std::endl;
+  try {
+    const SMC::Coarsening_report report = SMC::coarsen_mesh(input, number_of_vertices, output);
+    std::cout << input.number_of_vertices() << " -> " << output.number_of_vertices() << " vertices in " << report.rounds
+              << " rounds" << std::endl;
+  } catch (const SMC::Unreachable_number_of_vertices& e) {
+    std::cerr << e.what() << "; possible is " << e.nearest() << std::endl;
+    return EXIT_FAILURE;
+  } catch (const SMC::Invalid_input& e) { // no 2-manifold, for example
+    std::cerr << e.what() << std::endl;
+    return EXIT_FAILURE;
+  }
   return CGAL::IO::write_polygon_mesh("coarse.off", output) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

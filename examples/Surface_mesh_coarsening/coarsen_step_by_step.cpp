@@ -36,6 +36,6 @@ int main(int argc, char* argv[])
   clustering.minimize();
   std::cout << "in the end: energy " << clustering.energy() << std::endl;
 
-  clustering.extract_dual_mesh(output);
+  clustering.extract_dual_mesh(output); // fitted to the input; other placements can be given
   return CGAL::IO::write_polygon_mesh("coarse.off", output) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

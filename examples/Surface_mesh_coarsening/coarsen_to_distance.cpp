@@ -25,10 +25,12 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
+  //! [distance]
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(input);
   const double diagonal = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
   const SMC::Distance_report report = SMC::coarsen_mesh_to_distance(input, 0.02 * diagonal, output);
   std::cout << report.vertices << " vertices keep within " << 100 * report.distance_bound / diagonal
             << " % of the diagonal" << std::endl;
+  //! [distance]
   return CGAL::IO::write_polygon_mesh("coarse.off", output) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

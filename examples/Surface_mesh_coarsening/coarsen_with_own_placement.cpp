@@ -16,6 +16,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 
+//! [placement]
 // The centroid of the face of a cluster that is closest to the centroid of the cluster, a model of VertexPlacement: every
 // vertex lies on the input.
 class Central_face_placement
@@ -47,6 +48,7 @@ private:
     return sum;
   }
 };
+//! [placement]
 
 int main(int argc, char* argv[])
 {

@@ -15,6 +15,7 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 
+//! [weight]
 // The mean density of the faces of a cluster, a model of ClusterWeight.
 class Mean_density_weight
   : public SMC::Additive_cluster_weight<Mean_density_weight>
@@ -28,6 +29,7 @@ public:
   void remove(Cluster_data& sum, Face_data density) const { sum -= density; }
   double weight(Cluster_data sum, double /* mass */, std::size_t faces) const { return sum / double(faces); }
 };
+//! [weight]
 
 int main(int argc, char* argv[])
 {

@@ -2,9 +2,12 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/paper.h>
+#include <CGAL/Surface_mesh_coarsening/vertex_number_range.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/property_map.h>
 
@@ -54,6 +57,20 @@ int main(int argc, char* argv[])
   SMC::coarsen_mesh(input, output, SMC::parameters::neighborhood_level(4).number_of_iterations(0));
   //! [level]
   std::cout << "level 4: " << output.number_of_vertices() << " vertices" << std::endl;
+
+  //! [ratio]
+  SMC::coarsen_mesh(input, output, SMC::parameters::vertex_ratio(0.1));
+  //! [ratio]
+
+  //! [range]
+  const SMC::Vertex_number_range range = SMC::vertex_number_range(input);
+  std::cout << "from " << range.least << " to " << range.most << " vertices are possible" << std::endl;
+  //! [range]
+
+  //! [paper]
+  // The method of the paper to the letter, with its largest density for this model.
+  SMC::coarsen_mesh(input, output, SMC::parameters::paper(SMC::Maximum_density_weight(), 50).neighborhood_level(3));
+  //! [paper]
 
   //! [placement]
   SMC::coarsen_mesh(input, 527, output, SMC::parameters::vertex_placement(SMC::Quadric_placement()));

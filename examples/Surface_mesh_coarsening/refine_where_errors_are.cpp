@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <Eigen/SparseCholesky>
@@ -137,7 +138,7 @@ int main(int argc, char* argv[])
   const auto cluster = input.add_property_map<Mesh::Face_index, std::uint32_t>("f:cluster").first;
   for (int step = 0; step < 4; ++step) {
     Mesh coarse;
-    clustering.extract_dual_mesh(coarse);
+    clustering.extract_dual_mesh(coarse, SMC::Centroid_placement());
     const Eigen::VectorXd u = solution_on(coarse, center, size);
     const auto solution = coarse.add_property_map<Mesh::Vertex_index, double>("v:solution").first;
     for (const auto v : coarse.vertices())

@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(threads_agree, Weight, Weights)
     const Grown grown(soup);
     const auto minimized = [&grown](double tolerance, Execution execution) {
       Cluster_labels labels(*grown.labels);
-      Energy_minimization<Weight> minimization(grown.working_input(), labels, number_of_clusters, Weight(), Cancellation_point(),
+      Energy_minimization<Weight> minimization(grown.working_input(), labels, number_of_clusters, Weight(), false, Cancellation_point(),
                                                execution);
       BOOST_CHECK_GT(minimization.rounds_at_a_time(), 1u);
       std::vector<double> energies{minimization.energy()};
@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(ends_in_a_local_minimum, Weight, Weights)
   const Grown grown(soups().front().second);
   Cluster_labels labels(*grown.labels);
   const Clustering_input& input = grown.working_input().items;
-  Energy_minimization<Weight> minimization(grown.working_input(), labels, number_of_clusters, Weight(), Cancellation_point(),
+  Energy_minimization<Weight> minimization(grown.working_input(), labels, number_of_clusters, Weight(), false, Cancellation_point(),
                                            Execution::SEQUENTIAL);
   while (minimization.run({3, 0}).moves > 0)
     ;
@@ -326,7 +326,7 @@ BOOST_AUTO_TEST_CASE(cancelling)
     visitor.left = (std::numeric_limits<std::size_t>::max)();
     const Visitor_handle handle{std::ref(visitor)};
     Cluster_labels labels(*grown.labels);
-    Energy_minimization<SMC::Uniform_weight> minimization(grown.working_input(), labels, number_of_clusters, SMC::Uniform_weight(),
+    Energy_minimization<SMC::Uniform_weight> minimization(grown.working_input(), labels, number_of_clusters, SMC::Uniform_weight(), false,
                                                           Cancellation_point(handle), execution);
     visitor.left = questions;
     try {

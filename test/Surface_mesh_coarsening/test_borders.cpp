@@ -6,8 +6,10 @@
 #include "support/face_graphs.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
 
@@ -76,7 +78,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(corners_are_kept, Weight, Weights)
   const Mesh mesh = test::to_mesh(generated::triangulated(generated::grid(30, 30)));
   for (const std::size_t n : {20, 60, 150}) {
     Mesh output;
-    SMC::coarsen_mesh(mesh, n, output, SMC::parameters::cluster_weight(Weight()));
+    SMC::coarsen_mesh(mesh, n, output, SMC::parameters::cluster_weight(Weight()).vertex_placement(SMC::Centroid_placement()));
     const SMC::Coarsening_quality q = SMC::measure_coarsening(mesh, output, 10000);
     BOOST_CHECK_SMALL(q.border_maximum_distance, 1e-9);
     BOOST_CHECK_CLOSE(PMP::area(output), 900, 1e-9);
@@ -90,7 +92,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(close_to_a_curved_border, Weight, Weights)
   const Mesh mesh = test::to_mesh(wavy_disc(240));
   for (const std::size_t n : {60, 150}) {
     Mesh output;
-    SMC::coarsen_mesh(mesh, n, output, SMC::parameters::cluster_weight(Weight()));
+    SMC::coarsen_mesh(mesh, n, output, SMC::parameters::cluster_weight(Weight()).vertex_placement(SMC::Centroid_placement()));
     const auto fine = SMC::internal::triangulated_copy(mesh, SMC::parameters::default_values()),
                coarse = SMC::internal::triangulated_copy(output, SMC::parameters::default_values());
     const SMC::internal::Segments border = SMC::internal::border_segments(fine);

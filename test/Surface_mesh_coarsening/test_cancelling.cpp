@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(steps_restart)
   expected.seed(200);
   expected.grow();
   const std::size_t grown = all.total;
-  const std::size_t most = expected.default_number_of_iterations;
+  const std::size_t most = SMC::Coarsening_defaults::number_of_iterations;
   expected.minimize(most, 0);
   for (std::size_t k = prepared; k < all.total; k += 1 + (all.total - prepared) / 15) {
     Asked_visitor visitor(k);

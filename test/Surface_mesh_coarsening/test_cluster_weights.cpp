@@ -7,6 +7,7 @@
 #include "support/generate_meshes.h"
 #include "support/reference_energy.h"
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
 
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>

@@ -8,16 +8,22 @@
 
 #include "models.h"
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/compute_face_densities.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Valid_moves.h>
 #include <CGAL/Surface_mesh_coarsening/is_valid_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/neighborhood_seeds.h>
+#include <CGAL/Surface_mesh_coarsening/paper.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/mpl/list.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -91,7 +97,7 @@ template <class Clustering>
 void check_dual(Clustering& clustering, const Reference_mesh& m, const Labels& labels, double min_upright)
 {
   Mesh output;
-  clustering.extract_dual_mesh(output);
+  clustering.extract_dual_mesh(output, SMC::Centroid_placement());
   const Soup soup = test::to_soup(output);
   BOOST_CHECK(CGAL::is_valid_polygon_mesh(output));
   BOOST_CHECK(CGAL::is_triangle_mesh(output));
@@ -222,12 +228,13 @@ void check_clustering(const Soup& input, std::size_t n, const How how = How())
         .maximum_density(r_new<Weight>())
         .border_densities(false)
         .repair_output(false)
+        .vertex_placement(SMC::Centroid_placement())
         .convergence_tolerance(0));
     BOOST_CHECK(test::labels_of(mesh, clusters) == labels);
     BOOST_CHECK_EQUAL(report.moves, moves);
     check_close(report.final_energy, c.energy(), 1e-12, "energies of two ways"); // sums were recomputed in between
     Mesh same;
-    c.extract_dual_mesh(same);
+    c.extract_dual_mesh(same, SMC::Centroid_placement());
     BOOST_CHECK(same_mesh(output, same));
   }
   BOOST_CHECK(same_mesh(mesh, copy));
@@ -349,11 +356,11 @@ BOOST_AUTO_TEST_CASE(convergence_tolerance)
     const auto clusters = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
     Mesh output;
     const auto report =
-      SMC::coarsen_mesh(mesh, 70, output, SMC::parameters::convergence_tolerance(tolerance).face_cluster_map(clusters));
+      SMC::coarsen_mesh(mesh, 70, output, SMC::parameters::convergence_tolerance(tolerance).face_cluster_map(clusters).error_feedback(0));
     BOOST_CHECK_EQUAL(report.rounds, c.report().rounds);
     BOOST_CHECK(test::labels_of(mesh, clusters) == labels);
-    if (tolerance == Clustering::default_convergence_tolerance) {
-      SMC::coarsen_mesh(mesh, 70, output, SMC::parameters::face_cluster_map(clusters));
+    if (tolerance == SMC::Coarsening_defaults::convergence_tolerance) {
+      SMC::coarsen_mesh(mesh, 70, output, SMC::parameters::face_cluster_map(clusters).error_feedback(0));
       BOOST_CHECK(test::labels_of(mesh, clusters) == labels);
     }
     // With no more rounds than before, no round gains little.
@@ -389,10 +396,142 @@ BOOST_AUTO_TEST_CASE(levels)
     BOOST_CHECK_EQUAL(output.number_of_vertices(), seeds.size());
     BOOST_CHECK_EQUAL(reference::fault_of_clustering(m, test::labels_of(mesh, clusters)), "");
   }
-  Mesh seven, by_default;
-  SMC::coarsen_mesh(mesh, seven, SMC::parameters::neighborhood_level(7));
-  SMC::coarsen_mesh(mesh, by_default);
-  BOOST_CHECK(same_mesh(seven, by_default));
+}
+
+// A part of the vertices that belong to faces.
+BOOST_AUTO_TEST_CASE(ratios)
+{
+  Mesh mesh = test::to_mesh(generated::triangle_sphere(4));
+  const std::size_t vertices = mesh.number_of_vertices();
+  mesh.add_vertex(test::Point(7, 7, 7));
+  const auto number = [&mesh](double ratio) {
+    Mesh output;
+    SMC::coarsen_mesh(mesh, output, SMC::parameters::vertex_ratio(ratio).number_of_iterations(0));
+    return output.number_of_vertices();
+  };
+  BOOST_CHECK_EQUAL(number(0.1), std::size_t(std::round(0.1 * double(vertices))));
+  BOOST_CHECK_EQUAL(number(1), vertices);
+  BOOST_CHECK_EQUAL(number(4. / double(vertices)), 4u);
+  for (const double wrong : {0., -0.1, 1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    BOOST_CHECK_THROW(number(wrong), SMC::Invalid_input);
+  BOOST_CHECK_THROW(number(1.1), SMC::Unreachable_number_of_vertices);
+  BOOST_CHECK_THROW(number(1e-9), SMC::Unreachable_number_of_vertices);
+
+  Mesh half, same;
+  SMC::coarsen_mesh(mesh, vertices / 2, half);
+  SMC::coarsen_mesh(mesh, same, SMC::parameters::vertex_ratio(double(vertices / 2) / double(vertices)));
+  BOOST_CHECK(same_mesh(half, same));
+}
+
+// Library, tool and viewer have the same defaults.
+BOOST_AUTO_TEST_CASE(defaults)
+{
+  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangulated(generated::torus(40, 30)), 0.01));
+  Mesh by_default, explicitly, by_hand;
+  SMC::coarsen_mesh(mesh, 100, by_default);
+  SMC::coarsen_mesh(mesh, 100, explicitly,
+                    SMC::parameters::cluster_weight(SMC::Weighted_area_weight()).maximum_density(10.).border_densities(true)
+                      .vertex_placement(SMC::Fitted_placement()).error_feedback(7).repair_output(true)
+                      .number_of_iterations(1000).convergence_tolerance(1e-3).feature_angle(180.));
+  BOOST_CHECK(same_mesh(by_default, explicitly));
+  SMC::Mwcvd_clustering<Mesh> clustering(mesh);
+  clustering.seed(100);
+  clustering.grow();
+  clustering.minimize();
+  clustering.extract_embedded_dual_mesh(by_hand);
+  BOOST_CHECK(same_mesh(by_default, by_hand));
+}
+
+namespace {
+
+// The check of section 7 as printed, at the edge `c` of its face, across which the cluster `curr` lies.
+bool paper_allows(const Mesh& mesh, const Labels& labels, Mesh::Halfedge_index c)
+{
+  const std::size_t curr = labels[mesh.face(mesh.opposite(c))], own = labels[mesh.face(c)];
+  const auto n = mesh.next(c), p = mesh.prev(c);
+  const auto label_across = [&](Mesh::Halfedge_index h) {
+    return mesh.is_border(mesh.opposite(h)) ? std::size_t(-1) : labels[mesh.face(mesh.opposite(h))];
+  };
+  std::size_t count = 0;
+  bool has_boundary_edge_of_curr = false;
+  for (const auto h : mesh.halfedges_around_target(mesh.halfedge(mesh.target(n)))) {
+    count += mesh.is_border(mesh.edge(h)) || labels[mesh.face(h)] != labels[mesh.face(mesh.opposite(h))];
+    has_boundary_edge_of_curr = has_boundary_edge_of_curr || (!mesh.is_border(h) && labels[mesh.face(h)] == curr);
+  }
+  return count == 0 || (label_across(n) == curr) != (label_across(p) == curr) ||
+         ((label_across(n) != own) != (label_across(p) != own) && !has_boundary_edge_of_curr);
+}
+
+} // namespace
+
+// The method to the letter: the check of boundary-edge counts, merging by area, centroids on borders as elsewhere.
+BOOST_AUTO_TEST_CASE(paper)
+{
+  const Soup soup = generated::with_noise(generated::triangulated(generated::grid(30, 30)), 0.2);
+  const Mesh mesh = test::to_mesh(soup);
+  const Reference_mesh m(test::to_soup(mesh));
+  const SMC::Maximum_density_weight weight;
+  const auto clusters = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+  Mesh output;
+  const auto report = SMC::coarsen_mesh(mesh, 60, output, SMC::parameters::paper(weight).face_cluster_map(clusters));
+  const Labels labels = test::labels_of(mesh, clusters);
+  BOOST_CHECK(report.converged);
+  BOOST_CHECK_GT(report.refused_by_boundary_counts, 0u);
+  BOOST_CHECK_EQUAL(report.exchanged_vertices, 0u);
+  BOOST_CHECK_EQUAL(reference::fault_of_clustering(m, labels), "");
+  const std::vector<reference::Face> faces = reference::faces_of(test::to_soup(mesh));
+  const std::vector<double> densities = reference::densities(m, 50);
+  check_close(report.final_energy, reference::energy(faces, densities, labels, weight), 1e-9, "energy");
+  std::vector<double> mass(60, 0), x(60, 0), y(60, 0);
+  for (const auto f : mesh.faces()) {
+    std::vector<test::Point> q;
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      q.push_back(mesh.point(v));
+    const double a = densities[f] * std::sqrt(CGAL::squared_area(q[0], q[1], q[2]));
+    mass[labels[f]] += a;
+    x[labels[f]] += a * CGAL::centroid(q[0], q[1], q[2]).x();
+    y[labels[f]] += a * CGAL::centroid(q[0], q[1], q[2]).y();
+  }
+  for (const auto v : output.vertices()) { // also those on the border
+    BOOST_CHECK_SMALL(output.point(v).x() - x[v] / mass[v], 1e-9);
+    BOOST_CHECK_SMALL(output.point(v).y() - y[v] / mass[v], 1e-9);
+  }
+  BOOST_CHECK_EQUAL(SMC::coarsen_mesh(mesh, 60, output).refused_by_boundary_counts, 0u);
+
+  // Not a single edge, of the triangles that the minimization goes over, is answered in another way.
+  SMC::Mwcvd_clustering<Mesh, SMC::Maximum_density_weight> c(mesh, SMC::parameters::paper_clustering(weight));
+  c.seed(60);
+  c.grow();
+  const Labels grown = test::labels_in(c, mesh);
+  SMC::internal::Cluster_labels internal_labels = *c.state().labels;
+  const SMC::internal::Valid_moves moves(internal_labels, nullptr);
+  std::size_t allowed = 0, refused = 0;
+  for (const auto h : mesh.halfedges())
+    if (!mesh.is_border(mesh.edge(h)) && grown[mesh.face(h)] != grown[mesh.face(mesh.opposite(h))]) {
+      const bool is_allowed = paper_allows(mesh, grown, h);
+      (is_allowed ? allowed : refused)++;
+      BOOST_CHECK_EQUAL(moves.boundary_counts_allow(SMC::internal::Index(mesh.face(h)),
+                                                    SMC::internal::Index(grown[mesh.face(mesh.opposite(h))])),
+                        is_allowed);
+    }
+  BOOST_CHECK_GT(allowed, 100u);
+  BOOST_CHECK_GT(refused, 10u);
+}
+
+// By area, densities do not matter to the reduction of seeds; by mass they do.
+BOOST_AUTO_TEST_CASE(merging_by_area)
+{
+  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(4), 0.02));
+  const auto labels_with = [&mesh](double range, bool by_area) {
+    const auto density = boost::make_function_property_map<Mesh::Face_index, double>(
+      [&](Mesh::Face_index f) { return mesh.point(mesh.target(mesh.halfedge(f))).z() > 0 ? range : 1; });
+    SMC::Mwcvd_clustering<Mesh> c(mesh, SMC::parameters::face_density_map(density).merge_by_area(by_area));
+    c.seed(70);
+    c.grow();
+    return test::labels_in(c, mesh);
+  };
+  BOOST_CHECK(labels_with(1, true) == labels_with(30, true));
+  BOOST_CHECK(labels_with(1, false) != labels_with(30, false));
 }
 
 BOOST_AUTO_TEST_CASE(start_from_clusters)
@@ -404,7 +543,7 @@ BOOST_AUTO_TEST_CASE(start_from_clusters)
   SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::number_of_iterations(0).face_cluster_map(grown));
   const Labels before = test::labels_of(mesh, grown);
   const auto first =
-    SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::face_cluster_map(direct).convergence_tolerance(0));
+    SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::face_cluster_map(direct).convergence_tolerance(0).error_feedback(0));
   const auto second = SMC::coarsen_mesh(
     mesh, 50, again, SMC::parameters::start_from_face_clusters(true).face_cluster_map(grown).convergence_tolerance(0));
   BOOST_CHECK(test::labels_of(mesh, grown) == test::labels_of(mesh, direct));

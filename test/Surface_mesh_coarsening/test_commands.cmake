@@ -8,7 +8,9 @@
 cmake_minimum_required(VERSION 3.25)
 
 set(text "")
-foreach(page README.md CONTRIBUTING.md doc/Surface_mesh_coarsening/Surface_mesh_coarsening.txt packaging/coarsen_mesh.1)
+file(GLOB pages RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/doc/Surface_mesh_coarsening/*.txt
+  ${PROJECT_SOURCE_DIR}/doc/Surface_mesh_coarsening/tables/*.md)
+foreach(page README.md CONTRIBUTING.md packaging/coarsen_mesh.1 ${pages})
   file(READ ${PROJECT_SOURCE_DIR}/${page} content)
   string(APPEND text "\n${content}\n")
 endforeach()

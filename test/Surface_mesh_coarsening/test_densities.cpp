@@ -48,7 +48,7 @@ void check_against_definition(const Soup& soup)
     BOOST_CHECK_GE(*std::min_element(computed.begin(), computed.end()), 1);
     BOOST_CHECK_CLOSE(*std::max_element(computed.begin(), computed.end()), r_new, 1e-10);
   }
-  BOOST_CHECK(densities(mesh) == densities(mesh, SMC::parameters::maximum_density(50.)));
+  BOOST_CHECK(densities(mesh) == densities(mesh, SMC::parameters::maximum_density(10.)));
 }
 
 } // namespace

@@ -50,7 +50,6 @@ auto parameters(std::size_t rounds)
 {
   return SMC::parameters::cluster_weight(SMC::Weighted_area_weight())
     .maximum_density(10.)
-    .vertex_placement(SMC::Fitted_placement())
     .error_feedback(rounds);
 }
 

@@ -57,7 +57,7 @@ void expect(const Function& f, const std::vector<std::string>& parts)
 void expect_invalid_mesh(const Mesh& mesh, const std::vector<std::string>& parts)
 {
   expect<SMC::Invalid_input>([&](Mesh& output) { SMC::coarsen_mesh(mesh, 4, output); }, parts);
-  expect<SMC::Invalid_input>([&](Mesh& output) { SMC::coarsen_mesh(mesh, output); }, parts);
+  expect<SMC::Invalid_input>([&](Mesh& output) { SMC::coarsen_mesh(mesh, output, SMC::parameters::neighborhood_level(7)); }, parts);
 }
 
 // Also the functions that use the connectivity only.
@@ -236,7 +236,7 @@ BOOST_AUTO_TEST_CASE(parameters_out_of_range)
   SMC::coarsen_mesh(mesh, 20, output, SMC::parameters::maximum_density(1.));
   SMC::coarsen_mesh(mesh, 20, output, SMC::parameters::maximum_density(1e20));
   SMC::coarsen_mesh(mesh, 20, output, SMC::parameters::cluster_weight(SMC::Maximum_density_weight(1)));
-  SMC::coarsen_mesh(mesh, 20, output, SMC::parameters::neighborhood_level(std::size_t(-1)));
+  SMC::coarsen_mesh(mesh, output, SMC::parameters::neighborhood_level(std::size_t(-1)));
   BOOST_CHECK_EQUAL(output.number_of_vertices(), 20u);
 }
 

@@ -8,6 +8,8 @@
 
 #include "models.h"
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Labelled_pieces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_minimization.h>
@@ -99,7 +101,7 @@ struct Output
 Output coarsened(const Model& model, std::size_t number, bool fitted = false)
 {
   Output output;
-  SMC::Mwcvd_clustering<Mesh> c(model.mesh, model.parameters());
+  SMC::Mwcvd_clustering<Mesh, SMC::Maximum_density_weight> c(model.mesh, model.parameters().maximum_density(50.));
   c.seed(number);
   c.grow();
   c.minimize();
@@ -227,11 +229,11 @@ void check_rules(const Model& model, std::size_t number)
   const Prepared p(model);
   check_sums_of_cells(p.input);
   SMC::Coarsening_report report;
-  Initial_clustering initial(p.input, report, Cancellation_point(), Execution::SEQUENTIAL);
+  Initial_clustering initial(p.input, false, report, Cancellation_point(), Execution::SEQUENTIAL);
   initial.seed(number);
   Cluster_labels labels = initial.grow();
   Energy_minimization<SMC::Maximum_density_weight> minimization(initial.input(), labels, report.clusters,
-                                                                SMC::Maximum_density_weight(), Cancellation_point(), Execution());
+                                                                SMC::Maximum_density_weight(), false, Cancellation_point(), Execution());
   for (int round = 0; round < 3; ++round) {
     BOOST_TEST(Clustering_check(labels, report.clusters).fault([](std::size_t x) { return std::to_string(x); }) == "");
     const Labelled_pieces pieces(initial.input(), labels, report.clusters);
@@ -598,7 +600,7 @@ BOOST_AUTO_TEST_CASE(recomputed_clusters)
   for (const std::size_t n : {60, 300}) {
     Output output;
     output.report = SMC::coarsen_mesh(model.mesh, n, output.mesh,
-                                      model.parameters().maximum_density(10).vertex_placement(SMC::Quadric_placement()),
+                                      model.parameters().cluster_weight(SMC::Maximum_density_weight()).maximum_density(10).vertex_placement(SMC::Quadric_placement()),
                                       output.parameters());
     check(model, n, output);
     most = (std::max)(most, output.report.clusterings);
@@ -640,7 +642,7 @@ BOOST_AUTO_TEST_CASE(refusals)
   for (const double angle : {-1., 181., std::numeric_limits<double>::quiet_NaN()})
     BOOST_CHECK_THROW(coarsened(Model(generated::cube_grid(3), angle), 20), SMC::Invalid_input);
   const Model model(generated::cube_grid(4), 30);
-  SMC::Mwcvd_clustering<Mesh> c(model.mesh, model.parameters());
+  SMC::Mwcvd_clustering<Mesh, SMC::Maximum_density_weight> c(model.mesh, model.parameters().maximum_density(50.));
   std::vector<std::size_t> labels(model.mesh.number_of_faces(), 0);
   const auto map = boost::make_function_property_map<Face>([&](Face f) { return labels[f]; });
   BOOST_CHECK_THROW(c.set_clusters(map), SMC::Invalid_input);
@@ -649,7 +651,7 @@ BOOST_AUTO_TEST_CASE(refusals)
   BOOST_CHECK_THROW(c.split_cluster(0), SMC::Invalid_input);
   BOOST_CHECK_THROW(c.remove_cluster(0), SMC::Invalid_input);
   BOOST_TEST(c.number_of_clusters() == 20);
-  BOOST_CHECK_THROW(SMC::Cluster_levels<SMC::Mwcvd_clustering<Mesh> >{c}, SMC::Invalid_input);
+  BOOST_CHECK_THROW(SMC::Cluster_levels<decltype(c)>{c}, SMC::Invalid_input);
 }
 
 BOOST_AUTO_TEST_CASE(fandisk, *utf::precondition(test::If_found{models::fandisk}))

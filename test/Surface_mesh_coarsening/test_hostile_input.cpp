@@ -385,7 +385,7 @@ BOOST_AUTO_TEST_CASE(bounded_work)
   const auto two = SMC::coarsen_mesh(mesh, 60, output, SMC::parameters::number_of_iterations(2));
   BOOST_CHECK_EQUAL(two.rounds, 2u);
   const auto report = SMC::coarsen_mesh(mesh, 60, output);
-  BOOST_CHECK(report.rounds <= SMC::Mwcvd_clustering<Mesh>::default_number_of_iterations);
+  BOOST_CHECK(report.rounds <= SMC::Coarsening_defaults::number_of_iterations);
 }
 
 // ---- failures during the call ----

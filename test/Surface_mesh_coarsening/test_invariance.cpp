@@ -8,7 +8,9 @@
 
 #include "models.h"
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -67,7 +69,7 @@ template <class Weight>
 void check_scaling(const Soup& soup, std::size_t n, Clusters<Weight>& expected)
 {
   Mesh output;
-  expected.clustering.extract_dual_mesh(output);
+  expected.clustering.extract_dual_mesh(output, SMC::Centroid_placement());
   const Soup positions = test::to_soup(output);
   for (const int exponent : {-300, -40, -1, 20, 300}) {
     const double factor = std::ldexp(1., exponent);
@@ -76,7 +78,7 @@ void check_scaling(const Soup& soup, std::size_t n, Clusters<Weight>& expected)
     BOOST_CHECK_EQUAL(c.clustering.report().moves, expected.clustering.report().moves);
     if (std::abs(exponent) < 100)
       BOOST_CHECK_EQUAL(c.clustering.energy(), std::ldexp(expected.clustering.energy(), power<Weight>() * exponent));
-    c.clustering.extract_dual_mesh(output);
+    c.clustering.extract_dual_mesh(output, SMC::Centroid_placement());
     const Soup scaled = generated::scaled(positions, factor);
     BOOST_CHECK_MESSAGE(test::to_soup(output).points == scaled.points,
                         "scaling by 2^" << exponent << " has not scaled the positions");
@@ -134,7 +136,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(extreme_sizes, Weight, Weights)
     BOOST_CHECK(c.clustering.report().converged);
     BOOST_CHECK_GT(c.clustering.report().moves, 0u);
     Mesh output;
-    c.clustering.extract_dual_mesh(output);
+    c.clustering.extract_dual_mesh(output, SMC::Centroid_placement());
     for (const auto v : vertices(output)) {
       const test::Point p = output.point(v);
       const double length = std::hypot(p.x() / factor, p.y() / factor, p.z() / factor);

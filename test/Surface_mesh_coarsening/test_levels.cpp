@@ -10,6 +10,8 @@
 #include "models.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/extract_dual_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/is_valid_clustering.h>
@@ -35,7 +37,7 @@ using test::Mesh;
 
 namespace {
 
-typedef SMC::Mwcvd_clustering<Mesh> Clustering;
+typedef SMC::Mwcvd_clustering<Mesh, SMC::Maximum_density_weight> Clustering;
 typedef SMC::Cluster_levels<Clustering> Levels;
 typedef std::array<std::size_t, 3> Triangle;
 
@@ -91,7 +93,7 @@ BOOST_AUTO_TEST_CASE(each_level_is_valid_and_a_union_of_finer_clusters)
     clustering.seed(mesh.number_of_vertices() / 3);
     clustering.grow();
     clustering.minimize();
-    clustering.extract_dual_mesh(finest);
+    clustering.extract_dual_mesh(finest, SMC::Centroid_placement());
     const Levels levels(clustering);
     BOOST_REQUIRE_EQUAL(levels.finest(), clustering.number_of_clusters());
     BOOST_REQUIRE_LT(levels.coarsest(), 40u);
@@ -120,8 +122,8 @@ BOOST_AUTO_TEST_CASE(each_level_is_valid_and_a_union_of_finer_clusters)
       std::vector<Triangle> triangles;
       Mesh output, from_labels;
       levels.triangles(n, std::back_inserter(triangles));
-      levels.extract_dual_mesh(n, output);
-      SMC::extract_dual_mesh(mesh, label, from_labels, SMC::parameters::repair_output(false));
+      levels.extract_dual_mesh(n, output, SMC::Centroid_placement());
+      SMC::extract_dual_mesh(mesh, label, from_labels, SMC::parameters::repair_output(false).vertex_placement(SMC::Centroid_placement()));
       BOOST_REQUIRE(CGAL::is_valid_polygon_mesh(output));
       BOOST_REQUIRE_EQUAL(output.number_of_vertices(), n);
       BOOST_REQUIRE(normalized(triangles) == triangles_of(output));
@@ -173,9 +175,9 @@ BOOST_AUTO_TEST_CASE(levels_are_about_as_near_as_direct_results, *utf::precondit
   double finer = 0;
   for (const std::size_t level : {800, 400, 200, 100}) {
     Mesh output, direct;
-    levels.extract_dual_mesh(level, output);
+    levels.extract_dual_mesh(level, output, SMC::Centroid_placement());
     make_clusters(other, level);
-    other.extract_dual_mesh(direct);
+    other.extract_dual_mesh(direct, SMC::Centroid_placement());
     BOOST_CHECK_LE(rms(output), 1.2 * rms(direct));
     BOOST_CHECK_GT(rms(output), finer);
     finer = rms(output);

@@ -6,6 +6,7 @@
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
@@ -103,9 +104,9 @@ const auto defaults = SMC::parameters::repair_output(true); // to begin a chain 
 BOOST_AUTO_TEST_CASE(default_settings)
 {
   using namespace generated;
-  BOOST_TEST(bytes_per_face("ellipsoid", test::to_mesh(scaled(triangle_sphere(7), 3, 2, 1)), defaults) <= 100);
-  BOOST_TEST(bytes_per_face("torus", test::to_mesh(triangulated(torus(250, 250))), defaults) <= 100);
-  BOOST_TEST(bytes_per_face("rough square", test::to_mesh(with_noise(triangulated(grid(250, 250)), 0.2)), defaults) <= 100);
+  BOOST_TEST(bytes_per_face("ellipsoid", test::to_mesh(scaled(triangle_sphere(7), 3, 2, 1)), defaults) <= 150);
+  BOOST_TEST(bytes_per_face("torus", test::to_mesh(triangulated(torus(250, 250))), defaults) <= 150);
+  BOOST_TEST(bytes_per_face("rough square", test::to_mesh(with_noise(triangulated(grid(250, 250)), 0.2)), defaults) <= 150);
 }
 
 BOOST_AUTO_TEST_CASE(placements)
@@ -113,7 +114,7 @@ BOOST_AUTO_TEST_CASE(placements)
   using namespace generated;
   const Mesh mesh = test::to_mesh(with_noise(scaled(triangle_sphere(7), 3, 2, 1), 0.001));
   const auto plain = SMC::parameters::repair_output(false);
-  BOOST_TEST(bytes_per_face("centroid, no repair", mesh, plain) <= 100);
+  BOOST_TEST(bytes_per_face("centroid, no repair", mesh, plain.vertex_placement(SMC::Centroid_placement())) <= 100);
   BOOST_TEST(bytes_per_face("quadric, no repair", mesh, plain.vertex_placement(SMC::Quadric_placement())) <= 100);
   BOOST_TEST(bytes_per_face("quadric", mesh, defaults.vertex_placement(SMC::Quadric_placement())) <= 100);
   BOOST_TEST(bytes_per_face("fitted", mesh, defaults.vertex_placement(SMC::Fitted_placement())) <= 150);

@@ -6,8 +6,10 @@
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Closest_vertex_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
@@ -114,7 +116,7 @@ BOOST_AUTO_TEST_CASE(quadric_has_a_bounded_reach)
   const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(5), 0.02));
   Mesh by_centroid, by_quadric;
   const auto np = SMC::parameters::repair_output(false);
-  SMC::coarsen_mesh(mesh, 20, by_centroid, np);
+  SMC::coarsen_mesh(mesh, 20, by_centroid, np.vertex_placement(SMC::Centroid_placement()));
   SMC::coarsen_mesh(mesh, 20, by_quadric, np.vertex_placement(SMC::Quadric_placement(1e-12)));
   for (const auto v : by_quadric.vertices())
     BOOST_TEST(std::sqrt(CGAL::squared_distance(by_quadric.point(v), by_centroid.point(v))) < 1.2);
@@ -187,6 +189,9 @@ BOOST_AUTO_TEST_CASE(fit_is_deterministic_and_the_same_on_a_polyhedron)
   }
 }
 
+// Clusters that leave triangles intersecting on a thin plate.
+auto by_maximum() { return SMC::parameters::cluster_weight(SMC::Maximum_density_weight()).maximum_density(50); }
+
 // Two sheets much closer to each other than the error of the coarse mesh.
 BOOST_AUTO_TEST_CASE(repair_takes_sheets_apart)
 {
@@ -195,13 +200,13 @@ BOOST_AUTO_TEST_CASE(repair_takes_sheets_apart)
   for (const std::size_t n : {60, 100, 200}) {
     Mesh output;
     SMC::Coarsening_report report =
-      SMC::coarsen_mesh(mesh, n, output, SMC::parameters::vertex_placement(SMC::Quadric_placement()));
+      SMC::coarsen_mesh(mesh, n, output, by_maximum().vertex_placement(SMC::Quadric_placement()));
     found += report.intersections_found;
     BOOST_TEST_MESSAGE(n << " vertices: " << report.intersections_found << " found, " << report.intersections_left << " left");
     BOOST_TEST(self_intersections(output) == report.intersections_left);
     BOOST_TEST(report.intersections_left <= report.intersections_found / 4);
     report = SMC::coarsen_mesh(mesh, n, output,
-                               SMC::parameters::vertex_placement(SMC::Quadric_placement()).repair_output(false));
+                               by_maximum().vertex_placement(SMC::Quadric_placement()).repair_output(false));
     BOOST_TEST(report.intersections_found == 0);
   }
   BOOST_TEST(found > 0);
@@ -212,7 +217,7 @@ BOOST_AUTO_TEST_CASE(repair_keeps_to_input_vertices)
 {
   const Mesh mesh = test::to_mesh(generated::thin_plate(30, 0.08));
   Mesh output;
-  SMC::coarsen_mesh(mesh, 100, output, SMC::parameters::vertex_placement(SMC::Closest_vertex_placement()));
+  SMC::coarsen_mesh(mesh, 100, output, by_maximum().vertex_placement(SMC::Closest_vertex_placement()));
   std::set<test::Mesh::Point> points;
   for (const auto v : mesh.vertices())
     points.insert(mesh.point(v));
@@ -243,7 +248,7 @@ BOOST_AUTO_TEST_CASE(own_placement_at_input_vertices)
   const auto number_beside = [&](const auto& placement) {
     Mesh output;
     const SMC::Coarsening_report report =
-      SMC::coarsen_mesh(mesh, 100, output, SMC::parameters::vertex_placement(placement));
+      SMC::coarsen_mesh(mesh, 100, output, by_maximum().vertex_placement(placement));
     BOOST_TEST(report.intersections_found > 0);
     return std::count_if(output.vertices().begin(), output.vertices().end(),
                          [&](const auto v) { return points.count(output.point(v)) == 0; });
@@ -281,13 +286,13 @@ BOOST_AUTO_TEST_CASE(own_weight_that_does_not_depend_on_densities)
 // selected.
 BOOST_AUTO_TEST_CASE(reclusters_where_triangles_intersect)
 {
-  const auto np = SMC::parameters::maximum_density(10).feature_angle(180);
+  const auto np = SMC::parameters::cluster_weight(SMC::Maximum_density_weight()).maximum_density(10).feature_angle(180);
   std::size_t left = 0, left_of_several = 0, most = 0;
   for (const double thickness : {0.006, 0.008}) {
     const Mesh mesh = test::to_mesh(generated::thin_plate(30, thickness));
     for (const std::size_t n : {20, 50, 80}) {
       Mesh plain, embedded, again;
-      SMC::Mwcvd_clustering<Mesh> clustering(mesh, np);
+      SMC::Mwcvd_clustering<Mesh, SMC::Maximum_density_weight> clustering(mesh, np);
       clustering.seed(n);
       clustering.grow();
       clustering.minimize();
@@ -326,7 +331,9 @@ BOOST_AUTO_TEST_CASE(clusters_without_dropped_components_are_recomputed)
   std::size_t most = 0;
   for (const std::size_t n : {40, 50}) {
     Mesh expected, output;
-    const auto np = SMC::parameters::vertex_placement(SMC::Quadric_placement()).face_density_map(ones);
+    const auto np = SMC::parameters::cluster_weight(SMC::Maximum_density_weight())
+                      .vertex_placement(SMC::Quadric_placement())
+                      .face_density_map(ones);
     SMC::coarsen_mesh(plate, n, expected, np);
     const SMC::Coarsening_report report = SMC::coarsen_mesh(both, n, output, np.minimum_component_area(1.));
     most = (std::max)(most, report.clusterings);
@@ -343,8 +350,9 @@ BOOST_AUTO_TEST_CASE(clusters_of_others_are_not_recomputed)
   std::size_t left_of_uniform = 0, left_of_edited = 0;
   for (const std::size_t n : {40, 60, 80}) {
     Mesh output;
-    SMC::Mwcvd_clustering<Mesh, SMC::Uniform_weight> uniform(mesh);
-    SMC::Mwcvd_clustering<Mesh> edited(mesh);
+    const auto np = SMC::parameters::maximum_density(50);
+    SMC::Mwcvd_clustering<Mesh, SMC::Uniform_weight> uniform(mesh, np);
+    SMC::Mwcvd_clustering<Mesh, SMC::Maximum_density_weight> edited(mesh, np);
     uniform.seed(n);
     uniform.grow();
     edited.seed(n);

@@ -6,7 +6,9 @@
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/is_valid_clustering.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -19,7 +21,7 @@ using test::Mesh;
 
 namespace {
 
-typedef SMC::Mwcvd_clustering<Mesh> Clustering;
+typedef SMC::Mwcvd_clustering<Mesh, SMC::Maximum_density_weight> Clustering;
 
 std::string fault(const Clustering& clustering, const Mesh& mesh)
 {
@@ -82,7 +84,7 @@ BOOST_AUTO_TEST_CASE(any_sequence_of_steps_keeps_the_guarantee)
     BOOST_CHECK_GT(splits, 20u);
     BOOST_CHECK_GT(removals, 5u);
     Mesh output;
-    clustering.extract_dual_mesh(output);
+    clustering.extract_dual_mesh(output, SMC::Centroid_placement());
     BOOST_CHECK(CGAL::is_valid_polygon_mesh(output));
     BOOST_CHECK_EQUAL(output.number_of_vertices(), clustering.number_of_clusters());
     const auto euler = [](const Mesh& m) {

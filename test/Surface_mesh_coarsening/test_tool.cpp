@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(questions)
   BOOST_TEST(shop.run("-h").out == help.out);
   BOOST_TEST(help.status == 0);
   for (const char* option :
-       {"--vertices", "--neighborhood-level", "--rounds", "--convergence-tolerance", "--weight", "--maximum-density", "--placement", "--features",
+       {"--vertices", "--range", "--neighborhood-level", "--rounds", "--convergence-tolerance", "--weight", "--maximum-density", "--placement", "--paper", "--features",
         "--clusters", "--picture", "--view", "--report", "--repair", "--fill-holes", "--minimum-component-area",
         "--subdivide", "--measure", "--threads", "--quiet", "--version", "--help"})
     BOOST_TEST(help.out.find(option) != std::string::npos, option);
@@ -174,53 +174,109 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
   shop.write("in.off", generated::octahedron());
   for (const char* arguments : {"",
                                 "in.off",
-                                "in.off out.xyz",
-                                "in.xyz out.off",
-                                "in.off out.off extra",
-                                "in.off out.off --no-such-option",
-                                "in.off out.off --vert 6",
+                                "in.off out.xyz -n 6",
+                                "in.xyz out.off -n 6",
+                                "in.off out.off -n 6 extra",
+                                "in.off out.off -n 6 --no-such-option",
+                                "in.off out.off -n 6 --vert 6",
                                 "in.off out.off -n",
                                 "in.off out.off -n 0",
                                 "in.off out.off -n -6",
                                 "in.off out.off -n 6.5",
+                                "in.off out.off",
+                                "in.off out.off -n 0%",
+                                "in.off out.off -n -5%",
+                                "in.off out.off -n x%",
+                                "in.off out.off -n %",
+                                "in.off out.off --range",
+                                "--range",
+                                "in.off out.off -n 10% -k 1",
+                                "in.off out.off -n 10% --maximum-distance 1",
                                 "in.off out.off -n 99999999999999999999999",
                                 "in.off out.off -n 6 -k 1",
                                 "in.off out.off -k -1",
-                                "in.off out.off --rounds x",
-                                "in.off out.off --convergence-tolerance x",
-                                "in.off out.off --convergence-tolerance -1",
-                                "in.off out.off -w heavy",
-                                "in.off out.off -w ''",
-                                "in.off out.off --maximum-density 0.5",
-                                "in.off out.off --maximum-density nan",
-                                "in.off out.off --maximum-density 1e400",
-                                "in.off out.off --placement nowhere",
-                                "in.off out.off --features=sharp",
-                                "in.off out.off --features -1",
-                                "in.off out.off --features 181",
-                                "in.off out.off --view 1,2",
-                                "in.off out.off --view 0,0,0",
-                                "in.off out.off --view 1,2,x",
-                                "in.off out.off --view 1,2,3,4",
-                                "in.off out.off --clusters c.off",
-                                "in.off out.off --picture p.jpg",
-                                "in.off out.off --threads 0",
-                                "in.off out.off --fill-holes -1",
-                                "in.off out.off --fill-holes nan",
-                                "in.off out.off --fill-holes",
-                                "in.off out.off --fill-holes most",
-                                "in.off out.off --fill-holes -5%",
-                                "in.off out.off --fill-holes %",
-                                "in.off out.off --minimum-component-area -2",
-                                "in.off out.off --minimum-component-area wide",
-                                "in.off out.off --subdivide 3",
-                                "in.off out.ply --clusters ./out.ply",
-                                "in.off out.off --report in.off"}) {
+                                "in.off out.off -n 6 --rounds x",
+                                "in.off out.off -n 6 --convergence-tolerance x",
+                                "in.off out.off -n 6 --convergence-tolerance -1",
+                                "in.off out.off -n 6 -w heavy",
+                                "in.off out.off -n 6 -w ''",
+                                "in.off out.off -n 6 --maximum-density 0.5",
+                                "in.off out.off -n 6 --maximum-density nan",
+                                "in.off out.off -n 6 --maximum-density 1e400",
+                                "in.off out.off -n 6 --placement nowhere",
+                                "in.off out.off -n 6 --features=sharp",
+                                "in.off out.off -n 6 --features -1",
+                                "in.off out.off -n 6 --features 181",
+                                "in.off out.off -n 6 --view 1,2",
+                                "in.off out.off -n 6 --view 0,0,0",
+                                "in.off out.off -n 6 --view 1,2,x",
+                                "in.off out.off -n 6 --view 1,2,3,4",
+                                "in.off out.off -n 6 --clusters c.off",
+                                "in.off out.off -n 6 --picture p.jpg",
+                                "in.off out.off -n 6 --threads 0",
+                                "in.off out.off -n 6 --fill-holes -1",
+                                "in.off out.off -n 6 --fill-holes nan",
+                                "in.off out.off -n 6 --fill-holes",
+                                "in.off out.off -n 6 --fill-holes most",
+                                "in.off out.off -n 6 --fill-holes -5%",
+                                "in.off out.off -n 6 --fill-holes %",
+                                "in.off out.off -n 6 --minimum-component-area -2",
+                                "in.off out.off -n 6 --minimum-component-area wide",
+                                "in.off out.off -n 6 --subdivide 3",
+                                "in.off out.ply -n 6 --clusters ./out.ply",
+                                "in.off out.off -n 6 --report in.off"}) {
     const Outcome outcome = shop.run(arguments);
     BOOST_TEST(outcome.status == 2, arguments);
     BOOST_TEST(outcome.is_one_line_error(), arguments);
   }
   BOOST_TEST(shop.files() == std::vector<std::string>{"in.off"}, boost::test_tools::per_element());
+  BOOST_TEST(shop.run("in.off out.off").names("how many vertices?"));
+}
+
+// The numbers can be asked for, and a part of the input's vertices be given.
+BOOST_AUTO_TEST_CASE(ranges_and_ratios)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::triangle_sphere(3));
+  const Mesh input = shop.mesh("in.off");
+  const std::size_t vertices = input.number_of_vertices();
+  const Outcome range = shop.run("--range in.off");
+  BOOST_TEST(range.status == 0);
+  BOOST_TEST(range.out == "4 to " + std::to_string(vertices) + " vertices\n");
+  BOOST_TEST(shop.files() == std::vector<std::string>{"in.off"}, boost::test_tools::per_element());
+  shop.run_well("in.off out.off -n 4");
+  BOOST_TEST(shop.run("in.off out.off -n 3").status == 1);
+  BOOST_TEST(shop.run("--range missing.off").status == 1);
+  // With 20 faces for each vertex there is hardly a limit; corners of a cube stay.
+  BOOST_TEST(shop.run("in.off --range --subdivide").out.substr(0, 5) == "4 to ");
+  shop.write("cube.off", generated::triangulated(generated::cube_grid(8)));
+  BOOST_TEST(shop.run("cube.off --range --features").out.substr(0, 5) == "8 to ");
+
+  shop.run_well("in.off out.off -n 10% --report r.json");
+  BOOST_TEST(shop.mesh("out.off").number_of_vertices() == std::size_t(std::round(0.1 * double(vertices))));
+  BOOST_TEST(shop.report("r.json")["parameters"]["vertex_ratio"] == 0.1);
+  BOOST_TEST(shop.run("in.off out.off -n 101%").status == 1);
+}
+
+// The paper to the letter; options beside it take precedence.
+BOOST_AUTO_TEST_CASE(paper)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::with_noise(generated::triangulated(generated::grid(20, 20)), 0.2));
+  shop.run_well("in.off out.off -n 40 --paper -w variance --report r.json");
+  const Json report = shop.report("r.json");
+  BOOST_TEST(report["parameters"]["paper"] == true);
+  BOOST_TEST(report["parameters"]["placement"] == "centroid");
+  BOOST_TEST(report["parameters"]["maximum_density"] == 3.);
+  BOOST_TEST(report["parameters"]["convergence_tolerance"] == 0.);
+  BOOST_TEST(report["parameters"]["error_feedback"] == 0);
+  BOOST_TEST(report["clustering"]["refused_by_boundary_counts"] > 0);
+  shop.run_well("in.off out.off -n 40 --paper --maximum-density 5 --placement quadric --report r.json");
+  BOOST_TEST(shop.report("r.json")["parameters"]["maximum_density"] == 5.);
+  BOOST_TEST(shop.report("r.json")["parameters"]["placement"] == "quadric");
+  shop.run_well("in.off out.off -n 40 --report r.json");
+  BOOST_TEST(shop.report("r.json")["parameters"]["paper"] == false);
+  BOOST_TEST(shop.report("r.json")["clustering"]["refused_by_boundary_counts"] == 0);
 }
 
 BOOST_AUTO_TEST_CASE(unreadable_input)
@@ -242,7 +298,7 @@ BOOST_AUTO_TEST_CASE(unreadable_input)
   for (const std::string name : {"missing.off", "empty.off", "text.off", "short.off", "greedy.off", "points.off",
                                  "stray.ply", "short.ply", "odd.obj", "short.stl", "folder.off"})
     for (const std::string repair : {"", " --repair"}) {
-      const Outcome outcome = shop.run(name + " out.off --report out.json" + repair);
+      const Outcome outcome = shop.run(name + " out.off -n 3 --report out.json" + repair);
       BOOST_TEST(outcome.status == 1, name);
       BOOST_TEST(outcome.is_one_line_error(), name);
       BOOST_TEST(outcome.names("coarsen_mesh: " + name + ": "), outcome.err);
@@ -407,7 +463,7 @@ BOOST_AUTO_TEST_CASE(picture)
       value = 256 * value + static_cast<unsigned char>(png[at + i]);
     return value;
   };
-  BOOST_TEST(number(16) > number(20)); // two views side by side
+  BOOST_TEST(number(16) > 2 * number(20)); // three panels side by side
   shop.run_well("in.off out.off -n 60 --picture other.png --view -1,0.2,0.3 --up 0,0,1");
   BOOST_TEST((content_of(shop / "other.png") != png));
 }
@@ -700,10 +756,10 @@ BOOST_AUTO_TEST_CASE(faulty_numbers_are_named)
   const std::string header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
                              "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
   shop.write("in.ply", header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
-  BOOST_TEST(shop.run("in.ply out.off").names("face 0 names a vertex that is not there"));
+  BOOST_TEST(shop.run("in.ply out.off -n 3").names("face 0 names a vertex that is not there"));
   shop.write("in.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 nan 0\nendloop\n"
                        "endfacet\nendsolid\n");
-  const Outcome outcome = shop.run("in.stl out.off");
+  const Outcome outcome = shop.run("in.stl out.off -n 3");
   BOOST_TEST(outcome.status == 1);
   BOOST_TEST(outcome.is_one_line_error());
 }

@@ -203,13 +203,13 @@ BOOST_AUTO_TEST_CASE(counts_that_lie)
   for (const auto& file : files) {
     shop.write(file.name, file.content);
     for (const std::string repair : {"", " --repair"})
-      check_refused(shop, file.name + " out.off --report r.json" + repair,
+      check_refused(shop, file.name + " out.off -n 9 --report r.json" + repair,
                     {"coarsen_mesh: " + file.name + ": ", file.place, file.reason}, little_memory);
   }
   std::string list = mesh_files::binary_ply(sphere(), true);
   list.replace(list.find("uchar int"), 9, "uint uchar");
   shop.write("binary.ply", list);
-  check_refused(shop, "binary.ply out.off", {"byte "}, little_memory);
+  check_refused(shop, "binary.ply out.off -n 9", {"byte "}, little_memory);
 }
 
 BOOST_AUTO_TEST_CASE(indices_that_lie)
@@ -220,18 +220,18 @@ BOOST_AUTO_TEST_CASE(indices_that_lie)
                           "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
   for (const std::string index : {"3", "-1", "4294967296", "18446744073709551615"}) {
     shop.write("in.off", "OFF\n3 1 0\n" + points + "3 0 1 " + index + "\n");
-    check_refused(shop, "in.off out.off", {"in.off", index.size() < 20 ? "face 0" : "line 6: "});
+    check_refused(shop, "in.off out.off -n 9", {"in.off", index.size() < 20 ? "face 0" : "line 6: "});
     shop.write("in.ply", ply + points + "3 0 1 " + index + "\n");
-    check_refused(shop, "in.ply out.off", {"in.ply", index.size() < 20 ? "face 0" : "line 13: "});
+    check_refused(shop, "in.ply out.off -n 9", {"in.ply", index.size() < 20 ? "face 0" : "line 13: "});
   }
   for (const std::string index : {"0", "4", "-4", "9999999999"}) {
     shop.write("in.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 " + index + "\n");
-    check_refused(shop, "in.obj out.off", {"in.obj", "face 0 names a vertex that is not there"});
+    check_refused(shop, "in.obj out.off -n 9", {"in.obj", "face 0 names a vertex that is not there"});
   }
   shop.write("word.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 three\n");
-  check_refused(shop, "word.obj out.off", {"word.obj", "line 4: 'three'"});
+  check_refused(shop, "word.obj out.off -n 9", {"word.obj", "line 4: 'three'"});
   shop.write("word.off", "OFF\n3 1 0\n0 0 zero\n1 0 0\n0 1 0\n3 0 1 2\n");
-  check_refused(shop, "word.off out.off", {"word.off", "line 3: 'zero'"});
+  check_refused(shop, "word.off out.off -n 9", {"word.off", "line 3: 'zero'"});
 }
 
 BOOST_AUTO_TEST_CASE(binary_of_either_order)
@@ -255,12 +255,12 @@ BOOST_AUTO_TEST_CASE(wrong_extensions)
     for (const std::string type : {"off", "obj", "ply", "stl"})
       if (type != form.first) {
         shop.write("in." + type, form.second);
-        check_refused(shop, "in." + type + " out.off", {"in." + type});
+        check_refused(shop, "in." + type + " out.off -n 9", {"in." + type});
       }
   shop.write("really_ply.off", mesh_files::text_ply(sphere()));
-  check_refused(shop, "really_ply.off out.off", {"really_ply.off", "line 1", "it looks like PLY"});
+  check_refused(shop, "really_ply.off out.off -n 9", {"really_ply.off", "line 1", "it looks like PLY"});
   shop.write("really_off.stl", mesh_files::off(sphere()));
-  check_refused(shop, "really_off.stl out.off", {"really_off.stl", "it looks like OFF"});
+  check_refused(shop, "really_off.stl out.off -n 9", {"really_off.stl", "it looks like OFF"});
 }
 
 BOOST_AUTO_TEST_CASE(inputs_that_are_no_files)
@@ -274,8 +274,8 @@ BOOST_AUTO_TEST_CASE(inputs_that_are_no_files)
   shop.write("empty.off", "");
   for (const std::string name : {"missing.off", "folder.off", "dangling.off", "loop.off", "zero.off", "null.off", "empty.off",
                                  "folder.off/in.off"})
-    check_refused(shop, name + " out.off", {"coarsen_mesh: " + name + ": "}, little_memory);
-  check_refused(shop, std::string(300, 'a') + ".off out.off", {".off: "});
+    check_refused(shop, name + " out.off -n 9", {"coarsen_mesh: " + name + ": "}, little_memory);
+  check_refused(shop, std::string(300, 'a') + ".off out.off -n 9", {".off: "});
 }
 
 BOOST_AUTO_TEST_CASE(permissions, *boost::unit_test::precondition(has_permissions))
@@ -286,8 +286,8 @@ BOOST_AUTO_TEST_CASE(permissions, *boost::unit_test::precondition(has_permission
   fs::permissions(shop / "secret.off", fs::perms::none);
   fs::create_directory(shop / "locked");
   fs::permissions(shop / "locked", fs::perms::owner_read | fs::perms::owner_exec);
-  check_refused(shop, "secret.off out.off", {"secret.off: "});
-  check_refused(shop, "in.off locked/out.off", {"locked/out.off: cannot be written"});
+  check_refused(shop, "secret.off out.off -n 9", {"secret.off: "});
+  check_refused(shop, "in.off locked/out.off -n 9", {"locked/out.off: cannot be written"});
 }
 
 BOOST_AUTO_TEST_CASE(outputs_that_cannot_be_written)
@@ -383,18 +383,18 @@ BOOST_AUTO_TEST_CASE(what_a_terminal_gets)
     return std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
   };
   shop.write("in.off", "OFF\n3 1 0\n0 0 \x1b]0;title\x07\n1 0 0\n0 1 0\n3 0 1 2\n");
-  check_refused(shop, "in.off out.off", {"'\\x1b]0;title\\x07'"});
+  check_refused(shop, "in.off out.off -n 9", {"'\\x1b]0;title\\x07'"});
   shop.write("in.off", "OFF\n3 1 0\n0 0 \xc2\x9b\x33m\xff\n1 0 0\n0 1 0\n3 0 1 2\n");
-  check_refused(shop, "in.off out.off", {"'\\xc2\\x9b3m\\xff'"});
-  BOOST_TEST(is_printable(shop.run("in.off out.off").err));
+  check_refused(shop, "in.off out.off -n 9", {"'\\xc2\\x9b3m\\xff'"});
+  BOOST_TEST(is_printable(shop.run("in.off out.off -n 9").err));
   for (const std::string name : {"a\x1b[31m.off", "a\x7f.off", "a\xff.off", "a\xc2\x9b.off", "a\xe2\x80\xae.off"}) {
-    BOOST_TEST(is_printable(shop.run("'" + name + "' out.off").err), name);
+    BOOST_TEST(is_printable(shop.run("'" + name + "' out.off -n 9").err), name);
     shop.write(name, mesh_files::off(sphere()));
     const Tool_outcome outcome = shop.run("'" + name + "' out.off -n 12");
     BOOST_TEST(outcome.status == 0, outcome.err);
     BOOST_TEST(is_printable(outcome.out), name);
   }
-  check_refused(shop, "'M\xc3\xbcnchen \xe2\x82\xac.off' out.off", {"M\xc3\xbcnchen \xe2\x82\xac.off: "});
+  check_refused(shop, "'M\xc3\xbcnchen \xe2\x82\xac.off' out.off -n 9", {"M\xc3\xbcnchen \xe2\x82\xac.off: "});
 }
 
 // The first redirection of the streams is the one that counts here.

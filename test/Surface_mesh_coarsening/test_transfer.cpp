@@ -7,6 +7,8 @@
 #include "support/generate_meshes.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_faces.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/transfer_properties.h>
 
@@ -80,7 +82,11 @@ struct Result
     vertex_cluster = input.add_property_map<Mesh::Vertex_index, std::size_t>("v:cluster").first;
     source = output.add_property_map<Mesh::Vertex_index, Location>("v:source").first;
     SMC::coarsen_mesh(input, vertices, output,
-                      SMC::parameters::face_cluster_map(cluster).vertex_to_cluster_map(vertex_cluster),
+                      SMC::parameters::cluster_weight(SMC::Maximum_density_weight())
+                        .maximum_density(50.)
+                        .vertex_placement(SMC::Centroid_placement())
+                        .face_cluster_map(cluster)
+                        .vertex_to_cluster_map(vertex_cluster),
                       SMC::parameters::vertex_source_map(source));
   }
 };

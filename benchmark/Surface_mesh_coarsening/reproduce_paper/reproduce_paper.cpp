@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs Table 1 of the paper on the models that are found, and draws its figures 5, 6 and 7.
+// Runs table 1 of the paper on the models that are found, as the paper prints the method, and draws its figures 1b, 1c, 2, 3, 5, 6
+// and 7. What the paper's table has stands before what comes out here.
 
 #include "check/certificate.h"
 #include "io/Failure.h"
@@ -16,6 +17,7 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reproduce_paper {
@@ -33,7 +35,7 @@ std::optional<Options> read_options(int argc, char* argv[])
   Options options;
   po::options_description described("Options"), all;
   described.add_options()("figures", po::value(&options.figures)->value_name("DIRECTORY"),
-                          "draw figures 5, 6 and 7 of the paper into this directory")("help", "print this text");
+                          "draw the figures of the paper into this directory: 1b and 1c, 2, 3, 5, 6 and 7")("help", "print this text");
   all.add(described).add_options()("places", po::value(&options.places));
   po::variables_map values;
   po::positional_options_description positional;
@@ -41,7 +43,7 @@ std::optional<Options> read_options(int argc, char* argv[])
   po::notify(values);
   if (values.count("help")) {
     std::cout << "Usage: reproduce_paper [options] [FILE | DIRECTORY]...\n\n"
-                 "Runs Table 1 of the paper. Its models are looked for among the files and in the directories:\n"
+                 "Runs table 1 of the paper. Its models are looked for among the files and in the directories:\n"
                  "fandisk, bunny, horse, dragon_vrip or dragon, as .off, .obj, .ply or .stl; the Cube is generated.\n\n"
               << described;
     return std::nullopt;
@@ -49,57 +51,103 @@ std::optional<Options> read_options(int argc, char* argv[])
   return options;
 }
 
-void print_heading()
+// A model with the run of each of the paper's weights.
+struct Column
 {
-  std::printf("%-8s %8s %2s | %6s %6s | %6s %8s | %-8s %5s | %6s %8s | %8s %6s %s\n", "", "", "", "seeds", "seeds",
-              "seeding", "seeding", "", "", "time", "time", "", "", "");
-  std::printf("%-8s %8s %2s | %6s %6s | %6s %8s | %-8s %5s | %6s %8s | %8s %6s %s\n", "model", "vertices", "k", "paper",
-              "ours", "paper", "ours", "weight", "r_new", "paper", "ours", "clusters", "rounds", "dual");
+  const Paper_model* model;
+  std::size_t vertices;
+  std::pair<std::size_t, std::size_t> seeds_in_other_orders;
+  std::vector<Clustering_run> runs;
+};
+
+// A row of the table: a title, and a cell for each model.
+template <class Cell>
+void print_row(const std::string& title, const std::vector<Column>& columns, const Cell& cell)
+{
+  std::printf("%-26s", title.c_str());
+  for (const Column& column : columns)
+    std::printf(" | %17s", cell(column).c_str());
+  std::printf("\n");
 }
 
-// The times are defined as in the paper: seeding, and then growth and minimization. Neither seems to include densities
-// there.
-bool print_row(const Paper_model& model, const Mesh& mesh, Paper_weight weight, const Clustering_run& run)
+template <class... Arguments>
+std::string formatted(const char* format, Arguments... arguments)
+{
+  char text[64];
+  std::snprintf(text, sizeof text, format, arguments...);
+  return text;
+}
+
+// Table 1 as it is printed, each cell with the paper's number and ours. The times are the paper's: seeding, and what follows it until
+// the clusters are final. Densities are in neither of them there, as far as the paper tells.
+void print_table(const std::vector<Column>& columns)
+{
+  print_row("paper / here", columns, [](const Column& c) { return c.model->name; });
+  print_row("vertices", columns, [](const Column& c) { return formatted("%zu / %zu", c.model->vertices, c.vertices); });
+  print_row("k (level)", columns, [](const Column& c) { return formatted("%u", c.model->level); });
+  print_row("seeds (obtained)", columns,
+            [](const Column& c) { return formatted("%zu / %zu", c.model->seeds, c.runs[AREA].report.seeds); });
+  print_row("initialization, s", columns, [](const Column& c) {
+    return formatted("%s / %.3f", c.model->seeding_seconds.c_str(), c.runs[AREA].times.sum({"seeding"}));
+  });
+  for (const Paper_weight w : paper_weights) {
+    const std::string weight = weight_names[w];
+    print_row("clustering, " + weight + ": r_new", columns,
+              [&](const Column& c) { return formatted("%g", c.model->maximum_density[w]); });
+    print_row("  s", columns, [&](const Column& c) {
+      return formatted("%g / %.3f", c.model->seconds[w], c.runs[w].times.sum({"growth", "minimization"}));
+    });
+  }
+  std::printf("\nnot in the paper:\n");
+  print_row("seeds in random orders", columns, [](const Column& c) {
+    return formatted("%zu - %zu", c.seeds_in_other_orders.first, c.seeds_in_other_orders.second);
+  });
+  print_row("clusters beyond the seeds", columns, [](const Column& c) {
+    return formatted("%ld", long(c.runs[AREA].report.clusters) - long(c.runs[AREA].report.seeds));
+  });
+  for (const Paper_weight w : paper_weights) {
+    print_row(std::string(weight_names[w]) + ": rounds", columns,
+              [&](const Column& c) { return formatted("%zu", c.runs[w].report.rounds); });
+    print_row("  moves", columns, [&](const Column& c) { return formatted("%zu", c.runs[w].report.moves); });
+    print_row("  refused by the paper", columns,
+              [&](const Column& c) { return formatted("%zu", c.runs[w].report.refused_by_boundary_counts); });
+    print_row("  refused by us alone", columns,
+              [&](const Column& c) { return formatted("%zu", c.runs[w].report.refused_by_guarantee); });
+  }
+}
+
+bool is_good(const Paper_model& model, const Mesh& mesh, Paper_weight weight, const Clustering_run& run)
 {
   const auto fault = triangle_mesh_fault(run.dual);
   const bool kept = !fault && certify(mesh, run.labels, run.dual).kept();
-  std::printf("%-8s %8zu %2u | %6zu %6zu | %4s s %6.3f s | %-8s %5g | %4g s %6.3f s | %8zu %6zu %s\n",
-              model.name.c_str(), static_cast<std::size_t>(mesh.number_of_vertices()), model.level, model.seeds,
-              run.report.seeds, model.seeding_seconds.c_str(), run.times.sum({"seeding"}), weight_names[weight],
-              model.maximum_density[weight], model.seconds[weight], run.times.sum({"growth", "minimization"}),
-              run.report.clusters, run.report.rounds,
-              fault  ? fault->c_str()
-              : kept ? "valid, topology kept"
-                     : "valid, topology changed");
-  std::fflush(stdout);
+  if (!kept)
+    std::printf("%s, %s: %s\n", model.name.c_str(), weight_names[weight], fault ? fault->c_str() : "the topology has changed");
   return kept;
 }
 
-// Returns whether all models found were processed with valid results.
-bool reproduce(const Paper_model& model, const Options& options)
+// Returns whether everything that was found could be done and is valid.
+bool reproduce(const Paper_model& model, const Options& options, std::vector<Column>& columns)
 {
   std::string file;
   if (!model.files.empty()) {
     const auto found = find_model(model, options.places);
     if (!found) {
-      std::printf("%-8s not found, skipped\n", model.name.c_str());
+      std::printf("%s not found, skipped\n", model.name.c_str());
       return true;
     }
     file = *found;
   }
   const Mesh mesh = load_model(model, file);
-  if (mesh.number_of_vertices() != model.vertices)
-    std::printf("%-8s has %zu vertices here, %zu in the paper\n", model.name.c_str(),
-                static_cast<std::size_t>(mesh.number_of_vertices()), model.vertices);
   bool good = true;
-  std::vector<Clustering_run> runs;
-  for (Paper_weight weight : paper_weights) {
-    runs.push_back(run_clustering(mesh, model.level, weight, model.maximum_density[weight]));
-    good = print_row(model, mesh, weight, runs.back()) && good;
+  Column column{&model, mesh.number_of_vertices(), seeds_in_other_orders(mesh, model.level), {}};
+  for (const Paper_weight weight : paper_weights) {
+    column.runs.push_back(run_clustering(mesh, model.level, weight, model.maximum_density[weight]));
+    good = is_good(model, mesh, weight, column.runs.back()) && good;
   }
   if (!options.figures.empty())
-    for (const std::string& written : write_figures(model, mesh, runs, options.figures))
-      std::printf("%-8s drawn: %s\n", model.name.c_str(), written.c_str());
+    for (const std::string& written : write_figures(model, mesh, column.runs, options.figures))
+      std::printf("%s drawn: %s\n", model.name.c_str(), written.c_str());
+  columns.push_back(std::move(column));
   return good;
 }
 
@@ -116,15 +164,16 @@ int run(int argc, char* argv[])
     return 0;
   if (!options->figures.empty())
     std::filesystem::create_directories(options->figures);
-  print_heading();
   bool good = true;
+  std::vector<Column> columns;
   for (const Paper_model& model : paper_models())
     try {
-      good = reproduce(model, *options) && good;
+      good = reproduce(model, *options, columns) && good;
     } catch (const std::exception& e) {
-      std::printf("%-8s failed: %s\n", model.name.c_str(), one_line(e.what()).c_str());
+      std::printf("%s failed: %s\n", model.name.c_str(), one_line(e.what()).c_str());
       good = false;
     }
+  print_table(columns);
   return good ? 0 : 1;
 }
 

@@ -9,9 +9,17 @@
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
-#include <CGAL/Surface_mesh_coarsening/parameters.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/neighborhood_seeds.h>
+#include <CGAL/Surface_mesh_coarsening/paper.h>
 
+#include <CGAL/property_map.h>
+
+#include <algorithm>
 #include <functional>
+#include <iterator>
+#include <numeric>
+#include <random>
 
 namespace reproduce_paper {
 namespace {
@@ -29,40 +37,60 @@ std::vector<std::size_t> labels_of(const Mesh& mesh, const Clustering& clusterin
 }
 
 template <class Weight>
-Clustering_run run_with(const Mesh& mesh, unsigned level, double maximum_density)
+Clustering_run run_with(const Mesh& mesh, unsigned level, double maximum_density, bool with_minimization)
 {
   Clustering_run run;
   Timing_visitor visitor(run.times);
   SMC::Mwcvd_clustering<Mesh, Weight> clustering(
-    mesh, SMC::parameters::maximum_density(maximum_density).border_densities(false).visitor(std::ref(visitor)));
+    mesh, SMC::parameters::paper_clustering(Weight(), maximum_density).visitor(std::ref(visitor)));
   clustering.seed_from_level(level);
+  clustering.seeds(std::back_inserter(run.seeds));
   clustering.grow();
   run.labels_after_growth = labels_of(mesh, clustering);
-  clustering.minimize(clustering.default_number_of_iterations, 0); // the paper's end
+  if (with_minimization)
+    clustering.minimize(SMC::Coarsening_defaults::number_of_iterations, 0);
   run.labels = labels_of(mesh, clustering);
-  clustering.extract_dual_mesh(run.dual);
+  clustering.extract_dual_mesh(run.dual, SMC::Centroid_placement());
   run.report = clustering.report();
   return run;
 }
 
 } // namespace
 
-Clustering_run run_clustering(const Mesh& mesh, unsigned level, Paper_weight weight, double maximum_density)
+Clustering_run run_clustering(const Mesh& mesh, unsigned level, Paper_weight weight, double maximum_density,
+                              bool with_minimization)
 {
   switch (weight) {
   case AREA:
-    return run_with<SMC::Weighted_area_weight>(mesh, level, maximum_density);
+    return run_with<SMC::Weighted_area_weight>(mesh, level, maximum_density, with_minimization);
   case MAXIMUM:
-    return run_with<SMC::Maximum_density_weight>(mesh, level, maximum_density);
+    return run_with<SMC::Maximum_density_weight>(mesh, level, maximum_density, with_minimization);
   case VARIANCE:
     break;
   }
-  return run_with<SMC::Density_variance_weight>(mesh, level, maximum_density);
+  return run_with<SMC::Density_variance_weight>(mesh, level, maximum_density, with_minimization);
+}
+
+std::pair<std::size_t, std::size_t> seeds_in_other_orders(const Mesh& mesh, unsigned level)
+{
+  std::mt19937 engine;
+  std::vector<std::size_t> place(mesh.number_of_faces());
+  std::iota(place.begin(), place.end(), std::size_t(0));
+  std::pair<std::size_t, std::size_t> range(mesh.number_of_faces(), 0);
+  for (int order = 0; order < 10; ++order) {
+    for (std::size_t i = place.size(); i > 1; --i)
+      std::swap(place[i - 1], place[engine() % i]);
+    std::vector<Face> seeds;
+    SMC::neighborhood_seeds(mesh, level, std::back_inserter(seeds),
+                            SMC::parameters::face_index_map(CGAL::make_property_map(place)));
+    range = {(std::min)(range.first, seeds.size()), (std::max)(range.second, seeds.size())};
+  }
+  return range;
 }
 
 Clustering_run run_uniform_clustering(const Mesh& mesh, unsigned level, double maximum_density)
 {
-  return run_with<SMC::Uniform_weight>(mesh, level, maximum_density);
+  return run_with<SMC::Uniform_weight>(mesh, level, maximum_density, true);
 }
 
 } // namespace reproduce_paper

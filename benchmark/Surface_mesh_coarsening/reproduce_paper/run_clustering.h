@@ -9,23 +9,30 @@
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace reproduce_paper {
 
 struct Clustering_run
 {
+  std::vector<Face> seeds;
   std::vector<std::size_t> labels_after_growth, labels; // per face
   Mesh dual;
   CGAL::Surface_mesh_coarsening::Coarsening_report report;
   Stage_times times;
 };
 
-// Runs the steps of the paper one after the other.
-Clustering_run run_clustering(const Mesh& mesh, unsigned level, Paper_weight weight, double maximum_density);
+// Runs the steps of the paper one after the other, as printed. Without rounds of minimization, the dual is that of seeds and
+// growth.
+Clustering_run run_clustering(const Mesh& mesh, unsigned level, Paper_weight weight, double maximum_density,
+                              bool with_minimization = true);
 
 // Runs them with equal weights for all clusters: the ordinary centroidal Voronoi diagram that the paper compares with.
 Clustering_run run_uniform_clustering(const Mesh& mesh, unsigned level, double maximum_density);
+
+// The smallest and the largest number of seeds in ten random orders of the faces: what the order of a file may make of it.
+std::pair<std::size_t, std::size_t> seeds_in_other_orders(const Mesh& mesh, unsigned level);
 
 } // namespace reproduce_paper
 

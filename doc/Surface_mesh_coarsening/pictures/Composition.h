@@ -7,6 +7,7 @@
 
 #include "render/Image.h"
 #include "render/png_bytes.h"
+#include "render/scale_color.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -22,6 +23,8 @@ namespace coarsening_pictures {
 
 using coarsening_support::Image;
 using coarsening_support::Rgb;
+using coarsening_support::draw_scale;
+using coarsening_support::scale_color;
 
 struct Panel
 {
@@ -38,26 +41,7 @@ inline void write_file(const std::filesystem::path& file, const std::string& con
     throw std::runtime_error("cannot write " + file.string());
 }
 
-// From pale to dark for t from 0 to 1, also in grayscale.
-inline Rgb scale_color(double t)
-{
-  static const double stops[4][3] = {{255, 250, 225}, {253, 190, 75}, {205, 75, 15}, {95, 25, 20}};
-  const double at = 3 * (std::min)(1., (std::max)(0., t));
-  const std::size_t i = (std::min)(std::size_t(2), static_cast<std::size_t>(at));
-  Rgb result;
-  for (std::size_t c = 0; c < 3; ++c)
-    result[c] = static_cast<std::uint8_t>(std::lround(stops[i][c] + (at - double(i)) * (stops[i + 1][c] - stops[i][c])));
-  return result;
-}
-
-inline void draw_scale(Image& image, std::size_t x0, std::size_t x1, std::size_t y0, std::size_t y1)
-{
-  for (std::size_t y = y0; y < y1; ++y)
-    for (std::size_t x = x0; x < x1; ++x)
-      image.at(x, y) = scale_color(double(x - x0) / double(x1 - x0 - 1));
-}
-
-// Reduces the shades imperceptibly for smaller files; white remains white.
+// Fewer shades, which cannot be seen but make the files smaller; white stays white.
 inline void posterize(Image& image)
 {
   for (Rgb& pixel : image.pixels)

@@ -11,6 +11,7 @@
 #include "render/render.h"
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <cstddef>

@@ -7,6 +7,7 @@
 #include "repair/fill_holes.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 

@@ -5,8 +5,10 @@
 #include "Picture_kit.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Closest_vertex_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
@@ -28,10 +30,11 @@ void picture_pipeline(const Setting& setting)
   const Mesh mesh = read(setting, "fandisk.off");
   const Camera camera = fandisk_camera(mesh);
   std::vector<double> densities(mesh.number_of_faces());
-  SMC::compute_face_densities(mesh, boost::make_iterator_property_map(densities.begin(), get(CGAL::face_index, mesh)));
+  SMC::compute_face_densities(mesh, boost::make_iterator_property_map(densities.begin(), get(CGAL::face_index, mesh)),
+                              SMC::parameters::maximum_density(50.));
   const auto density_color = [&](Face f) { return coarsening_pictures::scale_color((densities[f] - 1) / 49); };
 
-  SMC::Mwcvd_clustering<Mesh> clustering(mesh);
+  SMC::Mwcvd_clustering<Mesh, SMC::Maximum_density_weight> clustering(mesh, SMC::parameters::maximum_density(50.));
   clustering.seed(fandisk_vertices);
   std::vector<Face> seeds;
   clustering.seeds(std::back_inserter(seeds));
@@ -50,7 +53,7 @@ void picture_pipeline(const Setting& setting)
   const Labels grown = labels_of(mesh, clustering);
   clustering.minimize();
   Mesh coarse;
-  clustering.extract_dual_mesh(coarse);
+  clustering.extract_dual_mesh(coarse, SMC::Centroid_placement());
 
   compose(setting.directory, "pipeline",
           {{{render(make_scene(mesh, true, pale, any_edge, 0.7, 0.55), camera),
@@ -101,7 +104,7 @@ void picture_placements(const Setting& setting)
 {
   const Mesh mesh = read(setting, "fandisk.off");
   const Camera camera = fandisk_camera(mesh);
-  SMC::Mwcvd_clustering<Mesh> clustering(mesh);
+  SMC::Mwcvd_clustering<Mesh, SMC::Maximum_density_weight> clustering(mesh, SMC::parameters::maximum_density(50.));
   clustering.seed(200);
   clustering.grow();
   clustering.minimize();

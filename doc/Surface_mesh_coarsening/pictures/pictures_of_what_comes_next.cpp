@@ -4,6 +4,8 @@
 
 #include "Picture_kit.h"
 
+#include "render/face_distances.h"
+
 #include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Property_resampler.h>
@@ -11,9 +13,6 @@
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh_to_distance.h>
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 
 #include <algorithm>
 #include <array>
@@ -183,26 +182,6 @@ void picture_properties(const Setting& setting)
             {textured(ring.mesh, torus_camera, 16, 0.45), "and on " + vertices_of(ring.mesh), "", ""}}});
 }
 
-// Returns the distance of the center of each face of the mesh from the other mesh.
-std::vector<double> distances(const Mesh& mesh, const Mesh& other)
-{
-  typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
-#if CGAL_VERSION_NR >= 1060000000
-  typedef CGAL::AABB_traits_3<Kernel, Primitive> Traits;
-#else
-  typedef CGAL::AABB_traits<Kernel, Primitive> Traits;
-#endif
-  const CGAL::AABB_tree<Traits> tree(faces(other).first, faces(other).second, other);
-  std::vector<double> result;
-  for (Face f : mesh.faces()) {
-    const Halfedge h = mesh.halfedge(f);
-    const Point middle = CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                                        mesh.point(mesh.target(mesh.next(h))));
-    result.push_back(std::sqrt(tree.squared_distance(middle)));
-  }
-  return result;
-}
-
 void picture_distance(const Setting& setting)
 {
   const Mesh mesh = read(setting, "lion-head.off");
@@ -215,7 +194,7 @@ void picture_distance(const Setting& setting)
     const SMC::Distance_report report = SMC::coarsen_mesh_to_distance(
       mesh, percent / 100 * diagonal, coarse,
       SMC::parameters::cluster_weight(SMC::Weighted_area_weight()).maximum_density(10.).vertex_placement(SMC::Fitted_placement()));
-    const std::vector<double> away = distances(mesh, coarse);
+    const std::vector<double> away = face_distances(mesh, coarse, [] {});
     const auto color = [&](Face f) { return scale_color(100 * away[f] / diagonal / percent); };
     rows[0].push_back({render(mesh_scene(coarse), camera), vertices_of(coarse), "", ""});
     rows[1].push_back({render(make_scene(mesh, true, color, no_edge, 1, 0), camera),

@@ -97,6 +97,30 @@ void read_hole_length(const std::string& text, Options& options)
     throw Wrong_usage("--fill-holes takes a length from 0 on, one in percent of the diagonal, or all, not '" + text + "'");
 }
 
+// A number, or a part of the input's in percent.
+void read_vertices(const std::string& text, Options& options)
+{
+  if (text.empty() || text.back() != '%') {
+    options.vertices = to_count("vertices", text, 1, (std::numeric_limits<std::size_t>::max)());
+    return;
+  }
+  const double percent = to_number(text.substr(0, text.size() - 1)).value_or(0);
+  if (!(percent > 0))
+    throw Wrong_usage("--vertices takes a whole number from 1 on, or more than 0%, not '" + text + "'");
+  options.vertex_ratio = percent / 100;
+}
+
+// Of --vertices, --neighborhood-level and the distances one has to be given.
+void check_number(const Options& options)
+{
+  const bool has_number = options.vertices || options.vertex_ratio;
+  if (has_number && options.neighborhood_level)
+    throw Wrong_usage("--vertices and --neighborhood-level exclude each other");
+  if (!has_number && !options.neighborhood_level && !options.maximum_distance && !options.asks_range)
+    throw Wrong_usage("how many vertices? Give --vertices N, --vertices P%, --maximum-distance D or --neighborhood-level K; "
+                      "--range tells which numbers INPUT can be coarsened to");
+}
+
 // Returns the view (1, 0.5, 0.8) of a model with vertical y axis, rotated with the model by the shortest rotation from the
 // y axis to `up`.
 Vector default_view(const Vector& up)
@@ -109,6 +133,13 @@ Vector default_view(const Vector& up)
   return cosine * view + CGAL::cross_product(axis, view) + (axis * view) / (1 + cosine) * axis;
 }
 
+std::string number_text(double x)
+{
+  std::ostringstream text;
+  text << x;
+  return text.str();
+}
+
 constexpr const char* default_feature_angle = "30";
 
 po::options_description described_options()
@@ -117,9 +148,10 @@ po::options_description described_options()
   po::options_description result("Options");
   // clang-format off
   result.add_options()
-    ("vertices,n", text()->value_name("N"), "number of vertices of the result")
+    ("vertices,n", text()->value_name("N"), "number of vertices of the result, or a part of the input's, such as 10%")
+    ("range", "instead of writing OUTPUT, print the smallest and the largest number that --vertices can take for INPUT")
     ("neighborhood-level,k", text()->value_name("K"),
-     "instead of --vertices: one vertex for every seed whose neighborhood of K layers of faces is free (default 7)")
+     "instead of --vertices: one vertex for every seed whose neighborhood of K layers of faces is free")
     ("maximum-distance", text()->value_name("D"),
      "instead of --vertices: as few vertices as keep the result within this distance of the input, both ways, in parts of the "
      "diagonal of the input's bounding box (0.01 is one percent); the distance is bounded, not sampled")
@@ -129,20 +161,23 @@ po::options_description described_options()
      "before its ending")
     ("rounds", text()->value_name("R"),
      "stop after R rounds of minimization; 0 shows seeds and growth alone (default: as many as --convergence-tolerance asks for, at most 1000)")
-    ("convergence-tolerance", text()->value_name("T")->default_value("0.001"),
+    ("convergence-tolerance", text()->value_name("T")->default_value(number_text(Defaults::convergence_tolerance)),
      "stop after the round of minimization that lowers the energy by no more than this part of it; 0: when a round changes nothing")
     ("weight,w", text()->value_name("W")->default_value(default_weight()), joined(weight_names()).c_str())
-    ("maximum-density", text()->value_name("R")->default_value("10"),
+    ("maximum-density", text()->value_name("R")->default_value(number_text(Defaults::maximum_density)),
      "densities run from 1 on flat parts to R on the sharpest ones, and to 4 R on borders; the weight variance does well with 3")
     ("placement", text()->value_name("P")->default_value(default_placement()), joined(placement_names()).c_str())
-    ("error-feedback", text()->value_name("R")->default_value("7"),
+    ("error-feedback", text()->value_name("R")->default_value(std::to_string(Defaults::error_feedback)),
      "with the placement fitted: in R rounds, vertices are taken from where they do little for the distance to where it is large; "
      "0 leaves them where the densities put them")
+    ("paper",
+     "do as the article prints: densities up to 50 (variance: 3) and none for borders, merging by area, the check by boundary-edge "
+     "counts, the end when a round changes nothing, vertices at centroids, no feedback and no repair; options beside it take precedence")
     ("features", text()->value_name("ANGLE")->implicit_value(default_feature_angle),
      "keep sharp edges, those at which normals are ANGLE degrees or more apart: they become lines of edges, and their corners "
      "stay where they are")
     ("clusters", text()->value_name("FILE"), "write the input with a color and a label for each face (.ply)")
-    ("picture", text()->value_name("FILE"), "write a picture of the result and of the clusters (.png)")
+    ("picture", text()->value_name("FILE"), "write a picture of the input with its clusters, the result, and the distance between them (.png)")
     ("view", text()->value_name("X,Y,Z"), "direction from which the picture is taken (default 1,0.5,0.8, turned as --up is)")
     ("up", text()->value_name("X,Y,Z"), "direction that points up in the picture (default 0,1,0)")
     ("report", text()->value_name("FILE"), "write parameters, counts, topology and times (JSON)")
@@ -173,7 +208,8 @@ po::options_description described_options()
 
 void print_help(const po::options_description& described)
 {
-  std::cout << "Usage: coarsen_mesh [options] INPUT OUTPUT\n\n"
+  std::cout << "Usage: coarsen_mesh [options] INPUT OUTPUT\n"
+               "       coarsen_mesh --range [options] INPUT\n\n"
                "Coarsens a polygon mesh to a triangle mesh with few vertices that keeps the features of the surface,\n"
                "by multiplicatively weighted centroidal Voronoi diagrams. INPUT is an oriented 2-manifold mesh; INPUT\n"
                "and OUTPUT are .off, .obj, .ply or .stl files. Messages number faces and vertices from 0.\n\n"
@@ -186,7 +222,7 @@ void check_files(const Options& options)
 {
   if (!is_mesh_file_type(file_type(options.input)))
     throw Wrong_usage("INPUT must be an .off, .obj, .ply or .stl file, not '" + options.input + "'");
-  if (!is_mesh_file_type(file_type(options.output)))
+  if (!options.asks_range && !is_mesh_file_type(file_type(options.output)))
     throw Wrong_usage("OUTPUT must be an .off, .obj, .ply or .stl file, not '" + options.output + "'");
   if (!options.clusters.empty() && file_type(options.clusters) != "ply")
     throw Wrong_usage("--clusters takes a .ply file, not '" + options.clusters + "'");
@@ -204,6 +240,19 @@ void check_files(const Options& options)
           throw Wrong_usage("'" + files[i] + "'" + (files[i] == files[j] ? " is named twice" : " and '" + files[j] + "' are one file"));
 }
 
+// The defaults that the article has.
+void choose_as_in_paper(const po::variables_map& values, Options& options)
+{
+  if (values["placement"].defaulted())
+    options.placement = "centroid";
+  if (values["maximum-density"].defaulted())
+    options.maximum_density = options.weight == "variance" ? 3 : 50;
+  if (values["convergence-tolerance"].defaulted())
+    options.convergence_tolerance = 0;
+  if (values["error-feedback"].defaulted())
+    options.error_feedback = 0;
+}
+
 // Returns whether the option was given, also for options with a default.
 std::optional<std::string> given(const po::variables_map& values, const std::string& option)
 {
@@ -215,19 +264,18 @@ Options checked_options(const po::variables_map& values)
 {
   Options options;
   const std::size_t any = (std::numeric_limits<std::size_t>::max)();
-  if (!values.count("input") || !values.count("output"))
-    throw Wrong_usage("INPUT and OUTPUT are needed");
+  options.asks_range = values.count("range") > 0;
+  if (options.asks_range ? !values.count("input") || values.count("output") : !values.count("input") || !values.count("output"))
+    throw Wrong_usage(options.asks_range ? "--range takes INPUT alone" : "INPUT and OUTPUT are needed");
   options.input = *given(values, "input");
-  options.output = *given(values, "output");
+  options.output = given(values, "output").value_or("");
   if (const auto text = given(values, "vertices"))
-    options.vertices = to_count("vertices", *text, 1, any);
+    read_vertices(*text, options);
   if (const auto text = given(values, "neighborhood-level"))
     options.neighborhood_level = static_cast<unsigned>(to_count("neighborhood-level", *text, 0, 1000000));
-  if (options.vertices && options.neighborhood_level)
-    throw Wrong_usage("--vertices and --neighborhood-level exclude each other");
   for (const char* option : {"maximum-distance", "maximum-distance-absolute"})
     if (const auto text = given(values, option)) {
-      if (options.vertices || options.neighborhood_level || options.maximum_distance)
+      if (options.vertices || options.vertex_ratio || options.neighborhood_level || options.maximum_distance)
         throw Wrong_usage(std::string("--") + option + " excludes --vertices, --neighborhood-level and the other distance");
       options.maximum_distance = to_size(option, *text);
       if (!(*options.maximum_distance > 0))
@@ -240,6 +288,7 @@ Options checked_options(const po::variables_map& values)
   if (const auto text = given(values, "rounds"))
     options.rounds = to_count("rounds", *text, 0, any);
   options.convergence_tolerance = to_size("convergence-tolerance", *given(values, "convergence-tolerance"));
+  options.paper = values.count("paper") > 0;
   options.weight = *given(values, "weight");
   check_choice("weight", options.weight, weight_names());
   options.placement = *given(values, "placement");
@@ -254,6 +303,8 @@ Options checked_options(const po::variables_map& values)
     if (!options.features || !(*options.features >= 0 && *options.features <= 180))
       throw Wrong_usage("--features takes an angle from 0 to 180 degrees, not '" + *text + "'");
   }
+  if (options.paper)
+    choose_as_in_paper(values, options);
   options.clusters = given(values, "clusters").value_or("");
   options.picture = given(values, "picture").value_or("");
   options.report = given(values, "report").value_or("");
@@ -272,6 +323,7 @@ Options checked_options(const po::variables_map& values)
   options.threads = static_cast<unsigned>(to_count("threads", *given(values, "threads"), 1, 1000000));
   if (options.features && (options.levels > 0 || options.maximum_distance))
     throw Wrong_usage("--features goes with a number of vertices or a level, and without --levels");
+  check_number(options);
   check_files(options);
   return options;
 }

@@ -5,6 +5,8 @@
 
 #include "io/Mesh.h"
 
+#include <CGAL/Surface_mesh_coarsening/defaults.h>
+
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
@@ -13,6 +15,7 @@
 namespace coarsen_mesh_tool {
 
 using namespace coarsening_support;
+using Defaults = CGAL::Surface_mesh_coarsening::Coarsening_defaults;
 
 // A command line that cannot be understood or obeyed.
 class Wrong_usage : public std::runtime_error
@@ -25,15 +28,18 @@ struct Options
 {
   std::string input, output;
   std::optional<std::size_t> vertices;
+  std::optional<double> vertex_ratio; // of the input's
+  bool asks_range = false;            // of the numbers of vertices that are possible, and for no output
   std::optional<unsigned> neighborhood_level;
   std::optional<double> maximum_distance; // instead of a number of vertices
   bool distance_is_relative = true;       // to the diagonal of the bounding box
-  std::size_t levels = 0;                 // number of coarser levels to write
-  std::optional<std::size_t> rounds; // no limit if not given
-  double convergence_tolerance = 1e-3; // the relative gain of the last round
-  std::string weight, placement;     // names from the lists in Choices.h
-  double maximum_density = 10;
-  std::size_t error_feedback = 7; // its rounds
+  std::size_t levels = 0;                 // coarser ones to be written beside the result
+  std::optional<std::size_t> rounds; // as many as it takes when not given
+  double convergence_tolerance = Defaults::convergence_tolerance; // the relative gain of the last round
+  std::string weight, placement;     // names out of the lists in Choices.h
+  double maximum_density = Defaults::maximum_density;
+  bool paper = false; // in what no other option names
+  std::size_t error_feedback = Defaults::error_feedback; // rounds of it
   std::optional<double> features; // the angle in degrees from which edges are kept
   std::string clusters, picture, report;
   Vector view, up = Vector(0, 1, 0);

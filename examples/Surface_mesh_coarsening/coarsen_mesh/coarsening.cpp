@@ -118,29 +118,34 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
 {
   Coarsening_result result;
   typedef SMC::Mwcvd_clustering<Mesh, Weight, CGAL::Parallel_if_available_tag> Clustering;
-  const std::size_t default_rounds = Clustering::default_number_of_iterations;
+  const std::size_t rounds = options.rounds.value_or(Defaults::number_of_iterations);
   const auto np = SMC::parameters::maximum_density(options.maximum_density)
                     .cluster_weight(Weight())
-                    .number_of_iterations(options.rounds.value_or(default_rounds))
-                    .convergence_tolerance(options.convergence_tolerance)
-                    .minimum_component_area(options.minimum_component_area)
+                                        .minimum_component_area(options.minimum_component_area)
                     .subdivide_input(options.subdivide)
+                    .border_densities(!options.paper)
+                    .merge_by_area(options.paper)
+                    .boundary_count_check(options.paper)
+                    .place_on_borders(!options.paper)
+                    .repair_output(!options.paper)
                     .error_feedback(options.error_feedback)
-                    .feature_angle(options.features.value_or(180))
+                    .feature_angle(options.features.value_or(Defaults::feature_angle))
                     .visitor(std::ref(visitor));
   if (options.maximum_distance) {
-    coarsen_to_distance(input, options, np, result);
+    coarsen_to_distance(input, options,
+                        np.number_of_iterations(rounds).convergence_tolerance(options.convergence_tolerance), result);
     carry_properties(input, result.labels, result.mesh);
     return result;
   }
   Clustering clustering(input, np);
-  const unsigned default_level = 7;
   if (options.vertices)
     clustering.seed(*options.vertices);
+  else if (options.vertex_ratio)
+    clustering.seed_from_ratio(*options.vertex_ratio);
   else
-    clustering.seed_from_level(options.neighborhood_level.value_or(default_level));
+    clustering.seed_from_level(*options.neighborhood_level);
   clustering.grow();
-  clustering.minimize(options.rounds.value_or(default_rounds), options.convergence_tolerance);
+  clustering.minimize(rounds, options.convergence_tolerance);
   with_placement(options, [&](const auto& placement) { clustering.extract_embedded_dual_mesh(result.mesh, placement); });
   result.report = clustering.report();
   result.labels.reserve(input.number_of_faces());
@@ -213,6 +218,14 @@ std::string level_file(const std::string& output, std::size_t level)
   std::filesystem::path file(output);
   const std::filesystem::path ending = file.extension();
   return file.replace_extension("." + std::to_string(level) + ending.string()).string();
+}
+
+SMC::Vertex_number_range range_of(const Mesh& input, const Options& options, Tool_visitor& visitor)
+{
+  return SMC::vertex_number_range(input, SMC::parameters::minimum_component_area(options.minimum_component_area)
+                                           .subdivide_input(options.subdivide)
+                                           .feature_angle(options.features.value_or(Defaults::feature_angle))
+                                           .visitor(std::ref(visitor)));
 }
 
 Coarsening_result coarsen(const Mesh& input, const Options& options, Tool_visitor& visitor)

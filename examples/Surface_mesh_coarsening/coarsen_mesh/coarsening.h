@@ -7,6 +7,7 @@
 #include "Tool_visitor.h"
 
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
+#include <CGAL/Surface_mesh_coarsening/vertex_number_range.h>
 
 #include <cstddef>
 #include <optional>
@@ -45,6 +46,9 @@ unsigned max_threads();
 
 // Of the bounding box.
 double diagonal(const Mesh& mesh);
+
+// The numbers of vertices that the input can be coarsened to.
+CGAL::Surface_mesh_coarsening::Vertex_number_range range_of(const Mesh& input, const Options& options, Tool_visitor& visitor);
 
 // Coarsens with the weight, the placement and the numbers in the options.
 Coarsening_result coarsen(const Mesh& input, const Options& options, Tool_visitor& visitor);

@@ -64,12 +64,13 @@ std::string counted(std::size_t number, const std::string& noun)
   return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
 }
 
-Coarsening_result coarsen_or_explain(const Input& input, const Options& options, Stage_times& times,
-                                     Progress_line& progress)
+// Returns what `use` does with a visitor, or throws Failure with the reason why it could not.
+template <class Use>
+auto explained(const Input& input, const Options& options, Stage_times& times, Progress_line& progress, const Use& use)
 {
   Tool_visitor visitor(times, progress);
   try {
-    Coarsening_result result = coarsen(input.mesh, options, visitor);
+    auto result = use(visitor);
     times.end();
     return result;
   } catch (const SMC::Coarsening_cancelled&) {
@@ -165,6 +166,15 @@ void write_files(const Options& options, const Files& files, const std::function
   outputs.commit();
 }
 
+void print_range(const Input& input, const Options& options, Stage_times& times, Progress_line& progress)
+{
+  const SMC::Vertex_number_range range =
+    explained(input, options, times, progress, [&](Tool_visitor& visitor) { return range_of(input.mesh, options, visitor); });
+  progress.end();
+  std::cout << range.least << " to " << range.most << " vertices\n";
+  flush_output();
+}
+
 // Computes everything, and only then commits the files.
 void run(const Options& options)
 {
@@ -184,7 +194,12 @@ void run(const Options& options)
     findings.holes = fill_holes(input.mesh, options.fill_holes * unit, Interruption::throw_if_requested);
     times.end();
   }
-  const Coarsening_result result = coarsen_or_explain(input, options, times, progress);
+  if (options.asks_range) {
+    print_range(input, options, times, progress);
+    return;
+  }
+  const Coarsening_result result = explained(
+    input, options, times, progress, [&](Tool_visitor& visitor) { return coarsen(input.mesh, options, visitor); });
 
   Interruption::throw_if_requested();
   times.begin("check");
@@ -210,7 +225,8 @@ void run(const Options& options)
     times.begin("picture");
     progress.say("rendering");
     files.emplace_back(options.picture,
-                       picture_bytes(input.mesh, result.labels, result.mesh, options.view, options.up));
+                       picture_bytes(input.mesh, result.labels, result.mesh, options.view, options.up,
+                                     Interruption::throw_if_requested));
   }
   Interruption::throw_if_requested();
   times.begin("write");

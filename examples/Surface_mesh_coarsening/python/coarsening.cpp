@@ -31,6 +31,7 @@ namespace coarsening_python {
 namespace {
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
+typedef SMC::Coarsening_defaults Defaults;
 
 template <class Use>
 void with_placement(const std::string& name, const Use& use)
@@ -60,7 +61,11 @@ std::vector<Coarsening> coarsen_to_distance(const Mesh& input, const Options& op
   result.labels.resize(input.number_of_faces());
   with_placement(options.placement, [&](const auto& placement) {
     const SMC::Distance_report report = SMC::coarsen_mesh_to_distance<CGAL::Parallel_if_available_tag>(
-      input, *options.maximum_distance, result.mesh, np.vertex_placement(placement).face_cluster_map(map_to(result.labels)));
+      input, *options.maximum_distance, result.mesh,
+      np.number_of_iterations(options.iterations.value_or(Defaults::number_of_iterations))
+        .convergence_tolerance(options.convergence_tolerance)
+        .vertex_placement(placement)
+        .face_cluster_map(map_to(result.labels)));
     result.report = report.clustering;
     result.distance_bound = report.distance_bound;
   });
@@ -74,8 +79,7 @@ std::vector<Coarsening> coarsen_to_numbers(const Mesh& input, const Options& opt
   Clustering clustering(input, np);
   clustering.seed(options.vertices.front());
   clustering.grow();
-  const std::size_t default_iterations = Clustering::default_number_of_iterations;
-  clustering.minimize(options.iterations.value_or(default_iterations), options.convergence_tolerance);
+  clustering.minimize(options.iterations.value_or(Defaults::number_of_iterations), options.convergence_tolerance);
   std::vector<Coarsening> results(options.vertices.size());
   for (Coarsening& result : results)
     result.labels.resize(input.number_of_faces());
@@ -102,8 +106,6 @@ std::vector<Coarsening> coarsen_with(const Mesh& input, const Options& options, 
   const auto np =
     SMC::parameters::cluster_weight(Weight())
       .maximum_density(options.maximum_density)
-      .number_of_iterations(options.iterations.value_or(SMC::Mwcvd_clustering<Mesh>::default_number_of_iterations))
-      .convergence_tolerance(options.convergence_tolerance)
       .minimum_component_area(options.minimum_component_area)
       .subdivide_input(options.subdivide)
       .repair_output(options.repair)

@@ -8,9 +8,11 @@
 #include "render/cluster_colors.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Closest_vertex_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
@@ -42,7 +44,7 @@ const std::array<const char*, 4> placement_names = {{"centroid", "closest vertex
 
 struct Choice
 {
-  std::size_t weight = 2, placement = 0;
+  std::size_t weight = 1, placement = 3;
   std::size_t level = 5;
 };
 
@@ -60,14 +62,14 @@ Coarse coarsened_with(const Mesh& input, const Choice& choice, double maximum_de
   clustering.grow();
   clustering.minimize();
   Coarse result;
+  switch (choice.placement) {
+  case 0: clustering.extract_embedded_dual_mesh(result.mesh, SMC::Centroid_placement()); break;
+  case 1: clustering.extract_embedded_dual_mesh(result.mesh, SMC::Closest_vertex_placement()); break;
+  case 2: clustering.extract_embedded_dual_mesh(result.mesh, SMC::Quadric_placement()); break;
+  default: clustering.extract_embedded_dual_mesh(result.mesh, SMC::Fitted_placement());
+  }
   for (Face f : input.faces())
     result.labels.push_back(clustering.cluster(f));
-  switch (choice.placement) {
-  case 0: clustering.extract_dual_mesh(result.mesh); break;
-  case 1: clustering.extract_dual_mesh(result.mesh, SMC::Closest_vertex_placement()); break;
-  case 2: clustering.extract_dual_mesh(result.mesh, SMC::Quadric_placement()); break;
-  default: clustering.extract_dual_mesh(result.mesh, SMC::Fitted_placement());
-  }
   return result;
 }
 
@@ -75,8 +77,8 @@ Coarse coarsened(const Mesh& input, const Choice& choice)
 {
   switch (choice.weight) {
   case 0: return coarsened_with<SMC::Uniform_weight>(input, choice, 1);
-  case 1: return coarsened_with<SMC::Weighted_area_weight>(input, choice, 50);
-  case 2: return coarsened_with<SMC::Maximum_density_weight>(input, choice, 50);
+  case 1: return coarsened_with<SMC::Weighted_area_weight>(input, choice, SMC::Coarsening_defaults::maximum_density);
+  case 2: return coarsened_with<SMC::Maximum_density_weight>(input, choice, SMC::Coarsening_defaults::maximum_density);
   default: return coarsened_with<SMC::Density_variance_weight>(input, choice, 3);
   }
 }

@@ -22,12 +22,13 @@ class Border_arcs
 {
 public:
   /// \cond SKIP_IN_MANUAL
-  explicit Border_arcs(const Clustered_surface& surface)
+  // `with_border`: whether the clusters on the border have their vertex there.
+  explicit Border_arcs(const Clustered_surface& surface, bool with_border = true)
     : mesh_(surface.input().mesh), labels_(surface.labels()), features_(surface.features()),
       place_of_(surface.number_of_clusters(), internal::NONE)
   {
     std::vector<bool> done(mesh_.number_of_vertices(), false);
-    for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v)
+    for (std::size_t v = 0; with_border && v < mesh_.number_of_vertices(); ++v)
       if (mesh_.is_on_border(Index(v)) && !done[v]) {
         const std::vector<Index> loop = loop_from(Index(v));
         choose_places(loop);

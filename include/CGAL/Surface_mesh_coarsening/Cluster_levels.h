@@ -116,13 +116,14 @@ public:
   /// \throws Coarsening_cancelled if the visitor of the clustering cancels.
   ///
   /// The placement takes time linear in the number of faces.
-  template <class Output, class VertexPlacement = Centroid_placement,
+  template <class Output, class VertexPlacement = Fitted_placement,
             class NamedParameters = parameters::Default_named_parameters>
   void extract_dual_mesh(std::size_t level, Output& output, const VertexPlacement& placement = VertexPlacement(),
                          const NamedParameters& np = parameters::default_values()) const
   {
     using namespace internal;
     typedef typename GetGeomTraits<Output, NamedParameters>::type Traits;
+    accept_parameters<NamedParameters, Geometry_parameters>();
     check(level);
     const Clustering_state& state = clustering_.state();
     const Placed_level placed = levels_.place(level, placement_model(placement), state.repairs_output,
@@ -144,7 +145,7 @@ public:
   /// \throws Coarsening_cancelled if the visitor of the clustering cancels.
   ///
   /// In addition to the placement, it takes time about linear in the number of faces.
-  template <class VertexPlacement = Centroid_placement>
+  template <class VertexPlacement = Fitted_placement>
   double approximate_distance(std::size_t level, const VertexPlacement& placement = VertexPlacement()) const
   {
     using namespace internal;

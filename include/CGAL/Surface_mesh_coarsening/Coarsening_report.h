@@ -28,6 +28,12 @@ struct Coarsening_report
   std::size_t moves = 0;
   /// the number of edges between two clusters whose energies were compared.
   std::size_t tests = 0;
+  /// with parameter `boundary_count_check`, how often a move that would have lowered the energy was refused by the paper's check
+  /// of boundary-edge counts.
+  std::size_t refused_by_boundary_counts = 0;
+  /// how often a move that would have lowered the energy was refused because a cluster would not have remained a disc, or the
+  /// dual a surface; with parameter `boundary_count_check`, of the moves that pass this check.
+  std::size_t refused_by_guarantee = 0;
   /// the energy (8) of the clustering before the minimization.
   double initial_energy = 0;
   /// the energy (8) of the clustering after the minimization.

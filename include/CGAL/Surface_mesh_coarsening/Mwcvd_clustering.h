@@ -3,9 +3,11 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_MWCVD_CLUSTERING_H
 #define CGAL_SURFACE_MESH_COARSENING_MWCVD_CLUSTERING_H
 
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
-#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
+#include <CGAL/Surface_mesh_coarsening/defaults.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/accepted_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Weighted_energy_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/emit.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/prepare.h>
@@ -35,7 +37,7 @@ namespace Surface_mesh_coarsening {
 /// \tparam ClusterWeight a model of `ClusterWeight`
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the clusters do
 /// not depend on it
-template <class FaceGraph, class ClusterWeight = Maximum_density_weight, class ConcurrencyTag = Sequential_tag>
+template <class FaceGraph, class ClusterWeight = Weighted_area_weight, class ConcurrencyTag = Sequential_tag>
 class Mwcvd_clustering
 {
   typedef boost::graph_traits<FaceGraph> Graph_traits;
@@ -52,20 +54,32 @@ public:
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \param mesh a 2-manifold polygon mesh
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `face_density_map`, `maximum_density`,
-  /// `border_densities`, `cluster_weight`, `minimum_component_area`, `subdivide_input`, `repair_output`, `error_feedback`,
+  /// `border_densities`, `cluster_weight`, `minimum_component_area`, `subdivide_input`, `merge_by_area`,
+  /// `boundary_count_check`, `place_on_borders`, `repair_output`, `error_feedback`,
   /// `feature_angle`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `face_patch_map`, `vertex_point_map`,
   /// `face_index_map`, `geom_traits` and `visitor`, as in `coarsen_mesh()`
   /// \throws Invalid_input if the mesh has no faces, is not a 2-manifold, has a coordinate that is not finite, or if a
   /// parameter is out of range.
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Mwcvd_clustering(const FaceGraph& mesh, const NamedParameters& np = parameters::default_values())
+    : Mwcvd_clustering(Accepted(), mesh, np)
+  {
+    internal::accept_parameters<NamedParameters, internal::Clustering_parameters>();
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  struct Accepted
+  {};
+
+  // For functions that accept more parameters, and read these themselves.
+  template <class NamedParameters>
+  Mwcvd_clustering(Accepted, const FaceGraph& mesh, const NamedParameters& np)
   {
     internal::prepare(mesh, np, internal::execution<ConcurrencyTag>(), numbering_, state_);
     state_.energy = std::make_shared<internal::Weighted_energy_model<ClusterWeight> >(
       internal::choose_parameter<ClusterWeight>(internal::get_parameter(np, internal_np::cluster_weight_p)));
   }
 
-  /// \cond SKIP_IN_MANUAL
   Mwcvd_clustering(const Mwcvd_clustering&) = delete; // its parts refer to each other
   Mwcvd_clustering& operator=(const Mwcvd_clustering&) = delete;
   /// \endcond
@@ -83,6 +97,13 @@ public:
     internal::seed(state_, {internal::Seeding::FOR_NUMBER, number_of_clusters});
     return state_.report.seeds;
   }
+
+  /// finds seeds for the number of clusters that is a part `vertex_ratio` of the number of vertices of the mesh, rounded, and at
+  /// least 1; vertices of components that are left out do not count.
+  /// \return the number of seeds
+  /// \throws Invalid_input if the ratio is not positive and finite.
+  /// \throws Unreachable_number_of_vertices as `seed()` does.
+  std::size_t seed_from_ratio(double vertex_ratio) { return seed(internal::number_of_vertices(state_, vertex_ratio)); }
 
   /// The number of faces per cluster that subdivision provides with parameter `subdivide_input`. Clusters of this many faces
   /// can be round.
@@ -141,21 +162,13 @@ public:
   /// `number_of_iterations` have been run. Where there are many clusters, some rounds are run at a time, block by block of clusters;
   /// then the energies are compared, and the visitor is notified, after these.
   /// \throws Invalid_input if the tolerance is negative or not a number.
-  void minimize(std::size_t number_of_iterations = default_number_of_iterations,
-                double convergence_tolerance = default_convergence_tolerance)
+  void minimize(std::size_t number_of_iterations = Coarsening_defaults::number_of_iterations,
+                double convergence_tolerance = Coarsening_defaults::convergence_tolerance)
   {
     if (!(convergence_tolerance >= 0))
       throw Invalid_input("the convergence tolerance is " + std::to_string(convergence_tolerance));
     internal::minimize(state_, {number_of_iterations, convergence_tolerance});
   }
-
-  /// The default limit of rounds of `minimize()`. The energy decreases with each move, so the rounds end without a
-  /// limit, too; few meshes need more than some hundred.
-  static constexpr std::size_t default_number_of_iterations = 1000;
-
-  /// The default relative gain of a round below which `minimize()` ends: further rounds would lower the energy by about one
-  /// percent, without effect on distances and angles.
-  static constexpr double default_convergence_tolerance = 1e-3;
 
   /// returns the energy (8) of the clustering, in the sixth (weighted area) or fourth power of the unit of length.
   double energy() const { return internal::energy(state_); }
@@ -220,11 +233,12 @@ public:
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `geom_traits`,
   /// `edge_is_constrained_map`, `vertex_is_constrained_map` and `face_patch_map` of `output`
   /// \pre `grow()` or `set_clusters()` was called; `std::logic_error` is thrown otherwise.
-  template <class Output, class VertexPlacement = Centroid_placement,
+  template <class Output, class VertexPlacement = Fitted_placement,
             class NamedParameters = parameters::Default_named_parameters>
   void extract_dual_mesh(Output& output, const VertexPlacement& placement = VertexPlacement(),
                          const NamedParameters& np = parameters::default_values())
   {
+    internal::accept_parameters<NamedParameters, internal::Geometry_parameters, internal::Feature_map_parameters>();
     internal::emit(state_, internal::place(state_, internal::placement_model(placement), coordinates<Output, NamedParameters>()),
                    output, np, [](const auto&) {});
   }
@@ -237,11 +251,12 @@ public:
   /// `false`, if clusters were given, edited or frozen, or if intersecting pairs of triangles number more than half the
   /// clusters. The parameters are the parameters of `extract_dual_mesh()`. `Coarsening_report::clusterings` counts the
   /// clusterings. Densities remain raised.
-  template <class Output, class VertexPlacement = Centroid_placement,
+  template <class Output, class VertexPlacement = Fitted_placement,
             class NamedParameters = parameters::Default_named_parameters>
   void extract_embedded_dual_mesh(Output& output, const VertexPlacement& placement = VertexPlacement(),
                                   const NamedParameters& np = parameters::default_values())
   {
+    internal::accept_parameters<NamedParameters, internal::Geometry_parameters, internal::Feature_map_parameters>();
     extract_embedded_dual_mesh(output, placement, np, [](const auto&) {});
   }
   /// @}

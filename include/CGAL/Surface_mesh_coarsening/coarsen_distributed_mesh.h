@@ -48,11 +48,15 @@ void refuse_unavailable(const NPIn& np_in, const NPOut& np_out)
   refuse_across_ranks(np_in, CGAL::internal_np::face_patch, "face_patch_map");
   refuse_across_ranks(np_in, CGAL::internal_np::face_index, "face_index_map");
   refuse_across_ranks(np_in, internal_np::neighborhood_level_p, "neighborhood_level");
+  refuse_across_ranks(np_in, internal_np::vertex_ratio_p, "vertex_ratio");
+  refuse_across_ranks(np_in, internal_np::place_on_borders_p, "place_on_borders");
   refuse_across_ranks(np_in, internal_np::minimum_component_area_p, "minimum_component_area");
   refuse_across_ranks(np_in, internal_np::vertex_to_cluster, "vertex_to_cluster_map");
   refuse_across_ranks(np_in, internal_np::vertex_boundary_count, "vertex_boundary_count_map");
   refuse_if_set(np_in, internal_np::start_from_face_clusters_p, "start_from_face_clusters");
   refuse_if_set(np_in, internal_np::subdivide_input_p, "subdivide_input");
+  refuse_if_set(np_in, internal_np::merge_by_area_p, "merge_by_area");
+  refuse_if_set(np_in, internal_np::boundary_count_check_p, "boundary_count_check");
   refuse_if_set(np_in, internal_np::border_densities_p, "border_densities");
   refuse_if_set(np_in, internal_np::repair_output_p, "repair_output");
   refuse_if_set(np_in, internal_np::error_feedback_p, "error_feedback");
@@ -78,13 +82,12 @@ Cluster_energies cluster_energies(const Weight& weight)
 template <class NamedParameters>
 Minimization_end distributed_minimization_end(const NamedParameters& np)
 {
-  typedef Mwcvd_clustering<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> > Defaults;
   const double tolerance =
-    choose_parameter(get_parameter(np, internal_np::convergence_tolerance_p), Defaults::default_convergence_tolerance);
+    choose_parameter(get_parameter(np, internal_np::convergence_tolerance_p), Coarsening_defaults::convergence_tolerance);
   if (!(tolerance >= 0))
     throw Invalid_input("the convergence tolerance is " + std::to_string(tolerance));
   return {std::size_t(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
-                                       Defaults::default_number_of_iterations)),
+                                       Coarsening_defaults::number_of_iterations)),
           tolerance};
 }
 
@@ -125,12 +128,12 @@ Minimization_end distributed_minimization_end(const NamedParameters& np)
 ///   \cgalParamNBegin{cluster_weight}
 ///     \cgalParamDescription{the weight of a cluster in the energy}
 ///     \cgalParamType{a model of `ClusterWeight`}
-///     \cgalParamDefault{`Maximum_density_weight()`}
+///     \cgalParamDefault{`Weighted_area_weight()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_density}
 ///     \cgalParamDescription{the density of the face whose normal deviates most from those around it, in \f$ [1, 10^{20}] \f$}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{`50`}
+///     \cgalParamDefault{`10`}
 ///     \cgalParamExtra{not used if `face_density_map` is given; densities are not raised near borders}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_density_map}
@@ -218,7 +221,7 @@ Coarsening_report coarsen_distributed_mesh(const boost::mpi::communicator& commu
                                            const NamedParametersOut& np_out = parameters::default_values())
 {
   using namespace internal;
-  typedef Parameter_type<internal_np::cluster_weight_t, NamedParametersIn, Maximum_density_weight> Weight;
+  typedef Parameter_type<internal_np::cluster_weight_t, NamedParametersIn, Weighted_area_weight> Weight;
   typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Centroid_placement> Placement;
   const auto weight = choose_parameter<Weight>(get_parameter(np_in, internal_np::cluster_weight_p));
   const auto placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));

@@ -30,16 +30,19 @@ void read_clusters(Clustering&, const CGAL::internal_np::Param_not_found&)
   throw Invalid_input("start_from_face_clusters(true) was given without a face_cluster_map");
 }
 
+// What only the functions with this name accept.
+typedef Parameter_list<internal_np::start_from_face_clusters_t, internal_np::vertex_boundary_count_t> Coarsen_mesh_parameters;
+
 // Seeds by `seed` and grows, unless the caller gives the clusters: then `number` clusters, or any number if it is
 // 0.
 template <class ConcurrencyTag, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
 Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
                                std::size_t number, const Seed& seed)
 {
-  typedef Parameter_type<internal_np::cluster_weight_t, NPIn, Maximum_density_weight> Weight;
-  typedef Parameter_type<internal_np::vertex_placement_t, NPIn, Centroid_placement> Placement;
+  typedef Parameter_type<internal_np::cluster_weight_t, NPIn, Weighted_area_weight> Weight;
+  typedef Parameter_type<internal_np::vertex_placement_t, NPIn, Fitted_placement> Placement;
   typedef Mwcvd_clustering<FaceGraph, Weight, ConcurrencyTag> Clustering;
-  Clustering clustering(input, np_in);
+  Clustering clustering(typename Clustering::Accepted(), input, np_in);
   if (choose_parameter(get_parameter(np_in, internal_np::start_from_face_clusters_p), false)) {
     read_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
     if (number != 0 && clustering.number_of_clusters() != number)
@@ -50,9 +53,9 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
     clustering.grow();
   }
   clustering.minimize(choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
-                                       Clustering::default_number_of_iterations),
+                                       Coarsening_defaults::number_of_iterations),
                       choose_parameter(get_parameter(np_in, internal_np::convergence_tolerance_p),
-                                       Clustering::default_convergence_tolerance));
+                                       Coarsening_defaults::convergence_tolerance));
   clustering.end_minimization();
   const auto source_map = get_parameter(np_out, internal_np::vertex_source);
   Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
@@ -102,13 +105,13 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNBegin{cluster_weight}
 ///     \cgalParamDescription{the weight of a cluster in the energy}
 ///     \cgalParamType{a model of `ClusterWeight`}
-///     \cgalParamDefault{`Maximum_density_weight()`}
+///     \cgalParamDefault{`Weighted_area_weight()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_density}
 ///     \cgalParamDescription{the density of the face whose normal deviates most from the normals around it, the
 ///                           paper's \f$ \rho_{new} \f$, in \f$ [1, 10^{20}] \f$}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{`50`}
+///     \cgalParamDefault{`Coarsening_defaults::maximum_density`, which is `10`}
 ///     \cgalParamExtra{not used if `face_density_map` is given}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{border_densities}
@@ -122,11 +125,6 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///                           \f$ [10^{-20}, 10^{20}] \f$}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the faces as keys and values that `CGAL::to_double()` accepts}
 ///     \cgalParamDefault{densities from the deviation of normals}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{neighborhood_level}
-///     \cgalParamDescription{the level of the neighborhoods of the seeds, for the overload without number of vertices}
-///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{`7`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{the maximal number of rounds of the minimization; with 0, there are only seeds and
@@ -144,8 +142,26 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNBegin{vertex_placement}
 ///     \cgalParamDescription{the position of the vertex of a cluster}
 ///     \cgalParamType{a model of `VertexPlacement` or `GlobalVertexPlacement`}
-///     \cgalParamDefault{`Centroid_placement()`}
-///     \cgalParamExtra{clusters on the border have their vertex on the border, for any placement}
+///     \cgalParamDefault{`Fitted_placement()`}
+///     \cgalParamExtra{clusters on the border have their vertex on the border, unless `place_on_borders` is `false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{place_on_borders}
+///     \cgalParamDescription{whether clusters on the border have their vertex on the border. If not, the placement is asked for it,
+///                           as for others.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{merge_by_area}
+///     \cgalParamDescription{whether clusters are merged to the number of vertices by their area, as in section 6 of the paper, and not by
+///                           mass and number of faces}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{boundary_count_check}
+///     \cgalParamDescription{whether moves in the minimization have to pass the check of section 7 of the paper, too, which is made for
+///                           triangles; the report counts what it refuses, and what is refused besides}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{repair_output}
 ///     \cgalParamDescription{whether to move vertices and flip edges where triangles of the output intersect that do not in
@@ -160,7 +176,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///                           result is not nearer than the fit without these rounds, or has more intersections, it is
 ///                           undone. With 0, the densities alone distribute the vertices.}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{`7`; `0` if `face_density_map` is given}
+///     \cgalParamDefault{`Coarsening_defaults::error_feedback`, which is `7`; `0` if `face_density_map` is given}
 ///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, or if clusters are given, edited or
 ///                     frozen. Clusters on features and borders are not split.}
 ///   \cgalParamNEnd
@@ -305,16 +321,35 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
                                const NamedParametersIn& np_in = parameters::default_values(),
                                const NamedParametersOut& np_out = parameters::default_values())
 {
+  internal::accept_parameters<NamedParametersIn, internal::Coarsening_parameters, internal::Coarsen_mesh_parameters>();
+  internal::accept_parameters<NamedParametersOut, internal::Output_parameters>();
   return internal::coarsen_mesh<ConcurrencyTag>(input, output, np_in, np_out, number_of_vertices,
                                                 [&](auto& clustering) { clustering.seed(number_of_vertices); });
 }
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// coarsens a polygon mesh to one vertex per seed of the given level.
+/// coarsens a polygon mesh to a part of its vertices, or to as many vertices as there are seeds of a level.
 ///
-/// This overload takes the level from parameter `neighborhood_level`: the number of vertices is the number of seeds
-/// with disjoint neighborhoods of this level (see `neighborhood_seeds()`), unless the topology of the input needs
-/// more. Otherwise it equals the overload that takes a number of vertices.
+/// One of the following parameters in `np_in` takes the place of the number. Everything else is as in the overload that takes a
+/// number of vertices.
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_ratio}
+///     \cgalParamDescription{the number of vertices of the output as a part of those of `input`, such as `0.1`. It is rounded, and at
+///                           least 1. Isolated vertices, and those of components that are left out, do not count.}
+///     \cgalParamType{`double`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{neighborhood_level}
+///     \cgalParamDescription{the level of the neighborhoods of the seeds: the number of vertices is the number of seeds whose
+///                           neighborhoods of that many steps are disjoint (see `neighborhood_seeds()`), unless the topology of
+///                           the input needs more}
+///     \cgalParamType{`std::size_t`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{start_from_face_clusters}
+///     \cgalParamDescription{`true`, if there shall be as many vertices as `face_cluster_map` holds clusters}
+///     \cgalParamType{`bool`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph,
           class NamedParametersIn = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters
@@ -326,10 +361,24 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, OutputFaceGraph& output,
                                const NamedParametersIn& np_in = parameters::default_values(),
                                const NamedParametersOut& np_out = parameters::default_values())
 {
-  const std::size_t level =
-    internal::choose_parameter(internal::get_parameter(np_in, internal_np::neighborhood_level_p), 7);
-  return internal::coarsen_mesh<ConcurrencyTag>(input, output, np_in, np_out, 0,
-                                                [&](auto& clustering) { clustering.seed_from_level(level); });
+  using namespace internal;
+  constexpr bool has_ratio = has_parameter<internal_np::vertex_ratio_t, NamedParametersIn>,
+                 has_level = has_parameter<internal_np::neighborhood_level_t, NamedParametersIn>,
+                 has_clusters = has_parameter<internal_np::start_from_face_clusters_t, NamedParametersIn>;
+  static_assert(has_ratio || has_level || has_clusters,
+                "how many vertices? Give a number, or one of the parameters vertex_ratio and neighborhood_level");
+  static_assert(!(has_ratio && has_level), "the parameters vertex_ratio and neighborhood_level exclude each other");
+  accept_parameters<NamedParametersIn, Coarsening_parameters, Coarsen_mesh_parameters,
+                    Parameter_list<internal_np::vertex_ratio_t, internal_np::neighborhood_level_t> >();
+  accept_parameters<NamedParametersOut, Output_parameters>();
+  return internal::coarsen_mesh<ConcurrencyTag>(input, output, np_in, np_out, 0, [&](auto& clustering) {
+    if constexpr (has_ratio)
+      clustering.seed_from_ratio(get_parameter(np_in, internal_np::vertex_ratio_p));
+    else if constexpr (has_level)
+      clustering.seed_from_level(get_parameter(np_in, internal_np::neighborhood_level_p));
+    else
+      throw Invalid_input("start_from_face_clusters is false, and there is no number of vertices");
+  });
 }
 
 } // namespace Surface_mesh_coarsening

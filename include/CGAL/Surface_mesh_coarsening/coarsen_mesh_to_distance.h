@@ -84,19 +84,21 @@ Distance_report coarsen_mesh_to_distance(const FaceGraph& input, double maximum_
                                          const NamedParametersOut& np_out = parameters::default_values())
 {
   using namespace internal;
-  typedef Parameter_type<internal_np::cluster_weight_t, NamedParametersIn, Maximum_density_weight> Weight;
-  typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Centroid_placement> Placement;
+  accept_parameters<NamedParametersIn, Coarsening_parameters>();
+  accept_parameters<NamedParametersOut, Geometry_parameters, Parameter_list<internal_np::vertex_source_t> >();
+  typedef Parameter_type<internal_np::cluster_weight_t, NamedParametersIn, Weighted_area_weight> Weight;
+  typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Fitted_placement> Placement;
   typedef Mwcvd_clustering<FaceGraph, Weight, ConcurrencyTag> Clustering;
   typedef typename GetGeomTraits<OutputFaceGraph, NamedParametersOut>::type Traits;
   if (!(maximum_distance > 0 && std::isfinite(maximum_distance)))
     throw Invalid_input("the maximum distance is " + number_text(maximum_distance));
 
   Distance_report report;
-  Clustering clustering(input, np_in);
+  Clustering clustering(typename Clustering::Accepted(), input, np_in);
   const Minimization_end end{choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
-                                              Clustering::default_number_of_iterations),
+                                              Coarsening_defaults::number_of_iterations),
                              choose_parameter(get_parameter(np_in, internal_np::convergence_tolerance_p),
-                                              Clustering::default_convergence_tolerance)};
+                                              Coarsening_defaults::convergence_tolerance)};
   if (!(end.tolerance >= 0))
     throw Invalid_input("the convergence tolerance is " + std::to_string(end.tolerance));
   const Placement placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));

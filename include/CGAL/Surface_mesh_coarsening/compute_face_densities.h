@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_COMPUTE_FACE_DENSITIES_H
 #define CGAL_SURFACE_MESH_COARSENING_COMPUTE_FACE_DENSITIES_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/accepted_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 namespace CGAL {
@@ -34,7 +35,7 @@ namespace Surface_mesh_coarsening {
 ///   \cgalParamNBegin{maximum_density}
 ///     \cgalParamDescription{the density of the face whose normal deviates most, in \f$ [1, 10^{20}] \f$}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{`50`}
+///     \cgalParamDefault{`Coarsening_defaults::maximum_density`, which is `10`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{border_densities}
 ///     \cgalParamDescription{whether to raise densities near borders; if not, the densities are as in the paper}
@@ -63,6 +64,8 @@ template <class FaceGraph, class FaceDensityMap, class NamedParameters = paramet
 void compute_face_densities(const FaceGraph& mesh, FaceDensityMap densities,
                             const NamedParameters& np = parameters::default_values())
 {
+  internal::accept_parameters<NamedParameters, internal::Geometry_parameters, internal::Order_parameters,
+                              internal::Density_parameters>();
   typedef typename boost::property_traits<FaceDensityMap>::value_type Value;
   const internal::Numbering<FaceGraph> n = internal::numbering(mesh, np);
   const internal::Density_choice choice = internal::density_choice(np);

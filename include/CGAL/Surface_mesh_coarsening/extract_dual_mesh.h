@@ -3,7 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_EXTRACT_DUAL_MESH_H
 #define CGAL_SURFACE_MESH_COARSENING_EXTRACT_DUAL_MESH_H
 
-#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/accepted_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
@@ -41,7 +42,9 @@ struct Dual_soup
 template <class FaceGraph, class FaceClusterMap, class NamedParameters>
 Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters, const NamedParameters& np)
 {
-  typedef Parameter_type<internal_np::vertex_placement_t, NamedParameters, Centroid_placement> Placement;
+  accept_parameters<NamedParameters, Geometry_parameters, Order_parameters,
+                    Parameter_list<internal_np::vertex_placement_t, internal_np::repair_output_t, internal_np::face_density_t> >();
+  typedef Parameter_type<internal_np::vertex_placement_t, NamedParameters, Fitted_placement> Placement;
   const Numbering<FaceGraph> n = numbering(mesh, np);
   Clustering_input input;
   Dual_soup dual;
@@ -59,7 +62,8 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
   dual.triangles = Simplicial_dual<decltype(name)>(labels, name).triangles();
   Repair_counts counts;
   const Placement placement = choose_parameter<Placement>(get_parameter(np, internal_np::vertex_placement_p));
-  dual.positions = place_vertices(Clustered_surface(input, labels, names.size()), placement_model(placement),
+  const Clustered_surface surface(input, labels, names.size());
+  dual.positions = place_vertices(surface, Border_arcs(surface), placement_model(placement),
                                   choose_parameter(get_parameter(np, internal_np::repair_output_p), true),
                                   output_coordinates<typename GetGeomTraits<FaceGraph, NamedParameters>::type>(dual.frame),
                                   dual.triangles, counts);
@@ -95,6 +99,7 @@ void extract_dual_mesh(const FaceGraph& mesh, const FaceClusterMap& clusters, Ou
                        const NamedParametersIn& np_in = parameters::default_values(),
                        const NamedParametersOut& np_out = parameters::default_values())
 {
+  internal::accept_parameters<NamedParametersOut, internal::Geometry_parameters>();
   const internal::Dual_soup dual = internal::dual_of_clusters(mesh, clusters, np_in);
   internal::Face_graph_filler<OutputFaceGraph, NamedParametersOut>(dual.positions, dual.frame, dual.triangles, output, np_out)
     .commit();

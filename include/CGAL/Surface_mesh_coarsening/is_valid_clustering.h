@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_IS_VALID_CLUSTERING_H
 #define CGAL_SURFACE_MESH_COARSENING_IS_VALID_CLUSTERING_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/accepted_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/label_clusters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
@@ -38,6 +39,7 @@ template <class FaceGraph, class FaceClusterMap, class NamedParameters = paramet
 std::string clustering_fault(const FaceGraph& mesh, const FaceClusterMap& clusters,
                              const NamedParameters& np = parameters::default_values())
 {
+  internal::accept_parameters<NamedParameters, internal::Order_parameters>();
   const internal::Numbering<FaceGraph> n = internal::numbering(mesh, np);
   const internal::Flat_mesh m = internal::flat_connectivity(mesh, n);
   internal::Cluster_labels labels(m);

@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_NEIGHBORHOOD_SEEDS_H
 #define CGAL_SURFACE_MESH_COARSENING_NEIGHBORHOOD_SEEDS_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/accepted_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Seed_walk.h>
 
@@ -47,6 +48,7 @@ OutputIterator neighborhood_seeds(const FaceGraph& mesh, std::size_t level, Outp
                                   const NamedParameters& np = parameters::default_values())
 {
   using namespace internal;
+  accept_parameters<NamedParameters, Order_parameters>();
   const Numbering<FaceGraph> n = numbering(mesh, np);
   const Flat_mesh m = flat_connectivity(mesh, n);
   std::vector<Index> faces(m.number_of_faces()), found;

@@ -6,8 +6,10 @@
 #include "support/generate_meshes.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -50,12 +52,12 @@ public:
 template <class Weight>
 void print(const std::string& name, const char* weight, const Mesh& mesh, std::size_t number)
 {
-  SMC::Mwcvd_clustering<Mesh, Weight> clustering(mesh);
+  SMC::Mwcvd_clustering<Mesh, Weight> clustering(mesh, SMC::parameters::maximum_density(50.)); // the densities of the paper
   clustering.seed(number);
   clustering.grow();
-  clustering.minimize(clustering.default_number_of_iterations, 0);
+  clustering.minimize(SMC::Coarsening_defaults::number_of_iterations, 0);
   Mesh output;
-  clustering.extract_dual_mesh(output);
+  clustering.extract_dual_mesh(output, SMC::Centroid_placement());
   Checksum labels, triangles;
   for (const auto f : faces(mesh))
     labels.add(clustering.cluster(f));

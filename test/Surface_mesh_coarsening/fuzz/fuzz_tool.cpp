@@ -108,8 +108,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   words.insert(words.end(), {"--weight", weights[choice % 5], "--placement", placements[choice / 5 % 4]});
   if (form & 4)
     words.push_back("--repair");
-  if (vertices > 0)
-    words.insert(words.end(), {"--vertices", std::to_string(vertices)});
+  const std::vector<std::string> number = {"--vertices", std::to_string(vertices)}, level = {"--neighborhood-level", "7"};
+  words.insert(words.end(), (vertices > 0 ? number : level).begin(), (vertices > 0 ? number : level).end());
   const Outcome outcome = run(words);
   if (!check_success(outcome, output, vertices)) {
     check_failure(outcome, input);

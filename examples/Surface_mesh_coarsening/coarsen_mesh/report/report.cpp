@@ -52,6 +52,7 @@ Json parameters_of(const Options& options)
 {
   Json result;
   result["vertices"] = options.vertices ? Json(*options.vertices) : Json();
+  result["vertex_ratio"] = options.vertex_ratio ? Json(*options.vertex_ratio) : Json();
   result["neighborhood_level"] = options.neighborhood_level ? Json(*options.neighborhood_level) : Json();
   result["maximum_distance"] = options.maximum_distance ? Json(*options.maximum_distance) : Json();
   result["maximum_distance_is_relative"] = options.distance_is_relative;
@@ -61,6 +62,7 @@ Json parameters_of(const Options& options)
   result["weight"] = options.weight;
   result["maximum_density"] = options.maximum_density;
   result["placement"] = options.placement;
+  result["paper"] = options.paper;
   result["error_feedback"] = options.error_feedback;
   result["features"] = options.features ? Json(*options.features) : Json();
   result["minimum_component_area"] = options.minimum_component_area;
@@ -86,6 +88,8 @@ Json clustering_of(const CGAL::Surface_mesh_coarsening::Coarsening_report& repor
           {"converged", report.converged},
           {"subdivided_components", report.subdivided_components},
           {"dropped_components", report.dropped_components},
+          {"refused_by_boundary_counts", report.refused_by_boundary_counts},
+          {"refused_by_guarantee", report.refused_by_guarantee},
           {"exchanged_vertices", report.exchanged_vertices},
           {"self_intersections_found", report.intersections_found},
           {"self_intersections_left", report.intersections_left},

@@ -87,7 +87,7 @@ void read_features(const FaceGraph& mesh, const NamedParameters& np, const Numbe
                    Local_frame& frame, std::vector<long long>& patches, const Cancellation_point& cancellation)
 {
   Feature_request request;
-  request.angle = choose_parameter(get_parameter(np, internal_np::feature_angle_p), 180.);
+  request.angle = choose_parameter(get_parameter(np, internal_np::feature_angle_p), Coarsening_defaults::feature_angle);
   if (!(request.angle >= 0 && request.angle <= 180))
     throw Invalid_input("the feature angle is " + number_text(request.angle) + " degrees, not in [0, 180]");
   patches = read_patches(n, get_parameter(np, CGAL::internal_np::face_patch));

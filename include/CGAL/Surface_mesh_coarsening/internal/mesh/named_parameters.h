@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NAMED_PARAMETERS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NAMED_PARAMETERS_H
 
+#include <CGAL/Surface_mesh_coarsening/defaults.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/cut_input.h>
@@ -106,7 +107,7 @@ struct Density_choice
 template <class NamedParameters>
 Density_choice density_choice(const NamedParameters& np)
 {
-  const double r = choose_parameter(get_parameter(np, internal_np::maximum_density_p), 50.);
+  const double r = choose_parameter(get_parameter(np, internal_np::maximum_density_p), Coarsening_defaults::maximum_density);
   if (!(r >= 1 && r <= largest_density))
     throw Invalid_input("the maximum density is " + number_text(r) + ", not in [1, 1e20]");
   return {r, choose_parameter(get_parameter(np, internal_np::border_densities_p), true)};

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/prefetch.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Cluster_energy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Valid_moves.h>
 
 #include <CGAL/assertions.h>
@@ -35,6 +36,7 @@ struct Minimization_state
   Feature_rules* rules; // none without features
   // Of each vertex, whether clusters of several blocks meet there; empty while there is one block only.
   std::vector<char> is_shared;
+  bool checks_boundary_counts = false; // whether moves have to pass the paper's check, too
 
   // In the place of the cluster where there is none.
   Index nowhere() const { return Index(clusters.size()); }
@@ -77,6 +79,8 @@ public:
     append_new();
     return gain_ - before;
   }
+
+  const Refusals& refusals() const { return refusals_; }
 
   // Whether the work has to end early.
   bool is_cancelled() const { return is_cancelled_; }
@@ -175,11 +179,13 @@ private:
 
   // Gains this small, relative to what they are the difference of, are taken for none. So moves between equal
   // energies, frequent on regular meshes, do not depend on roundings, and each move lowers the energy as computed.
+  //! [gain]
   static bool is_gain(const Trial& t) { return t.gain > 1e-7 * t.scale && t.gain > 1e-12 * t.magnitude; }
   static bool is_better(const Trial& t, const Trial& than)
   {
     return t.gain - than.gain > 1e-7 * (t.scale + than.scale);
   }
+  //! [gain]
 
   // The terms of the faces at an edge, computed when they are first needed.
   const Terms& terms(Index i)
@@ -261,9 +267,13 @@ private:
       const Index f = e.face[x.side[k]], to = e.cluster[1 - x.side[k]];
       if (must_wait(f)) {
         is_postponed_[x.edge] = true;
+      } else if (state_.checks_boundary_counts && !moves_.boundary_counts_allow(f, to)) {
+        ++refusals_.by_boundary_counts;
       } else if (moves_.keeps_discs(f, to)) {
         found_.push_back({x.edge, x.side[k], to});
         return;
+      } else {
+        ++refusals_.by_guarantee;
       }
     }
   }
@@ -301,8 +311,12 @@ private:
     if (from == m.to)
       return;
     const Trial t = trial(face, from, m.to);
-    if (!is_gain(t) || !moves_.move(f, m.to))
+    if (!is_gain(t) || (state_.checks_boundary_counts && !moves_.boundary_counts_allow(f, m.to)))
       return;
+    if (!moves_.move(f, m.to)) {
+      ++refusals_.by_guarantee;
+      return;
+    }
     Sums& source = state_.clusters[from];
     Sums& target = state_.clusters[m.to];
     CGAL_assertion_code(const double before = source.energy + target.energy;)
@@ -383,6 +397,7 @@ private:
   Move_time now_;
   double gain_ = 0;
   std::size_t tests_ = 0, number_of_moves_ = 0, number_taken_out_ = 0;
+  Refusals refusals_;
   bool is_cancelled_ = false;
 };
 

@@ -42,11 +42,13 @@ class Energy_minimization : public Minimization
 
 public:
   Energy_minimization(const Featured_input& input, Cluster_labels& labels, std::size_t number_of_clusters,
-                      const Weight& weight, const Cancellation_point& cancellation, Execution execution)
+                      const Weight& weight, bool checks_boundary_counts, const Cancellation_point& cancellation,
+                      Execution execution)
     : labels_(labels), cancellation_(cancellation), shared_cancellation_(cancellation), execution_(execution),
       state_{input.items, labels, Cluster_energy<Weight>(weight), std::vector<Sums>(number_of_clusters), {},
              Listed_edges(input.items.mesh.corner_vertex.size()), nullptr, {}}
   {
+    state_.checks_boundary_counts = checks_boundary_counts;
     if (input.cells) {
       rules_.emplace(*input.cells, labels);
       rules_->count(number_of_clusters);
@@ -62,9 +64,11 @@ public:
   Progress run(const Minimization_end& end) override
   {
     shared_cancellation_.begin();
+    //! [recount]
     // Sums that are updated again and again drift by roundings.
     if (rounds_since_sums_ >= 64)
       add_up(Cancellation_point()); // must not end half done
+    //! [recount]
     Progress progress = run_rounds(end, false);
     // Edges were passed over whose two clusters had not changed. Whether a move is allowed depends on others, too:
     // the end is reached when no edge at all has a move left.
@@ -123,6 +127,7 @@ public:
   }
 
   std::size_t tests() const override { return tests_; }
+  Refusals refusals() const override { return refusals_; }
 
 private:
   // Fewer have many edges to other blocks; more do not stay in the caches, and leave threads without work.
@@ -181,8 +186,11 @@ private:
     if (tests_all)
       whole_->test_all();
     const std::size_t tests = whole_->tests();
+    const Refusals refusals = whole_->refusals();
     const Progress progress = run_block(*whole_, end.max_rounds, end.tolerance * energy());
     tests_ += whole_->tests() - tests;
+    refusals_.by_boundary_counts += whole_->refusals().by_boundary_counts - refusals.by_boundary_counts;
+    refusals_.by_guarantee += whole_->refusals().by_guarantee - refusals.by_guarantee;
     return progress;
   }
 
@@ -226,6 +234,7 @@ private:
     Progress progress;
     Move_time now = 0;
     std::size_t tests = 0;
+    Refusals refusals;
   };
 
   // Runs the blocks of a division on the edges that wait.
@@ -270,6 +279,7 @@ private:
     block.finish(part.postponed);
     part.now = block.now();
     part.tests = block.tests();
+    part.refusals = block.refusals();
   }
 
   static Progress run_block(Block& block, std::size_t max_rounds, double least_gain)
@@ -294,6 +304,8 @@ private:
     Boundary_edges().swap(part.edges); // gives the memory back
     now_ = (std::max)(now_, part.now);
     tests_ += part.tests;
+    refusals_.by_boundary_counts += part.refusals.by_boundary_counts;
+    refusals_.by_guarantee += part.refusals.by_guarantee;
     add(part.progress, progress);
   }
 
@@ -315,6 +327,7 @@ private:
   std::optional<Block> whole_; // of all edges, where clusters are not divided
   Move_time now_ = 1;
   std::size_t rounds_since_sums_ = 0, tests_ = 0;
+  Refusals refusals_;
 };
 
 } // namespace internal

@@ -22,7 +22,8 @@ class Energy_model
 public:
   virtual ~Energy_model() = default;
   virtual std::unique_ptr<Minimization> minimization(const Featured_input& input, Cluster_labels& labels,
-                                                     std::size_t clusters, const Cancellation_point& cancellation,
+                                                     std::size_t clusters, bool checks_boundary_counts,
+                                                     const Cancellation_point& cancellation,
                                                      Execution execution) const = 0;
   virtual double energy(const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters) const = 0;
   virtual bool depends_on_densities() const = 0;

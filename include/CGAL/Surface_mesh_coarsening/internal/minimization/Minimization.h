@@ -17,6 +17,13 @@ struct Minimization_end
   double tolerance = 0;
 };
 
+// Moves that would lower the energy: those that the paper's check of boundary-edge counts refuses, and those that pass it and
+// are refused because the dual would be no surface.
+struct Refusals
+{
+  std::size_t by_boundary_counts = 0, by_guarantee = 0;
+};
+
 // A minimization in progress, for any weight.
 class Minimization
 {
@@ -33,6 +40,8 @@ public:
   virtual double energy() const = 0;
   // The number of edges tested so far.
   virtual std::size_t tests() const = 0;
+  // The moves refused so far.
+  virtual Refusals refusals() const = 0;
 };
 
 } // namespace internal

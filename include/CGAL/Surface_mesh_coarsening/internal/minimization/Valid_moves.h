@@ -30,6 +30,26 @@ public:
            !labels_.is_frozen(to) && !labels_.is_pinned(f) && (!rules_ || rules_->may_take(f, to));
   }
 
+  // The paper's own check, as printed in section 7, for a triangle that shares edge c with the cluster: count(V2) = 0, or one of
+  // the other two edges, n and p, leads to the cluster, or one of them to any other and V2 does not touch the cluster. The paper
+  // has none for faces of more sides.
+  bool boundary_counts_allow(Index f, Index to) const
+  {
+    const Index begin = mesh_.first_corner[f];
+    if (mesh_.degree(f) != 3)
+      return true;
+    Index c = 0;
+    while (c < 3 && labels_.label_across(begin + c) != to)
+      ++c;
+    if (c == 3)
+      return false;
+    const Index v2 = mesh_.corner_vertex[begin + (c + 2) % 3], from = labels_[f];
+    const Index across_n = labels_.label_across(begin + (c + 1) % 3), across_p = labels_.label_across(begin + (c + 2) % 3);
+    if (labels_.boundary_count(v2) == 0 || (across_n == to) != (across_p == to))
+      return true;
+    return (across_n != from) != (across_p != from) && !touches(v2, to);
+  }
+
   // Prefetch the data that `keeps_discs()` reads of a face in three steps; each reads data prefetched by the one
   // before.
   BOOST_FORCEINLINE void prefetch_corners(Index f) const
@@ -73,6 +93,14 @@ public:
   }
 
 private:
+  bool touches(Index v, Index cluster) const
+  {
+    for (Index i = mesh_.first_in_star[v]; i != mesh_.first_in_star[v + 1]; ++i)
+      if (labels_[mesh_.star[i]] == cluster)
+        return true;
+    return false;
+  }
+
   // Returns whether the dual does not change because the face borders on at most one further cluster X, and the meeting
   // point of X with the two clusters of the move only slides along the edge to X, from its end at `to` to its end at
   // the cluster of the face. This is so if at most three clusters meet at a vertex, before and after. Where four meet,

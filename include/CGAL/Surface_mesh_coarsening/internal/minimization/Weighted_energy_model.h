@@ -33,9 +33,11 @@ public:
   explicit Weighted_energy_model(const Weight& weight) : weight_(weight) {}
 
   std::unique_ptr<Minimization> minimization(const Featured_input& input, Cluster_labels& labels, std::size_t clusters,
-                                             const Cancellation_point& cancellation, Execution execution) const override
+                                             bool checks_boundary_counts, const Cancellation_point& cancellation,
+                                             Execution execution) const override
   {
-    return std::make_unique<Energy_minimization<Weight> >(input, labels, clusters, weight_, cancellation, execution);
+    return std::make_unique<Energy_minimization<Weight> >(input, labels, clusters, weight_, checks_boundary_counts, cancellation,
+                                                          execution);
   }
 
   double energy(const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters) const override

@@ -68,11 +68,11 @@ inline Repair_counts repair_placement(const Clustered_surface& surface, const Bo
 }
 
 // Places the vertices, and repairs the placement on request.
-inline std::vector<Vector> place_vertices(const Clustered_surface& surface, const Placement_model& placement, bool with_repair,
+inline std::vector<Vector> place_vertices(const Clustered_surface& surface, const Border_arcs& border,
+                                          const Placement_model& placement, bool with_repair,
                                           const Output_coordinates& output_coordinates, std::vector<Triangle>& triangles,
                                           Repair_counts& counts, const Cancellation_point& cancellation = Cancellation_point())
 {
-  const Border_arcs border(surface);
   std::vector<Vector> positions = place_vertices(surface, border, placement, triangles, cancellation);
   counts = with_repair ? repair_placement(surface, border, placement, output_coordinates, triangles, positions, cancellation)
                        : Repair_counts();

@@ -23,9 +23,6 @@ class Initial_clustering;
 // The number of faces per cluster that subdivision provides: clusters of this many faces can be round.
 constexpr std::size_t faces_per_cluster = 20;
 
-// The number of rounds of vertex exchange if densities are computed.
-constexpr std::size_t default_exchange_rounds = 7;
-
 // The origin of the clusters.
 struct Seeding
 {
@@ -43,7 +40,8 @@ struct Clustering_state
   // From the preparation:
   Visitor_handle visitor;
   Execution execution = Execution::SEQUENTIAL;
-  bool subdivides_input = false, repairs_output = true;
+  bool subdivides_input = false, merges_by_area = false, checks_boundary_counts = false, places_on_borders = true,
+       repairs_output = true;
   std::size_t exchange_rounds = 0; // rounds that relocate vertices to places of large error
   Local_frame frame;
   Featured_input input;

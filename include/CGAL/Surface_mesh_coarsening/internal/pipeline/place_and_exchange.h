@@ -54,8 +54,8 @@ inline Repair_counts repair_exchanged(const Clustering_state& state, const Clust
 {
   for (std::size_t x = 0; x < dual.positions.size(); ++x)
     dual.positions[x] = surface.within_bounds(x, dual.positions[x]);
-  return state.repairs_output ? repair_placement(surface, Border_arcs(surface), placement, output_coordinates, dual.triangles,
-                                                 dual.positions, state.cancellation())
+  return state.repairs_output ? repair_placement(surface, Border_arcs(surface, state.places_on_borders), placement, output_coordinates,
+                                                 dual.triangles, dual.positions, state.cancellation())
                               : Repair_counts();
 }
 
@@ -73,7 +73,7 @@ inline bool repair_by_exchange(Clustering_state& state, const Placement_model& p
   for (const auto& pair : dual.counts.intersections_left)
     relocation.faulty.insert(relocation.faulty.end(), {pair.first, pair.second});
   sort_unique(relocation.faulty);
-  placement.exchanging(*surface, Border_arcs(*surface), next.triangles, next.positions, relocation);
+  placement.exchanging(*surface, Border_arcs(*surface, state.places_on_borders), next.triangles, next.positions, relocation);
   surface = clustered_surface(state, next);
   next.counts = repair_exchanged(state, *surface, placement, output_coordinates, next);
   next.counts.intersections_found = dual.counts.intersections_found;
@@ -100,7 +100,7 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
   std::unique_ptr<Clustered_surface> surface = clustered_surface(state, dual);
   dual.triangles = dual_triangles(labels(state), state.cancellation(), state.execution);
   dual.positions.resize(state.number_of_clusters());
-  const Border_arcs border(*surface);
+  const Border_arcs border(*surface, state.places_on_borders);
   border.place(dual.positions);
   plain_distance =
     placement.exchanging(*surface, border, dual.triangles, dual.positions, vertex_relocation(state, *surface, clusters));

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 // The pipeline: prepare -> seed -> grow -> minimize -> place (with repair) -> emit, one function per stage over one
@@ -23,6 +24,12 @@ namespace internal {
 
 // Finds seeds (section 6). Discards earlier clusters.
 void seed(Clustering_state& state, const Seeding& seeding);
+
+// The smallest and the largest number of clusters that can be reached.
+std::pair<std::size_t, std::size_t> vertex_number_range(const Clustering_state& state);
+
+// The number of vertices that is a part `ratio` of those of the mesh, without the components that were left out.
+std::size_t number_of_vertices(const Clustering_state& state, double ratio);
 
 // Grows the clusters from the seeds to the number wanted (section 8.1) and starts the minimization.
 void grow(Clustering_state& state);

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_STAGES_IMPL_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
@@ -13,6 +14,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Initial_clustering.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -71,7 +73,7 @@ inline void begin_minimization(Clustering_state& state)
   if (state.minimization)
     return;
   state.minimization = state.energy->minimization(state.featured_input(), *state.labels, state.number_of_clusters(),
-                                                  state.cancellation(), state.execution);
+                                                  state.checks_boundary_counts, state.cancellation(), state.execution);
   state.report.initial_energy = state.report.final_energy = state.minimization->energy();
 }
 
@@ -82,7 +84,8 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void seed(Clustering_state& state, const See
   reset_report(state);
   state.seeding = seeding;
   state.minimization_end = Minimization_end();
-  state.initial = std::make_unique<Initial_clustering>(state.input, state.report, state.cancellation(), state.execution);
+  state.initial = std::make_unique<Initial_clustering>(state.input, state.merges_by_area, state.report, state.cancellation(),
+                                                       state.execution);
   all_or_nothing(state, [&] {
     if (seeding.kind == Seeding::AT_LEVEL) {
       state.initial->seed_from_level(Index((std::min)(seeding.value, std::size_t(NONE / 4))));
@@ -93,6 +96,26 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void seed(Clustering_state& state, const See
     state.initial->seed(seeding.value);
   });
   state.visitor.stage_ends(Coarsening_stage::SEEDING);
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE std::pair<std::size_t, std::size_t> vertex_number_range(const Clustering_state& state)
+{
+  Coarsening_report unused;
+  auto range = Initial_clustering(state.input, state.merges_by_area, unused, state.cancellation(), state.execution).range();
+  if (state.subdivides_input)
+    range.second = Initial_clustering::max_clusters_of_subdivided(faces_per_cluster);
+  return range;
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE std::size_t number_of_vertices(const Clustering_state& state, double ratio)
+{
+  std::size_t vertices = 0;
+  for (const Component& c : state.base_input().mesh.components)
+    vertices += c.vertices;
+  const double number = std::round(ratio * double(vertices));
+  if (!(ratio > 0 && number < double(NONE)))
+    throw Invalid_input("the vertex ratio is " + number_text(ratio));
+  return (std::max)(std::size_t(number), std::size_t(1));
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE void grow(Clustering_state& state)
@@ -132,10 +155,13 @@ inline bool run_rounds(Clustering_state& state, const Minimization_end& end)
   begin_minimization(state);
   Coarsening_report& report = state.report;
   const std::size_t tests_before = state.minimization->tests();
+  const Refusals refusals_before = state.minimization->refusals();
   const Minimization::Progress progress = state.minimization->run(end);
   report.rounds += progress.rounds;
   report.moves += progress.moves;
   report.tests += state.minimization->tests() - tests_before;
+  report.refused_by_boundary_counts += state.minimization->refusals().by_boundary_counts - refusals_before.by_boundary_counts;
+  report.refused_by_guarantee += state.minimization->refusals().by_guarantee - refusals_before.by_guarantee;
   report.final_energy = state.minimization->energy();
   report.converged = progress.moves == 0;
   state.visitor.round_done(report.rounds, progress.moves, report.final_energy);
@@ -267,8 +293,8 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place(const Clustering_state& st
   const Clustered_surface surface(dual.pieces->input(), dual.pieces->labels(), state.number_of_clusters(), state.execution,
                                   dual.pieces->features(), cancellation);
   dual.triangles = dual_triangles(current, cancellation, state.execution);
-  dual.positions = place_vertices(surface, placement, state.repairs_output, output_coordinates, dual.triangles, dual.counts,
-                                  cancellation);
+  dual.positions = place_vertices(surface, Border_arcs(surface, state.places_on_borders), placement, state.repairs_output,
+                                  output_coordinates, dual.triangles, dual.counts, cancellation);
   state.visitor.throw_if_cancelled();
   state.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
   return dual;

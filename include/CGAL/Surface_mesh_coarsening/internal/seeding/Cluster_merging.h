@@ -26,28 +26,31 @@ namespace internal {
 // smallest, until a component has the required number of clusters. Merges two clusters if one too many is left, or if
 // only two may be merged.
 //
-// Size is area in the paper. Here it is mass, because clusters of low energy have similar masses: the minimization has
-// to carry all remaining differences across the mesh face by face. But clusters of few faces cannot be round, whatever
-// their mass; so the number of faces bounds their size.
+// Size is area in the paper, and here on request. By default it is mass, because clusters of low energy have similar masses:
+// the minimization has to carry all remaining differences across the mesh face by face. But clusters of few faces cannot be
+// round, whatever their mass; so the number of faces bounds their size.
 //
 // Works on the valid clusters of one component, numbered from 0.
 class Cluster_merging
 {
 public:
   // `by_threes`: whether three clusters may be merged at a time. If not, the order of merges does not depend on the
-  // required number, and size is area. `may_join_at_vertices`: whether, as a last resort, clusters may be merged that
-  // meet in a vertex only, that is in an edge of the fan there. Pinch_resolution then has to turn them into discs.
+  // required number, and size is area. `by_area`: whether size is area in any case. `may_join_at_vertices`: whether, as a
+  // last resort, clusters may be merged that meet in a vertex only, that is in an edge of the fan there. Pinch_resolution
+  // then has to turn them into discs.
   template <class FaceRange>
   Cluster_merging(const Clustering_input& input, const Cluster_labels& labels, const FaceRange& faces, Index clusters,
-                  bool by_threes, bool may_join_at_vertices, const Cancellation_point& cancellation, Execution execution)
+                  bool by_threes, bool by_area, bool may_join_at_vertices, const Cancellation_point& cancellation,
+                  Execution execution)
     : cancellation_(cancellation), dual_(labels, faces, clusters, cancellation, execution), by_threes_(by_threes),
-      may_join_at_vertices_(may_join_at_vertices), count_(clusters), merged_into_(clusters), size_(clusters)
+      by_area_(by_area || !by_threes), may_join_at_vertices_(may_join_at_vertices), count_(clusters),
+      merged_into_(clusters), size_(clusters)
   {
     is_queued_.assign(dual_.number_of_triangles(), false);
     std::iota(merged_into_.begin(), merged_into_.end(), Index(0));
     for (const Index f : faces) {
       Size& size = size_[labels[f]];
-      const double mass = by_threes ? input.mass(f) : input.area[f];
+      const double mass = by_area_ ? input.area[f] : input.mass(f);
       size.mass += mass;
       size.faces += input.number_of_faces_in(f);
       mass_of_all_ += mass;
@@ -101,7 +104,7 @@ private:
 
   struct Size
   {
-    double mass = 0; // area, unless by threes
+    double mass = 0; // or area
     double faces = 0;
     Size operator+(const Size& other) const { return {mass + other.mass, faces + other.faces}; }
   };
@@ -161,7 +164,7 @@ private:
   // A cluster that is large already, such as one face as large as many others, is not enlarged without need.
   bool may_be_third(Index merged, Index third) const
   {
-    return (size_[merged] + size_[third]).mass <= 4 * mean_mass();
+    return by_area_ || (size_[merged] + size_[third]).mass <= 4 * mean_mass();
   }
 
   bool is_candidate(Edge e) const
@@ -175,7 +178,7 @@ private:
   double number_of(const Size& x) const
   {
     const double mass_of_faces = x.faces / faces_of_round_cluster * mean_mass();
-    return rounded_for_comparison(by_threes_ ? (std::min)(x.mass, mass_of_faces) : x.mass);
+    return rounded_for_comparison(by_area_ ? x.mass : (std::min)(x.mass, mass_of_faces));
   }
 
   void work_off()
@@ -242,7 +245,7 @@ private:
   Cancellation_point cancellation_;
   Dual_surface dual_;
   std::optional<Feature_merging> features_;
-  bool by_threes_, may_join_at_vertices_, joins_at_vertices_ = false;
+  bool by_threes_, by_area_, may_join_at_vertices_, joins_at_vertices_ = false;
   std::size_t count_, wanted_ = 0;
   mutable std::vector<Index> merged_into_; // with path compression
   std::vector<Size> size_;

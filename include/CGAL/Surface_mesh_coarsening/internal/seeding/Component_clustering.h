@@ -33,9 +33,11 @@ struct Component_seeds
 class Component_clustering
 {
 public:
-  Component_clustering(const Featured_input& input, const Cancellation_point& cancellation, Execution execution)
-    : input_(input.items), cells_(input.cells.get()), cancellation_(cancellation), execution_(execution),
-      walk_(input.items.mesh, cancellation) {}
+  // `merges_by_area`: whether the area of clusters tells which are merged.
+  Component_clustering(const Featured_input& input, bool merges_by_area, const Cancellation_point& cancellation,
+                       Execution execution)
+    : input_(input.items), cells_(input.cells.get()), merges_by_area_(merges_by_area), cancellation_(cancellation),
+      execution_(execution), walk_(input.items.mesh, cancellation) {}
 
   Component_seeds seeds(const Face_range& faces, const Component_plan& plan)
   {
@@ -78,7 +80,7 @@ public:
     is_pinched_ = false;
     if (splitting.number_of_clusters() <= plan.wanted())
       return splitting.number_of_clusters();
-    Cluster_merging merging(input_, labels, faces, splitting.number_of_clusters(), !plan.is_on_schedule(),
+    Cluster_merging merging(input_, labels, faces, splitting.number_of_clusters(), !plan.is_on_schedule(), merges_by_area_,
                             plan.from_pieces() && plan.is_on_schedule() && !cells_, cancellation_, execution_);
     if (cells_)
       merging.keep_features(*cells_, labels, faces);
@@ -147,6 +149,7 @@ private:
 
   const Clustering_input& input_;
   const Feature_cells* cells_; // null without features
+  bool merges_by_area_;
   Cancellation_point cancellation_;
   Execution execution_;
   Seed_walk walk_;

@@ -29,10 +29,12 @@ namespace internal {
 class Initial_clustering
 {
 public:
-  Initial_clustering(const Featured_input& input, Coarsening_report& report, const Cancellation_point& cancellation,
-                     Execution execution)
+  // `merges_by_area`: whether the area of clusters tells which are merged.
+  Initial_clustering(const Featured_input& input, bool merges_by_area, Coarsening_report& report,
+                     const Cancellation_point& cancellation, Execution execution)
     : uncut_input_(&input),
       input_(&input),
+      merges_by_area_(merges_by_area),
       report_(report),
       cancellation_(cancellation),
       execution_(execution)
@@ -55,18 +57,31 @@ public:
     is_pinched_.assign(components.size(), false);
   }
 
-  // Subdivides all faces until each cluster has at least `faces_per_cluster`.
-  void subdivide(std::size_t clusters, std::size_t faces_per_cluster)
+  // Subdivides all faces until each cluster has at least `faces_each`.
+  void subdivide(std::size_t clusters, std::size_t faces_each)
   {
-    // The last subdivision has up to four times as many pieces, with four corners each.
-    if (clusters >= NONE / 2 / 16 / faces_per_cluster)
+    if (clusters > max_clusters_of_subdivided(faces_each))
       throw Invalid_input("faces subdivided for " + std::to_string(clusters) + " vertices are more than can be numbered");
-    const std::size_t faces = clusters * faces_per_cluster;
+    const std::size_t faces = clusters * faces_each;
     while (uncut_input_->items.mesh.number_of_faces() < faces) {
       subdivided_input_ = subdivided(*uncut_input_, std::vector<bool>(cut_.size(), true));
       input_ = uncut_input_ = &*subdivided_input_;
     }
     bound_by_vertices();
+  }
+
+  // The smallest and the largest number of clusters that can be reached.
+  std::pair<std::size_t, std::size_t> range()
+  {
+    find_minimum();
+    return {sum(min_), sum(max_)};
+  }
+
+  // The largest number that faces can be subdivided for: the last subdivision has up to four
+  // times as many pieces, with four corners each.
+  static constexpr std::size_t max_clusters_of_subdivided(std::size_t faces_each)
+  {
+    return NONE / 2 / 16 / faces_each - 1;
   }
 
   // Finds enough seeds for `number` clusters. Throws if that number cannot be reached.
@@ -248,7 +263,7 @@ private:
     faces_.emplace(numbers_below(Index(m.number_of_faces())), m.components.size(), [&](Index f) { return m.component[f]; },
                    cancellation_);
     labels_.emplace(m);
-    clustering_.emplace(*input_, cancellation_, execution_);
+    clustering_.emplace(*input_, merges_by_area_, cancellation_, execution_);
     std::fill(state_.begin(), state_.end(), State::NEW);
   }
 
@@ -362,6 +377,7 @@ private:
 
   const Featured_input* uncut_input_; // the given input, or a subdivision of it
   const Featured_input* input_;       // the same, or with subdivided components
+  bool merges_by_area_;
   std::optional<Featured_input> subdivided_input_, cut_input_;
   std::optional<Featured_input> resolved_input_; // after growth, if clusters are joined at vertices
   Coarsening_report& report_;

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_PAPER_H
+#define CGAL_SURFACE_MESH_COARSENING_PAPER_H
+
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/parameters.h>
+
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace parameters {
+
+/// \cond SKIP_IN_MANUAL
+// The largest density that table 1 of the paper has for most models.
+template <class ClusterWeight>
+constexpr double maximum_density_of_paper = std::is_same<ClusterWeight, Density_variance_weight>::value ? 3 : 50;
+/// \endcond
+
+/// begins a chain with the parameters of `paper()` that the constructor of `Mwcvd_clustering` takes. Call
+/// `minimize(Coarsening_defaults::number_of_iterations, 0)` and `extract_dual_mesh(output, Centroid_placement())` then.
+template <class ClusterWeight>
+auto paper_clustering(const ClusterWeight& weight, double maximum_density = maximum_density_of_paper<ClusterWeight>)
+{
+  //! [paper]
+  return cluster_weight(weight)
+    .maximum_density(maximum_density)
+    .border_densities(false)    // section 5.2 has none
+    .merge_by_area(true)        // section 6
+    .boundary_count_check(true) // section 7
+    .place_on_borders(false)    // section 8.3: centroids everywhere
+    .error_feedback(std::size_t(0))
+    .repair_output(false);
+  //! [paper]
+}
+
+/// begins a chain with the parameters that make `coarsen_mesh()` do as the paper prints: its densities, the reduction to a fixed
+/// number by area, its check of boundary-edge counts, an end when a round changes nothing, vertices at centroids, on borders,
+/// too, and no repair. What is left of this package is the guarantee: `Coarsening_report::refused_by_guarantee` counts the moves
+/// that the paper allows and that are refused because the dual would be no surface.
+///
+/// \param weight one of the weights of the paper: `Weighted_area_weight`, `Maximum_density_weight` or `Density_variance_weight`
+/// \param maximum_density the paper's \f$ \rho_{new} \f$: 3 for the variance and 50 for the others, but 5 for the area on the
+/// Horse, and for the maximum on the Horse and the Dragon
+template <class ClusterWeight>
+auto paper(const ClusterWeight& weight, double maximum_density = maximum_density_of_paper<ClusterWeight>)
+{
+  return paper_clustering(weight, maximum_density).vertex_placement(Centroid_placement()).convergence_tolerance(0.);
+}
+
+} // namespace parameters
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_PAPER_H

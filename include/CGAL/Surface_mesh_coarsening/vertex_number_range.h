@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_VERTEX_NUMBER_RANGE_H
+#define CGAL_SURFACE_MESH_COARSENING_VERTEX_NUMBER_RANGE_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/base/accepted_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/prepare.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// The numbers of vertices that a mesh can be coarsened to.
+struct Vertex_number_range
+{
+  /// the smallest, which the topology of the mesh determines
+  std::size_t least = 0;
+  /// the largest, which is the number of vertices of the mesh, or of clusters that can be numbered where it is subdivided
+  std::size_t most = 0;
+};
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// finds the numbers of vertices that `coarsen_mesh()` accepts for a mesh: all from `least` to `most`.
+///
+/// \tparam FaceGraph a model of `FaceListGraph`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+/// \param mesh a 2-manifold polygon mesh
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" that the mesh is to be coarsened with: the range
+/// depends on `subdivide_input`, `minimum_component_area`, `feature_angle`, `edge_is_constrained_map`,
+/// `vertex_is_constrained_map` and `face_patch_map`
+/// \throws Invalid_input as `coarsen_mesh()` does.
+/// \throws Coarsening_cancelled if the visitor said so.
+///
+/// The time is that of a coarsening to very few vertices, without minimization.
+template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters>
+Vertex_number_range vertex_number_range(const FaceGraph& mesh, const NamedParameters& np = parameters::default_values())
+{
+  internal::accept_parameters<NamedParameters, internal::Coarsening_parameters>();
+  internal::Numbering<FaceGraph> numbering;
+  internal::Clustering_state state;
+  internal::prepare(mesh, np, internal::Execution::SEQUENTIAL, numbering, state);
+  const auto range = internal::vertex_number_range(state);
+  return {range.first, range.second};
+}
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_VERTEX_NUMBER_RANGE_H

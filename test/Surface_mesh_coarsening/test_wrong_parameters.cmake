@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Builds `wrong_parameters`, which has to fail with the sentences that tell what is wrong, and the tags of the parameters.
+
+cmake_minimum_required(VERSION 3.25)
+
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target wrong_parameters --config ${CONFIG}
+  RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(status EQUAL 0)
+  message(FATAL_ERROR "wrong parameters compile")
+endif()
+foreach(text IN ITEMS "this named parameter cannot be used in this pack of this function"
+    "how many vertices\\? Give a number"
+    "the parameters vertex_ratio and neighborhood_level exclude each other"
+    vertex_source_t vertex_ratio_t repair_output_t number_of_iterations_t neighborhood_level_t error_feedback_t vertex_placement_t
+    face_density_t)
+  if(text MATCHES "_t$")
+    set(text "check_parameter[^\n]*Tag = [A-Za-z_:]*${text}")
+  endif()
+  if(NOT output MATCHES "${text}")
+    message(FATAL_ERROR "no error says '${text}':\n${output}")
+  endif()
+endforeach()
