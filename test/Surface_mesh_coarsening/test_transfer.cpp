@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh_to_distance.h>
 #include <CGAL/Surface_mesh_coarsening/transfer_properties.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -382,7 +383,12 @@ BOOST_AUTO_TEST_CASE(all_properties_in_one_call)
   r.input.add_property_map<Mesh::Edge_index, bool>("e:flag", true);
   const auto field = r.input.add_property_map<Mesh::Vertex_index, Point>("v:field").first;
   r.input.add_property_map<Mesh::Vertex_index, std::vector<int> >("v:lists");
+  typedef CGAL::Kernel_traits<Point>::Kernel::Vector_3 Vector;
+  const auto normal = r.input.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  const auto velocity = r.input.add_property_map<Mesh::Vertex_index, Vector>("v:velocity").first;
   for (const auto v : r.input.vertices()) {
+    normal[v] = PMP::compute_vertex_normal(v, r.input);
+    velocity[v] = Vector(0, 0, 3);
     color[v] = Color(10, 200, 30, 255);
     quality[v] = 0.5f;
     field[v] = r.input.point(v);
@@ -412,10 +418,53 @@ BOOST_AUTO_TEST_CASE(all_properties_in_one_call)
     BOOST_CHECK_SMALL(std::sqrt(CGAL::squared_distance(new_field[v], coarse.point(v))) -
                         distance_by_brute_force(r.input, coarse.point(v)), 1e-7);
   }
+  const auto new_normal = coarse.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  const auto new_velocity = coarse.add_property_map<Mesh::Vertex_index, Vector>("v:velocity").first;
+  for (const auto v : coarse.vertices()) {
+    BOOST_CHECK_CLOSE(new_normal[v].squared_length(), 1., 1e-9); // unit vectors stay unit vectors
+    BOOST_CHECK_CLOSE(new_velocity[v].z(), 3., 1e-9);
+  }
+  // The clusters are of the input alone.
+  for (const std::string& name : r.input.properties<Mesh::Face_index>())
+    BOOST_CHECK_EQUAL(has(coarse.properties<Mesh::Face_index>(), name), name != "f:cluster");
   for (const auto f : coarse.faces())
     BOOST_CHECK_EQUAL(new_label[f], 42);
   for (const auto e : coarse.edges())
     BOOST_CHECK(new_flag[e]);
+}
+
+// A mesh may be replaced by its result.
+BOOST_AUTO_TEST_CASE(output_is_the_input)
+{
+  typedef CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel> Polyhedron;
+  const generated::Soup torus = generated::with_noise(generated::torus(24, 16), 0.05);
+  Mesh mesh = test::to_mesh(torus), expected;
+  Polyhedron polyhedron;
+  test::to_face_graph(torus, polyhedron);
+  std::vector<int> labels(mesh.number_of_faces(), -1), expected_labels(labels);
+  const auto map_to = [](std::vector<int>& of_faces) {
+    return boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index f) -> int& { return of_faces[f]; });
+  };
+  SMC::coarsen_mesh(mesh, 40, expected, SMC::parameters::face_cluster_map(map_to(expected_labels)));
+  const auto source = mesh.add_property_map<Mesh::Vertex_index, Location>("v:source").first;
+  BOOST_CHECK_THROW(SMC::coarsen_mesh(mesh, 40, mesh, SMC::parameters::default_values(), SMC::parameters::vertex_source_map(source)),
+                    SMC::Invalid_input);
+  BOOST_CHECK_THROW(SMC::coarsen_mesh(mesh, 1000000, mesh), SMC::Unreachable_number_of_vertices);
+  BOOST_CHECK_EQUAL(mesh.number_of_faces(), labels.size());
+  SMC::coarsen_mesh(mesh, 40, mesh, SMC::parameters::face_cluster_map(map_to(labels)));
+  SMC::coarsen_mesh(polyhedron, 40, polyhedron);
+  BOOST_CHECK(labels == expected_labels);
+  BOOST_REQUIRE_EQUAL(mesh.number_of_vertices(), 40u);
+  BOOST_REQUIRE_EQUAL(mesh.number_of_faces(), expected.number_of_faces());
+  BOOST_CHECK_EQUAL(polyhedron.size_of_vertices(), 40u);
+  BOOST_CHECK_EQUAL(polyhedron.size_of_facets(), expected.number_of_faces());
+  for (const auto v : mesh.vertices())
+    BOOST_CHECK(mesh.point(v) == expected.point(v));
+  for (const auto f : mesh.faces())
+    for (const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      BOOST_CHECK(mesh.target(h) == expected.target(h));
+  const SMC::Distance_report report = SMC::coarsen_mesh_to_distance(mesh, 1, mesh);
+  BOOST_CHECK_EQUAL(mesh.number_of_vertices(), report.vertices);
 }
 
 BOOST_AUTO_TEST_CASE(other_face_graphs_and_wrong_arguments)

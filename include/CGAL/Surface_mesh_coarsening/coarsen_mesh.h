@@ -42,6 +42,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
   typedef Parameter_type<internal_np::cluster_weight_t, NPIn, Weighted_area_weight> Weight;
   typedef Parameter_type<internal_np::vertex_placement_t, NPIn, Fitted_placement> Placement;
   typedef Mwcvd_clustering<FaceGraph, Weight, ConcurrencyTag> Clustering;
+  const auto source_map = get_parameter(np_out, internal_np::vertex_source);
+  check_input_stays<std::decay_t<decltype(source_map)> >(input, output);
   Clustering clustering(typename Clustering::Accepted(), input, np_in);
   if (choose_parameter(get_parameter(np_in, internal_np::start_from_face_clusters_p), false)) {
     read_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
@@ -57,7 +59,6 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
                       choose_parameter(get_parameter(np_in, internal_np::convergence_tolerance_p),
                                        Coarsening_defaults::convergence_tolerance));
   clustering.end_minimization();
-  const auto source_map = get_parameter(np_out, internal_np::vertex_source);
   Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
   clustering.extract_embedded_dual_mesh(
     output, choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p)), np_out,
@@ -97,7 +98,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 /// \param input a 2-manifold polygon mesh: any number of components, borders, faces of any number of sides
 /// \param number_of_vertices the number of vertices of the output, at least the minimum for the topology of the
 /// input and at most the number of vertices of the input
-/// \param output is cleared and filled; its `i`-th vertex is the vertex of cluster `i`. It must not be the input.
+/// \param output is cleared and filled; its `i`-th vertex is the vertex of cluster `i`. It may be the input: maps
+/// of `np_in` are then written before it is replaced, and `vertex_source_map` cannot be used.
 /// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 /// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///

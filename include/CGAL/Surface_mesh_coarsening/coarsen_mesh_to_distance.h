@@ -63,7 +63,8 @@ struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
 ///
 /// \param input a 2-manifold polygon mesh
 /// \param maximum_distance the distance, in the unit of length of the mesh
-/// \param output is cleared and filled; its `i`-th vertex is the vertex of cluster `i`. It must not be the input.
+/// \param output is cleared and filled; its `i`-th vertex is the vertex of cluster `i`. It may be the input: maps
+/// of `np_in` are then written before it is replaced, and `vertex_source_map` cannot be used.
 /// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters": all parameters of
 /// `coarsen_mesh()` except `start_from_face_clusters`, `neighborhood_level` and `vertex_boundary_count_map`
 /// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters": the parameters of
@@ -93,6 +94,8 @@ Distance_report coarsen_mesh_to_distance(const FaceGraph& input, double maximum_
   if (!(maximum_distance > 0 && std::isfinite(maximum_distance)))
     throw Invalid_input("the maximum distance is " + number_text(maximum_distance));
 
+  const auto source_map = get_parameter(np_out, internal_np::vertex_source);
+  check_input_stays<std::decay_t<decltype(source_map)> >(input, output);
   Distance_report report;
   Clustering clustering(typename Clustering::Accepted(), input, np_in);
   const Minimization_end end{choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
@@ -112,7 +115,6 @@ Distance_report coarsen_mesh_to_distance(const FaceGraph& input, double maximum_
 
   report.clustering = clustering.report();
   report.clustering.clusters = report.vertices;
-  const auto source_map = get_parameter(np_out, internal_np::vertex_source);
   Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
   Face_graph_filler<OutputFaceGraph, NamedParametersOut> filler(dual.positions, state.frame, dual.triangles, output,
                                                                 np_out);

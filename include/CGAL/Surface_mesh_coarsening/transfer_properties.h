@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -44,7 +45,8 @@ public:
   template <class FaceClusterMap, class NamedParameters1, class NamedParameters2>
   Surface_mesh_transfer(const Mesh& mesh, const FaceClusterMap& clusters, Coarse& coarse, const Policies& policies,
                         const NamedParameters1& np1, const NamedParameters2& np2)
-    : mesh_(mesh), coarse_(coarse), policies_(policies), transfer_(mesh, clusters, coarse, np1, np2)
+    : mesh_(mesh), coarse_(coarse), policies_(policies), name_of_clusters_(name_of(mesh, clusters)),
+      transfer_(mesh, clusters, coarse, np1, np2)
   {}
 
   // Returns the names of property maps of other types.
@@ -80,6 +82,21 @@ private:
     is_check_ = false;
   }
 
+  // The name of the property of the mesh that the clusters are, if they are one: what they say is of the mesh alone.
+  template <class Type>
+  static std::string name_of(const Mesh& mesh,
+                             const typename Mesh::template Property_map<typename Mesh::Face_index, Type>& clusters)
+  {
+    for (const std::string& name : mesh.template properties<typename Mesh::Face_index>()) {
+      typename Mesh::template Property_map<typename Mesh::Face_index, Type> map;
+      if (find(mesh, name, map) && map.data() == clusters.data())
+        return name;
+    }
+    return "";
+  }
+  template <class Map>
+  static std::string name_of(const Mesh&, const Map&) { return ""; }
+
   static bool is_of_mesh(const std::string& name)
   {
     const std::string rest = name.substr((std::min)(name.size(), std::size_t(2)));
@@ -94,9 +111,15 @@ private:
                       typename Kernel::Vector_3>
       Kernel_types;
     for (const std::string& name : mesh_.template properties<Element>())
-      if (!is_of_mesh(name) && !run_as<Element>(name, transfer, Common_types()) &&
+      if (!is_of_mesh(name) && !is_clusters<Element>(name) && !run_as<Element>(name, transfer, Common_types()) &&
           !run_as<Element>(name, transfer, Kernel_types()))
         left_.push_back(name);
+  }
+
+  template <class Element>
+  bool is_clusters(const std::string& name) const
+  {
+    return std::is_same<Element, typename Mesh::Face_index>::value && !name_of_clusters_.empty() && name == name_of_clusters_;
   }
 
   template <class Element, class Transfer, class... Types>
@@ -117,9 +140,53 @@ private:
     const Transfer_policy policy = given == policies_.end() ? usual : given->second;
     if (is_check_)
       check_one<Element, Type>(name, policy);
-    else
-      transfer(from, coarse_.template add_property_map<Element, Type>(name).first, policy);
+    else {
+      auto to = coarse_.template add_property_map<Element, Type>(name).first;
+      transfer(from, to, policy);
+      if constexpr (std::is_same<Type, typename Kernel_traits<P>::Kernel::Vector_3>::value)
+        if (policy == Transfer_policy::INTERPOLATED && are_unit_vectors<Element>(from))
+          scale_to_unit_length<Element>(to);
+    }
     return true;
+  }
+
+  template <class AnyMesh>
+  static bool has_value(const AnyMesh& mesh, typename Mesh::Halfedge_index h) { return !mesh.is_border(h); }
+  template <class AnyMesh, class Element>
+  static bool has_value(const AnyMesh&, Element) { return true; }
+
+  template <class Element, class Map>
+  bool are_unit_vectors(const Map& map) const
+  {
+    constexpr double tolerance = 1e-4; // of numbers of single precision and text
+    const auto range = elements<Element>(mesh_);
+    return std::all_of(range.begin(), range.end(), [&](Element e) {
+      return !has_value(mesh_, e) || std::abs(CGAL::to_double(map[e].squared_length()) - 1) < tolerance;
+    });
+  }
+
+  // The mean of opposite vectors has no direction and stays 0.
+  template <class Element, class Map>
+  void scale_to_unit_length(Map& map)
+  {
+    for (const Element e : elements<Element>(coarse_)) {
+      const double length = std::sqrt(CGAL::to_double(map[e].squared_length()));
+      if (length > 0)
+        map[e] = map[e] / length;
+    }
+  }
+
+  template <class Element, class AnyMesh>
+  static auto elements(const AnyMesh& mesh)
+  {
+    if constexpr (std::is_same<Element, typename Mesh::Vertex_index>::value)
+      return mesh.vertices();
+    else if constexpr (std::is_same<Element, typename Mesh::Face_index>::value)
+      return mesh.faces();
+    else if constexpr (std::is_same<Element, typename Mesh::Edge_index>::value)
+      return mesh.edges();
+    else
+      return mesh.halfedges();
   }
 
   template <class Element, class Type>
@@ -152,6 +219,7 @@ private:
   const Mesh& mesh_;
   Coarse& coarse_;
   const Policies& policies_;
+  std::string name_of_clusters_;
   Property_resampler<Mesh, Coarse> transfer_;
   std::vector<std::string> left_;
   bool is_check_ = false;
@@ -168,7 +236,8 @@ private:
 /// and the points and vectors of the kernel in two and three dimensions. Floating-point numbers, colors, points, vectors and
 /// arrays are interpolated unless `policies` overrides it; integers, `bool` and strings go by majority. `Property_resampler`
 /// describes the transfer of values of edges and halfedges; seams follow from the values of halfedges. Points are not
-/// transferred, nor properties that belong to the mesh, whose names begin with `v:connectivity` and the like.
+/// transferred, nor properties that belong to the mesh, whose names begin with `v:connectivity` and the like, nor `clusters` if it
+/// is a property map of the mesh. Three-dimensional vectors that are all of unit length, such as normals, keep unit length.
 ///
 /// \tparam P a point type
 /// \tparam Q a point type

@@ -9,6 +9,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -75,6 +76,15 @@ template <class FaceGraph>
 void write_vertex_clusters(const Numbering<FaceGraph>&, const Clustering_input&, const std::vector<Index>&, std::size_t,
                            const CGAL::internal_np::Param_not_found&)
 {}
+
+// Throws Invalid_input if places of an input are asked for that the output is to replace.
+template <class Map, class FaceGraph, class Output>
+void check_input_stays(const FaceGraph& input, const Output& output)
+{
+  const bool has_map = !std::is_same<Map, CGAL::internal_np::Param_not_found>::value;
+  if (has_map && static_cast<const void*>(&input) == static_cast<const void*>(&output))
+    throw Invalid_input("a vertex_source_map was given, but the output is the input, which the sources would lie on");
+}
 
 // Finds the sources of the vertices on the input before the output changes, and writes them when the output has its
 // vertices.
