@@ -50,7 +50,7 @@ struct Grown
     const auto np = CGAL::parameters::default_values();
     Local_frame frame;
     input.items = clustering_input(mesh, np, numbering(mesh, np), frame, Cancellation_point());
-    initial = std::make_unique<Initial_clustering>(input, report, Cancellation_point(), Execution::SEQUENTIAL);
+    initial = std::make_unique<Initial_clustering>(input, false, report, Cancellation_point(), Execution::SEQUENTIAL);
     initial->seed(number_of_clusters);
     labels = std::make_unique<Cluster_labels>(initial->grow());
   }
