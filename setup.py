@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`pip install .` installs the Python module; CMake builds its compiled part, and needs what the library needs."""
+"""`pip install .` installs the Python module; CMake builds its compiled part, and needs the dependencies of the library."""
 
 import os
 import re

@@ -157,42 +157,43 @@ po::options_description described_options()
      "diagonal of the input's bounding box (0.01 is one percent); the distance is bounded, not sampled")
     ("maximum-distance-absolute", text()->value_name("D"), "the same in the mesh's unit of length")
     ("levels", text()->value_name("L")->default_value("0"),
-     "beside OUTPUT, write L coarser levels of it, each with half the vertices of the one before: OUTPUT with .1, .2 and so on "
+     "beside OUTPUT, write L coarser levels of it, each with half the vertices of the previous one: OUTPUT with .1, .2 and so on "
      "before its ending")
     ("rounds", text()->value_name("R"),
-     "stop after R rounds of minimization; 0 shows seeds and growth alone (default: as many as --convergence-tolerance asks for, at most 1000)")
+     "stop after R rounds of minimization; 0 shows seeds and growth alone (default: up to --convergence-tolerance, at most 1000)")
     ("convergence-tolerance", text()->value_name("T")->default_value(number_text(Defaults::convergence_tolerance)),
-     "stop after the round of minimization that lowers the energy by no more than this part of it; 0: when a round changes nothing")
+     "stop after the round of minimization that lowers the energy by no more than this part of it; 0: after a round without "
+     "changes")
     ("weight,w", text()->value_name("W")->default_value(default_weight()), joined(weight_names()).c_str())
     ("maximum-density", text()->value_name("R")->default_value(number_text(Defaults::maximum_density)),
      "densities run from 1 on flat parts to R on the sharpest ones, and to 4 R on borders; the weight variance does well with 3")
     ("placement", text()->value_name("P")->default_value(default_placement()), joined(placement_names()).c_str())
     ("error-feedback", text()->value_name("R")->default_value(std::to_string(Defaults::error_feedback)),
-     "with the placement fitted: in R rounds, vertices are taken from where they do little for the distance to where it is large; "
-     "0 leaves them where the densities put them")
+     "with the placement fitted: in R rounds, relocate vertices to places of large distance; with 0, the densities alone "
+     "distribute the vertices")
     ("paper",
      "do as the article prints: densities up to 50 (variance: 3) and none for borders, merging by area, the check by boundary-edge "
      "counts, the end when a round changes nothing, vertices at centroids, no feedback and no repair; options beside it take precedence")
     ("features", text()->value_name("ANGLE")->implicit_value(default_feature_angle),
-     "keep sharp edges, those at which normals are ANGLE degrees or more apart: they become lines of edges, and their corners "
-     "stay where they are")
+     "keep sharp edges, whose normals differ by ANGLE degrees or more: they become lines of edges, and their corners keep "
+     "their positions")
     ("clusters", text()->value_name("FILE"), "write the input with a color and a label for each face (.ply)")
     ("picture", text()->value_name("FILE"), "write a picture of the input with its clusters, the result, and the distance between them (.png)")
-    ("view", text()->value_name("X,Y,Z"), "direction from which the picture is taken (default 1,0.5,0.8, turned as --up is)")
+    ("view", text()->value_name("X,Y,Z"), "direction from which the picture is taken (default 1,0.5,0.8, rotated with --up)")
     ("up", text()->value_name("X,Y,Z"), "direction that points up in the picture (default 0,1,0)")
     ("report", text()->value_name("FILE"), "write parameters, counts, topology and times (JSON)")
     ("repair",
-     "mend the input first: merge coincident points, remove useless faces, orient, duplicate non-manifold vertices, "
+     "repair the input first: merge coincident points, remove useless faces, orient, duplicate non-manifold vertices, "
      "stitch borders, remove degenerate triangles and unused points")
     ("fill-holes", text()->value_name("LENGTH"),
      "first fill the holes whose border is at most LENGTH long, in the mesh's unit of length, or in percent of the diagonal of its "
      "bounding box, such as 10%, or all; --report lists the holes with their lengths, and whether they were filled")
     ("minimum-component-area", text()->value_name("A"),
-     "leave out connected components of an area below A, in the square of the mesh's unit of length (a cube of side 2 "
+     "remove connected components of an area below A, in the square of the mesh's unit of length (a cube of side 2 "
      "has area 24); --report lists them")
     ("subdivide",
-     "cut faces into smaller ones, in a copy, until there are 20 for each vertex of the result: clusters are rounder where "
-     "the input is hardly finer than the result, and --vertices may exceed the input's")
+     "subdivide faces of a copy until there are 20 for each vertex of the result: clusters are rounder if the input is "
+     "hardly finer than the result, and --vertices may exceed the input's")
     ("measure",
      "measure the result and print, and put into --report: distance from the input both ways (RMS, mean, maximum) and of the "
      "borders, in % of the diagonal of the input's bounding box; deviation of normals; smallest angles of the triangles; "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Arrays of users as the compiled part takes them."""
+"""Conversion of users' arrays for the compiled part."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def mesh_arrays(points: Any, faces: Faces) -> Arrays:
 
 
 def _check_indices(sizes: np.ndarray, indices: np.ndarray, vertices: int) -> None:
-    """What is out of range has to be found before numbers of 32 bits hide it."""
+    """Checks ranges before conversion to 32 bits hides errors."""
     if indices.size == 0:
         return
     for corner in (int(np.argmin(indices)), int(np.argmax(indices))):
@@ -63,7 +63,7 @@ def _sizes_and_indices(faces: Faces) -> Tuple[np.ndarray, np.ndarray]:
 
 
 def _split_padded(array: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
-    """Sizes and indices of an array in which each polygon is preceded by its size."""
+    """Splits an array in which the size of each polygon precedes it into sizes and indices."""
     if array.size and array[0] >= 0 and array.size % (int(array[0]) + 1) == 0:
         rows = array.reshape(-1, int(array[0]) + 1)  # all of one size, as they mostly are
         if (rows[:, 0] == array[0]).all():

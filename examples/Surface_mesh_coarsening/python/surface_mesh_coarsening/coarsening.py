@@ -18,9 +18,9 @@ class Coarsening:
 
     points: vertices, an array of shape (n, 3)
     faces: triangles, an integer array of shape (m, 3)
-    labels: the vertex of `points` that stands for each face of the input; n for faces of components that were left out
-    report: what was done, in numbers: clusters, rounds and moves of the minimization, energies, and what the repair of
-        intersections found and left, among others
+    labels: the vertex of `points` that represents each face of the input; n for faces of removed components
+    report: statistics, among others clusters, rounds and moves of the minimization, energies, and the intersections
+        that the repair found and left
     """
 
     points: np.ndarray
@@ -125,17 +125,17 @@ def coarsen(
     weight: "uniform", "area", "maximum", "exact-maximum" or "variance"
     placement: "centroid", "closest-vertex", "quadric" or "fitted"
     maximum_density: densities run from 1 on flat parts to this on the sharpest
-    density: densities of the faces instead, in [1e-20, 1e20]
-    features: keeps edges at which normals are so many degrees or more apart
-    patches: integers of the faces; edges between faces of different ones are kept
-    error_feedback: with the placement "fitted", rounds in which vertices are moved to where the distance is large; 7 by
+    density: densities of the faces, in [1e-20, 1e20], instead of computed ones
+    features: keeps edges whose normals differ by this angle in degrees or more
+    patches: integers of the faces; edges between faces of different integers are kept
+    error_feedback: with the placement "fitted", rounds that relocate vertices to places of large distance; 7 by
         default, 0 with `density`
-    minimum_component_area: leaves out connected components of a smaller area
+    minimum_component_area: removes connected components of smaller area
     subdivide: subdivides faces internally until there are 20 for each vertex of the result
     repair: moves vertices and flips edges where triangles of the result intersect or are reversed
-    iterations: the largest number of rounds of the minimization
+    iterations: the maximal number of rounds of the minimization
     convergence_tolerance: the minimization ends with the round that lowers the energy by no more than this part of it
-    threads: the largest number of threads of this call; all by default. The result does not depend on it
+    threads: the maximal number of threads of this call; all by default. The result does not depend on it
     progress: is called with the name of the stage and the number of the round
 
     Raises UnreachableNumberOfVertices or UnreachableDistance, both with `nearest`, and ValueError for other input that cannot be
@@ -190,8 +190,8 @@ def coarsen_levels(
 ) -> List[Coarsening]:
     """Coarsens a mesh to levels of detail with `numbers` of vertices, from fine to coarse.
 
-    The first is that of `coarsen()`; the clusters of each level are unions of those of the level before, so that
-    `labels` nest. The other arguments are those of `coarsen()`.
+    The first equals the result of `coarsen()`; each cluster of a level is a union of clusters of the previous level, so
+    `labels` nest. The other arguments are as in `coarsen()`.
 
     Raises UnreachableNumberOfVertices if a level has too few vertices for the topology of the mesh.
     """

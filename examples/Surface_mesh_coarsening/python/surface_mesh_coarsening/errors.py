@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Exceptions that tell what would have worked."""
+"""Exceptions with the nearest attainable value."""
 
 from . import _core
 
 
 class UnreachableNumberOfVertices(ValueError):
-    """No result has the number of vertices asked for; `nearest` is the nearest number that works."""
+    """No result has the requested number of vertices; `nearest` is the nearest attainable number."""
 
     def __init__(self, message: str, nearest: int):
         super().__init__(message)
@@ -16,7 +16,7 @@ class UnreachableNumberOfVertices(ValueError):
 
 
 class UnreachableDistance(ValueError):
-    """No result keeps to the distance asked for; `nearest` is the bound of the closest result that was found."""
+    """No result is within the requested distance; `nearest` is the bound of the closest result found."""
 
     def __init__(self, message: str, nearest: float):
         super().__init__(message)

@@ -12,7 +12,7 @@ from .arrays import Faces, mesh_arrays
 def measure(
     points: Any, faces: Faces, coarse_points: Any, coarse_faces: Faces, *, samples: int = 100000
 ) -> Dict[str, Union[float, int]]:
-    """Measures how well the second mesh stands for the first.
+    """Measures how well the second mesh approximates the first.
 
     Distances are the larger of both ways, from `samples` samples each, in the unit of the meshes, for surfaces and for borders;
     angles are in degrees. Keys: rms_distance, mean_distance, maximum_distance, border_rms_distance, border_mean_distance,

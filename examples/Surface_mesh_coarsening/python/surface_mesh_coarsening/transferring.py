@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values of a mesh for its coarse mesh."""
+"""Transfer of values of a mesh to its coarse mesh."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _POLICIES = ("interpolated", "conservative", "majority")
 
 @dataclass(frozen=True)
 class Transferred:
-    """Values of the vertices, faces and corners of a coarse mesh, by their names. Those of corners have shape (m, 3, ...)."""
+    """Values of the vertices, faces and corners of a coarse mesh by name. Values of corners have shape (m, 3, ...)."""
 
     vertex: Dict[str, np.ndarray]
     face: Dict[str, np.ndarray]
@@ -25,7 +25,7 @@ class Transferred:
 
 
 def _rows(values: Any, element: str, name: str, mesh: Arrays) -> np.ndarray:
-    """The values with one row for each element; those of corners may be arranged by faces."""
+    """Returns the values with one row per element; values of corners may be arranged by faces."""
     array = np.asarray(values)
     number = {"vertex": len(mesh.points), "face": len(mesh.sizes), "corner": len(mesh.indices)}[element]
     if element == "corner" and array.ndim > 1 and len(array) != number and array.shape[0] * array.shape[1] == number:
@@ -47,7 +47,7 @@ def _as_numbers(rows: np.ndarray, element: Any, policy: str) -> Tuple[Any, Calla
 
 
 def _as_labels(rows: np.ndarray, element: Any) -> Tuple[Any, Callable[[np.ndarray], np.ndarray]]:
-    """Values of any type, numbered in their order."""
+    """Numbers values of any type in their order."""
     distinct, labels = np.unique(rows, axis=0, return_inverse=True)
     return _core.Values(element, labels.reshape(-1).astype(np.int64)), lambda result: distinct[result]
 
@@ -70,17 +70,17 @@ def transfer(
     corner: Optional[Mapping[str, Any]] = None,
     policy: Optional[Mapping[str, str]] = None,
 ) -> Transferred:
-    """Carries values of a mesh over to its coarse mesh.
+    """Transfers values of a mesh to its coarse mesh.
 
     points, faces: the mesh that `coarsening` was made of
-    vertex, face, corner: arrays by their names, with a row for each vertex, face or corner; those of corners, such as texture
+    vertex, face, corner: arrays by name, with a row per vertex, face or corner; values of corners, such as texture
         coordinates, are in the order of the faces, or of shape (f, k, ...)
-    policy: how, by name. "interpolated": the value at the nearest point, the default for numbers with fractions.
-        "conservative": keeps integrals over the surface. "majority": the value with the largest area, the default for all
-        else, such as whole numbers and strings. Values of corners are interpolated within their face, never across a seam, or
-        taken from the nearest corner where they would go by majority.
+    policy: the transfer by name. "interpolated": the value at the nearest point, the default for floating-point numbers.
+        "conservative": keeps integrals over the surface. "majority": the value of largest area, the default for all
+        other types, such as integers and strings. Values of corners are interpolated within their face, never across a seam, or
+        taken from the nearest corner instead of a majority.
 
-    The results have the types of the arrays given; whole numbers are rounded.
+    The results have the types of the given arrays; integers are rounded.
     """
     mesh = mesh_arrays(points, faces)
     labels = np.ascontiguousarray(coarsening.labels, dtype=np.int64)
