@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Compares speeds in pairs of runs that follow each other, so that what else the machine does hits both alike, and prints as CSV the
-// ratios with their spread: the tool's default run and the clustering alone, with other packages, with themselves on two threads, and
-// with themselves on a smaller mesh. Memory is the peak of a process of its own, above what it held with the mesh loaded.
+// Compares speeds in consecutive pairs of runs, so that other load affects both alike, and prints as CSV the ratios with
+// their spread: the tool's default run and the clustering alone, with other packages, with themselves on two threads, and
+// with themselves on a smaller mesh. Memory is the peak of a separate process beyond its memory with the mesh loaded.
 //
 //   compare_speed RUNS MODEL VERTICES [MODEL VERTICES]...
 //   compare_speed --once default|clustering MODEL VERTICES      one run, for profilers; see count_serial_part.sh
@@ -193,7 +193,7 @@ void measure_scale(const Model& m, std::size_t runs)
   compare("time per face, clustering / of 100,000 faces", m, runs, seconds_per_face(m), seconds_per_face(small));
 }
 
-// Never inlined, so that profilers tell it from the reading of the model.
+// Never inlined, so that profilers separate it from reading the model.
 BOOST_NOINLINE void run_once(const Method& method, const Model& m)
 {
   Result result;

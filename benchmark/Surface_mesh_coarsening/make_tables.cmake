@@ -3,8 +3,8 @@
 # Measures the tables of the manual and writes each to OUT/NAME.md, with the commands that it comes from:
 #   cmake -D BIN=build/release/bin -D MESHES=CGAL_DATA/meshes -D MODELS=DIRECTORY [-D NAMES="borders distance"] -D OUT=DIRECTORY
 #     [-D SHORT=ON] -P make_tables.cmake
-# MODELS holds bunny.off, horse.off and dragon_vrip.ply; rows of models that are not found are left out. With SHORT, so are rows that
-# take long: the test `tables` compares these with the manual's.
+# MODELS holds bunny.off, horse.off and dragon_vrip.ply; rows of missing models are omitted. With SHORT, so are slow rows: the
+# test `tables` compares these with the manual's.
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -42,7 +42,7 @@ function(coarsen result file)
   set(${result} "${report}" PARENT_SCOPE)
 endfunction()
 
-# Rounds a number to so many digits after the point, as text.
+# Rounds a number to the given digits after the point, as text.
 function(rounded result number digits)
   if(number MATCHES "[eE]" OR NOT number MATCHES "^-?[0-9]*\\.?[0-9]+$")
     if(number MATCHES "^([0-9])(\\.([0-9]*))?[eE]-0?([0-9]+)$")

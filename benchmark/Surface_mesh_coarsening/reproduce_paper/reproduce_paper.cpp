@@ -78,8 +78,8 @@ std::string formatted(const char* format, Arguments... arguments)
   return text;
 }
 
-// Table 1 as it is printed, each cell with the paper's number and ours. The times are the paper's: seeding, and what follows it until
-// the clusters are final. Densities are in neither of them there, as far as the paper tells.
+// Table 1 as it is printed, each cell with the paper's number and ours. The times are defined as in the paper: seeding, and
+// then growth and minimization. Neither seems to include densities there.
 void print_table(const std::vector<Column>& columns)
 {
   print_row("paper / here", columns, [](const Column& c) { return c.model->name; });

@@ -11,7 +11,7 @@
 
 namespace benchmark_support {
 
-// A torus of about so many triangles, with bumps. It is made face by face; 20 million of them take some 4 GB in all.
+// A bumpy torus of about the given number of triangles, built face by face; 20 million faces take some 4 GB in all.
 inline coarsening_support::Mesh bumpy_torus(std::size_t faces)
 {
   using coarsening_support::Mesh;

@@ -98,8 +98,8 @@ public:
     return state_.report.seeds;
   }
 
-  /// finds seeds for the number of clusters that is a part `vertex_ratio` of the number of vertices of the mesh, rounded, and at
-  /// least 1; vertices of components that are left out do not count.
+  /// finds seeds for `vertex_ratio` times the number of vertices of the mesh, rounded, at least 1; vertices of removed
+  /// components do not count.
   /// \return the number of seeds
   /// \throws Invalid_input if the ratio is not positive and finite.
   /// \throws Unreachable_number_of_vertices as `seed()` does.
@@ -158,9 +158,9 @@ public:
   /// \return whether a face has changed cluster
   bool minimize_round() { return internal::minimize_round(state_); }
 
-  /// runs rounds until one lowers the energy by no more than a part `convergence_tolerance` of it, or changes nothing, or until
-  /// `number_of_iterations` have been run. Where there are many clusters, some rounds are run at a time, block by block of clusters;
-  /// then the energies are compared, and the visitor is notified, after these.
+  /// runs rounds until one lowers the energy by at most the relative amount `convergence_tolerance`, or changes nothing, or
+  /// until `number_of_iterations` have been run. With many clusters, several rounds are run at a time in blocks of clusters;
+  /// then energies are compared and the visitor is notified only after these.
   /// \throws Invalid_input if the tolerance is negative or not a number.
   void minimize(std::size_t number_of_iterations = Coarsening_defaults::number_of_iterations,
                 double convergence_tolerance = Coarsening_defaults::convergence_tolerance)

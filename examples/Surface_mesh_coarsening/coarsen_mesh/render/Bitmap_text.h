@@ -27,7 +27,7 @@ public:
   std::size_t width() const { return text.empty() ? 0 : scale * (advance * text.size() - 1); }
   std::size_t height() const { return scale * rows; }
 
-  // Draws it with its upper left corner at (x, y); what lies beyond the image is left out.
+  // Draws it with its upper left corner at (x, y), clipped to the image.
   void draw(Image& image, std::size_t x, std::size_t y) const
   {
     for (std::size_t i = 0; i < text.size(); ++i)
