@@ -88,7 +88,7 @@ Coarsening coarsening_with(double maximum_density)
   return [=](const Mesh& mesh, std::size_t number, Mesh& output, Labels labels) {
     return SMC::coarsen_mesh(mesh, number, output,
                              SMC::parameters::cluster_weight(Weight())
-                               .vertex_placement(SMC::Centroid_placement()) // flips no edges: triangles are the dual of the clusters
+                               .vertex_placement(SMC::Centroid_placement()) // flips no edges: the triangles are the dual
                                .repair_output(false)
                                .maximum_density(maximum_density)
                                .face_cluster_map(labels));
