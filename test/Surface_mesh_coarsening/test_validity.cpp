@@ -118,7 +118,7 @@ void walk(Surface& s, Labels labels, std::size_t steps, std::mt19937& engine, St
   for (std::size_t f = 0; f < labels.size(); ++f)
     fast.set(Index(f), Index(labels[f]));
   fast.recount();
-  SMC::internal::Valid_moves moves(fast, clusters);
+  SMC::internal::Valid_moves moves(fast, nullptr);
   std::vector<std::pair<std::size_t, std::size_t> > allowed;
   for (std::size_t step = 0; step < steps; ++step) {
     ++statistics.clusterings;
