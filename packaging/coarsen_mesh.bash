@@ -16,6 +16,8 @@ _coarsen_mesh()
   case $before in
     -w | --weight) values="uniform area maximum exact-maximum variance" ;;
     --fill-holes) values=all ;;
+    --format) values="off obj ply stl" ;;
+    --patches) values="material group" ;;
     --placement) values="centroid closest-vertex quadric fitted" ;;
     --clusters) endings=ply ;;
     --picture) endings=png ;;
@@ -25,8 +27,8 @@ _coarsen_mesh()
     --minimum-component-area | --threads) return ;;
     *)
       if [[ $word == -* ]]; then
-        values="--vertices --range --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --weight --maximum-density --placement --error-feedback --paper --features --clusters --picture
-          --view --up --report --repair --fill-holes --minimum-component-area --subdivide --measure --threads --quiet
+        values="--vertices --range --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --weight --maximum-density --placement --error-feedback --paper --features --patches --clusters --picture
+          --view --up --report --format --repair --fill-holes --minimum-component-area --subdivide --measure --threads --quiet
           --version --help -n -k -w -h"
       else
         endings="off obj ply stl"

@@ -529,4 +529,58 @@ BOOST_AUTO_TEST_CASE(signals_at_any_time)
   BOOST_TEST(interrupted > 3u);
 }
 
+BOOST_AUTO_TEST_CASE(standard_streams)
+{
+  const Tool_directory shop;
+  shop.write("in.off", mesh_files::off(generated::triangle_sphere(4)));
+  BOOST_CHECK_EQUAL(shop.run("in.off out.off -n 30 --quiet").status, 0);
+  const std::string expected = test::content_of(shop / "out.off");
+  // What follows the # are the streams that the test has by default.
+  const Tool_outcome outcome = shop.run("- - --format OFF -n 30 <in.off >stdout 2>stderr #");
+  BOOST_CHECK_EQUAL(outcome.status, 0);
+  BOOST_CHECK(outcome.out == expected);
+  BOOST_CHECK(outcome.names("-> - (30 vertices, 56 faces)")); // beside the mesh, not in it
+  BOOST_CHECK_EQUAL(shop.run("- out.ply --format off -n 30 <in.off >stdout 2>stderr #").status, 0);
+  BOOST_CHECK_EQUAL(shop.run("in.off - --format ply -n 30 --quiet").out.substr(0, 4), "ply\n");
+  check_refused(shop, "- out.off --format off -n 30", {"standard input: is empty"});
+  for (const char* wrong : {"- out.off", "in.off -", "- - --format png", "in.off - --format off --levels 1",
+                            "in.off - --format off --report -"}) {
+    const Tool_outcome refused = shop.run(std::string(wrong) + " -n 30");
+    BOOST_CHECK_EQUAL(refused.status, 2);
+    BOOST_CHECK(refused.is_one_line_error());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(several_inputs)
+{
+  const Tool_directory shop;
+  for (const char* name : {"a.off", "b.off", "c.off"})
+    shop.write(name, mesh_files::off(generated::triangle_sphere(4)));
+  shop.write("broken.off", "OFF\n1 1 0\n");
+  fs::create_directory(shop / "folder");
+  const Tool_outcome all = shop.run("a.off b.off c.off folder -n 30");
+  BOOST_CHECK_EQUAL(all.status, 0);
+  BOOST_CHECK_EQUAL(std::count(all.out.begin(), all.out.end(), '\n'), 3); // a line each
+  const std::string content = test::content_of(shop / "folder" / "a.off");
+  BOOST_CHECK(!content.empty());
+  for (const char* name : {"b.off", "c.off"})
+    BOOST_CHECK(test::content_of(shop / "folder" / name) == content);
+  const Tool_outcome some = shop.run("a.off broken.off c.off folder/coarse_%%_%.ply -n 30 --report folder/%.json");
+  BOOST_CHECK_EQUAL(some.status, 1);
+  BOOST_CHECK_EQUAL(std::count(some.out.begin(), some.out.end(), '\n'), 2);
+  BOOST_CHECK_EQUAL(std::count(some.err.begin(), some.err.end(), '\n'), 1);
+  BOOST_CHECK(some.names("coarsen_mesh: broken.off: "));
+  for (const char* name : {"coarse_%_a.ply", "coarse_%_c.ply", "a.json", "c.json"})
+    BOOST_CHECK(fs::exists(shop / "folder" / name));
+  BOOST_CHECK(!fs::exists(shop / "folder" / "coarse_%_broken.ply"));
+  const std::vector<std::string> before = shop.files();
+  for (const char* wrong : {"a.off b.off c.off", "a.off b.off folder --report r.json", "a.off folder/../a.off folder",
+                            "a.off b.off ./%.off --report a.off", "a.off b.off missing", "a.off b.off b%.off --picture %.off"}) {
+    const Tool_outcome refused = shop.run(std::string(wrong) + " -n 30");
+    BOOST_CHECK_MESSAGE(refused.status == 2, wrong);
+    BOOST_CHECK(refused.is_one_line_error());
+  }
+  BOOST_CHECK(shop.files() == before);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -9,11 +9,14 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -90,8 +93,196 @@ BOOST_AUTO_TEST_CASE(ply_files_keep_their_numbers)
   }
   const std::set<double> labels(soup.of_polygons[0].values.begin(), soup.of_polygons[0].values.end());
   BOOST_CHECK(labels == (std::set<double>{-7, 3}));
+}
+
+BOOST_AUTO_TEST_CASE(repair_and_hole_filling_keep_fields)
+{
+  const Tool_directory shop;
+  shop.write("in.ply", colored_ply());
+  check_done(shop.run("in.ply out.ply -n 40"));
   check_done(shop.run("in.ply repaired.ply -n 40 --repair"));
-  BOOST_CHECK(parse_soup(test::content_of(shop / "repaired.ply"), "ply").of_points.empty());
+  BOOST_CHECK(test::content_of(shop / "repaired.ply") == test::content_of(shop / "out.ply"));
+  shop.write("in.obj", textured_obj());
+  check_done(shop.run("in.obj out.obj -n 40"));
+  check_done(shop.run("in.obj repaired.obj -n 40 --repair"));
+  BOOST_CHECK(test::content_of(shop / "repaired.obj") == test::content_of(shop / "out.obj"));
+
+  // An open box whose faces have the label 5: so has the lid that fills its hole.
+  const generated::Soup box = generated::cube_grid(6);
+  std::ostringstream os;
+  std::size_t faces = 0;
+  std::ostringstream list;
+  for (const auto& p : box.polygons) {
+    double low = 10;
+    for (const std::size_t v : p)
+      low = (std::min)(low, box.points[v][2]);
+    const bool is_lid = low == (*std::max_element(box.points.begin(), box.points.end(), [](const auto& a, const auto& b) {
+      return a[2] < b[2];
+    }))[2];
+    if (is_lid)
+      continue;
+    list << p.size();
+    for (const std::size_t v : p)
+      list << ' ' << v;
+    list << " 5 0 0 255\n";
+    ++faces;
+  }
+  os << "ply\nformat ascii 1.0\ncomment TextureFile stone.png\nelement vertex " << box.points.size()
+     << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << faces
+     << "\nproperty list uchar int vertex_indices\nproperty short label\nproperty uchar red\nproperty uchar green\nproperty "
+        "uchar blue\nend_header\n";
+  for (const auto& p : box.points)
+    os << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  shop.write("box.ply", os.str() + list.str());
+  check_done(shop.run("box.ply lid.ply -n 60 --fill-holes all"));
+  const Soup lid = parse_soup(test::content_of(shop / "lid.ply"), "ply");
+  BOOST_CHECK(lid.notes.comments == std::vector<std::string>{"TextureFile stone.png"});
+  BOOST_REQUIRE_EQUAL(lid.of_polygons.size(), 4u);
+  BOOST_CHECK_EQUAL(lid.polygons.size(), 116u); // closed
+  for (std::size_t f = 0; f < lid.polygons.size(); ++f) {
+    BOOST_CHECK_EQUAL(lid.of_polygons[0].values[f], 5);
+    BOOST_CHECK_EQUAL(lid.of_polygons[3].values[f], 255);
+  }
+}
+
+// A torus with normals and colors of vertices, which go through all formats that have them.
+BOOST_AUTO_TEST_CASE(fields_go_from_format_to_format)
+{
+  const Tool_directory shop;
+  const generated::Soup torus = generated::torus(24, 16);
+  std::ostringstream os;
+  os << "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex " << torus.points.size()
+     << "\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float ny\nproperty float "
+        "nz\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face "
+     << torus.polygons.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const auto& p : torus.points) {
+    const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    os << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[0] / length << ' ' << p[1] / length << ' ' << p[2] / length
+       << " 200 100 50\n";
+  }
+  for (const auto& p : torus.polygons) {
+    os << p.size();
+    for (const std::size_t v : p)
+      os << ' ' << v;
+    os << '\n';
+  }
+  shop.write("0.ply", os.str());
+  const char* const steps[] = {"0.ply 1.off -n 100", "1.off 2.obj -n 80", "2.obj 3.ply -n 60", "3.ply 4.obj -n 50"};
+  for (const std::string step : steps) {
+    const Tool_outcome outcome = shop.run(step);
+    check_done(outcome);
+    BOOST_CHECK_EQUAL(outcome.err, ""); // nothing is lost
+    const std::string file = step.substr(6, 5);
+    const Soup soup = parse_soup(test::content_of(shop / file), file.substr(2));
+    BOOST_REQUIRE_GE(soup.of_points.size(), 6u);
+    std::map<std::string, std::vector<double> > values;
+    for (const auto& property : soup.of_points)
+      values[property.name] = property.values;
+    for (std::size_t v = 0; v < soup.points.size(); ++v) {
+      BOOST_CHECK_SMALL(std::hypot(values["nx"][v], values["ny"][v], values["nz"][v]) - 1, 1e-6);
+      BOOST_CHECK_EQUAL(values["red"][v], 200);
+      BOOST_CHECK_EQUAL(values["green"][v], 100);
+      BOOST_CHECK_EQUAL(values["blue"][v], 50);
+    }
+  }
+  BOOST_CHECK(test::content_of(shop / "1.off").find("# made by hand") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(what_a_format_cannot_hold_is_named_once)
+{
+  const Tool_directory shop;
+  shop.write("in.ply", colored_ply());
+  const Tool_outcome outcome = shop.run("in.ply out.off -n 40 --levels 1 --report report.json");
+  check_done(outcome);
+  BOOST_CHECK_EQUAL(outcome.err,
+                    "coarsen_mesh: warning: out.off: the numbers 'red' of vertices are left out, the format OFF cannot hold them\n"
+                    "coarsen_mesh: warning: out.off: the numbers 'quality' of vertices are left out, the format OFF cannot hold "
+                    "them\n"
+                    "coarsen_mesh: warning: out.off: the numbers 'label' of faces are left out, the format OFF cannot hold them\n");
+  BOOST_CHECK(test::content_of(shop / "report.json").find("'quality'") != std::string::npos);
+  BOOST_CHECK_EQUAL(shop.run("in.ply out.off -n 40 --quiet").err, "");
+  BOOST_CHECK_EQUAL(shop.run("in.ply out.ply -n 40").err, "");
+  shop.write("in.obj", textured_obj() + "s 1\nl 1 2\n");
+  const Tool_outcome lines = shop.run("in.obj out.stl -n 40");
+  check_done(lines);
+  for (const char* field : {"smoothing groups are not read", "lines are not read", "the texture coordinates of corners are left out",
+                            "the materials of faces are left out", "the groups of faces are left out"})
+    BOOST_CHECK_MESSAGE(lines.err.find(field) != std::string::npos, lines.err);
+}
+
+// Colors and normals behind the coordinates of OFF, in its order; normals of OBJ that differ at a vertex stay with the corners.
+BOOST_AUTO_TEST_CASE(fields_of_text)
+{
+  const Soup off = parse_soup("CNOFF\n3 1 0\n0 0 0 0 0 1 0.2 0.4 1 1\n1 0 0 0 0 1 0 0 1 1\n0 1 0 0 0 1 0 0 1 1\n3 0 1 2 255 0 9\n", "off");
+  BOOST_REQUIRE_EQUAL(off.of_points.size(), 6u); // opaque
+  BOOST_CHECK_EQUAL(off.of_points[2].name, "nz");
+  BOOST_CHECK_EQUAL(off.of_points[2].values[1], 1);
+  BOOST_CHECK_EQUAL(off.of_points[3].name, "red");
+  BOOST_CHECK_EQUAL(off.of_points[3].values[0], 51);
+  BOOST_CHECK_EQUAL(off.of_points[4].values[0], 102);
+  BOOST_CHECK_EQUAL(off.of_points[5].values[2], 255);
+  BOOST_REQUIRE_EQUAL(off.of_polygons.size(), 3u);
+  BOOST_CHECK_EQUAL(off.of_polygons[0].values[0], 255);
+  BOOST_CHECK_EQUAL(off.of_polygons[2].values[0], 9);
+  BOOST_CHECK(off.left_out.empty());
+  BOOST_CHECK_EQUAL(parse_soup("OFF\n3 1 0\n0 0 0 7\n1 0 0 x\n0 1 0\n3 0 1 2\n", "off").left_out.size(), 1u);
+
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvn 0 1 0\n";
+  const Soup smooth = parse_soup(points + "f 1//1 2//1 3//1\nf 1//1 3//1 4//2\n", "obj");
+  BOOST_REQUIRE_EQUAL(smooth.of_points.size(), 3u);
+  BOOST_CHECK(smooth.of_points[1].values == (std::vector<double>{0, 0, 0, 1}));
+  BOOST_CHECK(smooth.normal_corners.empty());
+  const Soup creased = parse_soup(points + "f 1//1 2//1 3//1\nf 1//2 3//2 4//2\n", "obj");
+  BOOST_CHECK(creased.of_points.empty());
+  BOOST_CHECK_EQUAL(creased.normal_corners.size(), 2u);
+}
+
+// Two strips of a square of four triangles around its middle, one with a vertex that is repeated.
+BOOST_AUTO_TEST_CASE(strips_of_triangles)
+{
+  const std::string header = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+                             "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                             "0 0 0\n1 0 0\n1 1 0\n0 1 0\n.5 .5 0\n";
+  const Soup soup = parse_soup(header + "9 0 1 4 2 -1 2 3 4 0\n", "ply");
+  BOOST_REQUIRE_EQUAL(soup.polygons.size(), 4u);
+  const std::vector<std::vector<std::size_t> > expected = {{0, 1, 4}, {4, 1, 2}, {2, 3, 4}, {4, 3, 0}};
+  BOOST_CHECK(soup.polygons.lists() == expected);
+  const Soup turned = parse_soup(header + "5 0 1 4 4 3\n", "ply");
+  BOOST_CHECK(turned.polygons.lists() == (std::vector<std::vector<std::size_t> >{{0, 1, 4}}));
+  BOOST_CHECK_THROW(parse_soup(header + "9 0 1 4 2\n", "ply"), coarsening_support::Format_fault);
+}
+
+BOOST_AUTO_TEST_CASE(borders_of_materials_are_kept_on_request)
+{
+  const Tool_directory shop;
+  shop.write("in.obj", textured_obj());
+  check_done(shop.run("in.obj out.obj -n 60 --patches material"));
+  const Soup soup = parse_soup(test::content_of(shop / "out.obj"), "obj");
+  for (std::size_t f = 0; f < soup.polygons.size(); ++f)
+    for (const std::size_t v : soup.polygons[f])
+      if (soup.materials[f] == "granite")
+        BOOST_CHECK_LE(soup.points[v].x(), 10.05); // of a face of side 1
+      else
+        BOOST_CHECK_GE(soup.points[v].x(), 9.95);
+  const Tool_outcome outcome = shop.run("in.obj out.obj -n 60 --patches colour");
+  BOOST_CHECK_EQUAL(outcome.status, 1);
+  BOOST_CHECK(outcome.names("has no whole numbers 'colour' of faces"));
+}
+
+BOOST_AUTO_TEST_CASE(textures_go_from_obj_to_ply)
+{
+  const Tool_directory shop;
+  shop.write("in.obj", textured_obj());
+  check_done(shop.run("in.obj out.ply -n 40"));
+  check_done(shop.run("in.obj out.obj -n 40"));
+  check_done(shop.run("out.ply again.obj -n 20"));
+  const Soup ply = parse_soup(test::content_of(shop / "out.ply"), "ply"), obj = parse_soup(test::content_of(shop / "out.obj"), "obj");
+  BOOST_REQUIRE_EQUAL(ply.texture_corners.size(), ply.polygons.size());
+  for (std::size_t f = 0; f < ply.polygons.size(); ++f)
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 2; ++k)
+        BOOST_CHECK_SMALL(ply.texture_points[ply.texture_corners[f][i]][k] - obj.texture_points[obj.texture_corners[f][i]][k], 1e-6);
+  BOOST_CHECK(!parse_soup(test::content_of(shop / "again.obj"), "obj").texture_points.empty());
 }
 
 BOOST_AUTO_TEST_CASE(obj_files_keep_textures_and_materials)
@@ -101,7 +292,7 @@ BOOST_AUTO_TEST_CASE(obj_files_keep_textures_and_materials)
   check_done(shop.run("in.obj out.obj -n 40"));
   const Soup soup = parse_soup(test::content_of(shop / "out.obj"), "obj");
   BOOST_REQUIRE_EQUAL(soup.points.size(), 40u);
-  BOOST_CHECK_EQUAL(soup.material_library, "stones.mtl");
+  BOOST_CHECK_EQUAL(soup.notes.material_library, "stones.mtl");
   BOOST_REQUIRE_EQUAL(soup.texture_corners.size(), soup.polygons.size());
   BOOST_REQUIRE_EQUAL(soup.materials.size(), soup.polygons.size());
   BOOST_REQUIRE_EQUAL(soup.groups.size(), soup.polygons.size());

@@ -2,6 +2,7 @@
 
 #include "Options.h"
 
+#include "io/Descriptor.h"
 #include "io/file_type.h"
 #include "io/same_file.h"
 #include "coarsening.h"
@@ -18,6 +19,7 @@
 #include <iostream>
 #include <limits>
 #include <sstream>
+#include <system_error>
 #include <vector>
 
 namespace coarsen_mesh_tool {
@@ -52,6 +54,14 @@ double to_size(const std::string& option, const std::string& text)
   const double value = to_number(text).value_or(-1);
   if (!(value >= 0))
     throw Wrong_usage("--" + option + " takes a number from 0 on, not '" + text + "'");
+  return value;
+}
+
+double to_density(const std::string& option, const std::string& text)
+{
+  const double value = to_number(text).value_or(0);
+  if (!(value >= 1 && value <= 1e20))
+    throw Wrong_usage("--" + option + " takes a number from 1 to 1e20, not '" + text + "'");
   return value;
 }
 
@@ -177,11 +187,14 @@ po::options_description described_options()
     ("features", text()->value_name("ANGLE")->implicit_value(default_feature_angle),
      "keep sharp edges, whose normals differ by ANGLE degrees or more: they become lines of edges, and their corners keep "
      "their positions")
+    ("patches", text()->value_name("FIELD"),
+     "keep the lines between faces that differ in FIELD: material or group, or the name of whole numbers that a PLY file has for faces")
     ("clusters", text()->value_name("FILE"), "write the input with a color and a label for each face (.ply)")
     ("picture", text()->value_name("FILE"), "write a picture of the input with its clusters, the result, and the distance between them (.png)")
     ("view", text()->value_name("X,Y,Z"), "direction from which the picture is taken (default 1,0.5,0.8, rotated with --up)")
     ("up", text()->value_name("X,Y,Z"), "direction that points up in the picture (default 0,1,0)")
     ("report", text()->value_name("FILE"), "write parameters, counts, topology and times (JSON)")
+    ("format", text()->value_name("F"), "the format, off, obj, ply or stl, of INPUT or OUTPUT where they are -, standard input and output")
     ("repair",
      "repair the input first: merge coincident points, remove useless faces, orient, duplicate non-manifold vertices, "
      "stitch borders, remove degenerate triangles and unused points")
@@ -209,36 +222,79 @@ po::options_description described_options()
 
 void print_help(const po::options_description& described)
 {
-  std::cout << "Usage: coarsen_mesh [options] INPUT OUTPUT\n"
+  std::cout << "Usage: coarsen_mesh [options] INPUT... OUTPUT\n"
                "       coarsen_mesh --range [options] INPUT\n\n"
                "Coarsens a polygon mesh to a triangle mesh with few vertices that keeps the features of the surface,\n"
                "by multiplicatively weighted centroidal Voronoi diagrams. INPUT is an oriented 2-manifold mesh; INPUT\n"
-               "and OUTPUT are .off, .obj, .ply or .stl files. Messages number faces and vertices from 0.\n\n"
+               "and OUTPUT are .off, .obj, .ply or .stl files, or - with --format. With several inputs, OUTPUT is a directory\n"
+               "or a pattern such as coarse/%.ply, in which % is the input's name without its ending (%% is a %).\n"
+               "Messages number faces and vertices from 0.\n\n"
             << described
             << "\nExit status: 0 done, 1 could not (one line on standard error says why), 2 wrong usage; 128 + the number\n"
-               "of the signal when SIGINT (130), SIGTERM (143) or SIGHUP (129) ended it. Files appear on status 0 only.\n";
+               "of the signal when SIGINT (130), SIGTERM (143) or SIGHUP (129) ended it. The files of an input appear only if\n"
+               "all went well with it; with several, the status is 1 if one could not be done.\n";
 }
 
-void check_files(const Options& options)
+void check_types(const Options& options)
 {
-  if (!is_mesh_file_type(file_type(options.input)))
-    throw Wrong_usage("INPUT must be an .off, .obj, .ply or .stl file, not '" + options.input + "'");
-  if (!options.asks_range && !is_mesh_file_type(file_type(options.output)))
-    throw Wrong_usage("OUTPUT must be an .off, .obj, .ply or .stl file, not '" + options.output + "'");
+  for (const std::string& file : {options.input, options.output}) {
+    const std::string place = file == options.input ? "INPUT" : "OUTPUT";
+    if (options.asks_range && place == "OUTPUT")
+      continue;
+    if (file == standard_stream && options.format.empty())
+      throw Wrong_usage(place + " is -, which needs --format");
+    if (!is_mesh_file_type(type_of(options, file)))
+      throw Wrong_usage(file == standard_stream ? "--format is one of off, obj, ply, stl, not '" + options.format + "'"
+                                                : place + " must be an .off, .obj, .ply or .stl file, not '" + file + "'");
+  }
   if (!options.clusters.empty() && file_type(options.clusters) != "ply")
     throw Wrong_usage("--clusters takes a .ply file, not '" + options.clusters + "'");
   if (!options.picture.empty() && file_type(options.picture) != "png")
     throw Wrong_usage("--picture takes a .png file, not '" + options.picture + "'");
+  if (options.output == standard_stream && options.levels > 0)
+    throw Wrong_usage("--levels needs files, and OUTPUT is -");
+}
 
-  // OUTPUT may replace the input: a user who names the same file twice requests it.
-  std::vector<std::string> files = {options.input, options.clusters, options.picture, options.report};
+// The files that are written beside the output.
+std::vector<std::string> files_beside_output(const Options& options)
+{
+  std::vector<std::string> files = {options.clusters, options.picture, options.report};
   for (std::size_t i = 1; i <= options.levels; ++i)
     files.push_back(level_file(options.output, i));
-  for (int pass = 0; pass < 2; ++pass, files[0] = options.output)
-    for (std::size_t i = 0; i < files.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (!files[i].empty() && !files[j].empty() && is_same_file(files[i], files[j]))
-          throw Wrong_usage("'" + files[i] + "'" + (files[i] == files[j] ? " is named twice" : " and '" + files[j] + "' are one file"));
+  files.erase(std::remove(files.begin(), files.end(), ""), files.end());
+  return files;
+}
+
+void check_that_files_differ(const std::string& one, const std::string& other)
+{
+  if (is_same_file(one, other))
+    throw Wrong_usage("'" + one + "'" + (one == other ? " is named twice" : " and '" + other + "' are one file"));
+}
+
+// OUTPUT may take the place of its own input, which is what a user who names the same file twice asks for.
+void check_files(const std::vector<Options>& all)
+{
+  std::vector<std::string> inputs, written;
+  for (const Options& options : all) {
+    check_types(options);
+    for (const std::string& file : files_beside_output(options)) {
+      for (const std::string& other : written)
+        check_that_files_differ(file, other);
+      for (const std::string& other : {options.input, options.output})
+        if (other != standard_stream || file == standard_stream)
+          check_that_files_differ(file, other);
+      written.push_back(file);
+    }
+    for (const std::string& other : written)
+      check_that_files_differ(options.output, other);
+    for (const std::string& other : inputs)
+      check_that_files_differ(options.output, other);
+    for (const std::string& other : written)
+      if (options.input != standard_stream)
+        check_that_files_differ(options.input, other);
+    inputs.push_back(options.input);
+    written.push_back(options.output);
+  }
 }
 
 // The defaults that the article has.
@@ -266,10 +322,7 @@ Options checked_options(const po::variables_map& values)
   Options options;
   const std::size_t any = (std::numeric_limits<std::size_t>::max)();
   options.asks_range = values.count("range") > 0;
-  if (options.asks_range ? !values.count("input") || values.count("output") : !values.count("input") || !values.count("output"))
-    throw Wrong_usage(options.asks_range ? "--range takes INPUT alone" : "INPUT and OUTPUT are needed");
-  options.input = *given(values, "input");
-  options.output = given(values, "output").value_or("");
+  options.format = lower_case(given(values, "format").value_or(""));
   if (const auto text = given(values, "vertices"))
     read_vertices(*text, options);
   if (const auto text = given(values, "neighborhood-level"))
@@ -294,10 +347,7 @@ Options checked_options(const po::variables_map& values)
   check_choice("weight", options.weight, weight_names());
   options.placement = *given(values, "placement");
   check_choice("placement", options.placement, placement_names());
-  const std::string density_text = *given(values, "maximum-density");
-  options.maximum_density = to_number(density_text).value_or(0);
-  if (!(options.maximum_density >= 1 && options.maximum_density <= 1e20))
-    throw Wrong_usage("--maximum-density takes a number from 1 to 1e20, not '" + density_text + "'");
+  options.maximum_density = to_density("maximum-density", *given(values, "maximum-density"));
   options.error_feedback = to_count("error-feedback", *given(values, "error-feedback"), 0, any);
   if (const auto text = given(values, "features")) {
     options.features = to_number(*text);
@@ -306,6 +356,7 @@ Options checked_options(const po::variables_map& values)
   }
   if (options.paper)
     choose_as_in_paper(values, options);
+  options.patches = given(values, "patches").value_or("");
   options.clusters = given(values, "clusters").value_or("");
   options.picture = given(values, "picture").value_or("");
   options.report = given(values, "report").value_or("");
@@ -322,15 +373,66 @@ Options checked_options(const po::variables_map& values)
   options.measure = values.count("measure") > 0;
   options.quiet = values.count("quiet") > 0;
   options.threads = static_cast<unsigned>(to_count("threads", *given(values, "threads"), 1, 1000000));
-  if (options.features && (options.levels > 0 || options.maximum_distance))
-    throw Wrong_usage("--features goes with a number of vertices or a level, and without --levels");
+  for (const char* option : {"features", "patches"})
+    if (values.count(option) && (options.levels > 0 || options.maximum_distance))
+      throw Wrong_usage("--" + std::string(option) + " goes with a number of vertices or a level, and without --levels");
   check_number(options);
-  check_files(options);
   return options;
 }
 
-// Returns the arguments with the optional angle of --features joined to the option: the next argument is the angle only if it
-// is a number.
+// The pattern with the input's name without folder and ending for each %, and % for each %%.
+std::string matched(const std::string& pattern, const std::string& input)
+{
+  const std::string name = input == standard_stream ? "stdin" : std::filesystem::path(input).stem().string();
+  std::string result;
+  for (std::size_t i = 0; i < pattern.size(); ++i)
+    if (pattern[i] != '%')
+      result += pattern[i];
+    else if (i + 1 < pattern.size() && pattern[i + 1] == '%')
+      result += pattern[++i];
+    else
+      result += name;
+  return result;
+}
+
+// The options for each input: files in a directory are called as the input is.
+std::vector<Options> options_of_inputs(Options options, const std::vector<std::string>& files)
+{
+  if (options.asks_range && files.size() != 1)
+    throw Wrong_usage("--range takes INPUT alone");
+  if (options.asks_range) {
+    options.input = files[0];
+    check_files({options});
+    return {options};
+  }
+  if (files.size() < 2)
+    throw Wrong_usage("INPUT and OUTPUT are needed");
+  const std::string& output = files.back();
+  std::error_code error;
+  const bool is_directory = std::filesystem::is_directory(output, error) && !is_mesh_file_type(file_type(output));
+  const auto has_room = [&](const std::string& pattern) { return matched(pattern, "a") != matched(pattern, "b"); };
+  if (files.size() > 2 && !is_directory && !has_room(output))
+    throw Wrong_usage("several inputs need a directory or a pattern such as coarse/%.ply for OUTPUT, not '" + output + "'");
+  for (const std::string& file : {options.clusters, options.picture, options.report})
+    if (files.size() > 2 && !file.empty() && !has_room(file))
+      throw Wrong_usage("several inputs need a pattern such as %." + file_type(file) + ", not '" + file + "'");
+  std::vector<Options> result;
+  for (std::size_t i = 0; i + 1 < files.size(); ++i) {
+    result.push_back(options);
+    Options& one = result.back();
+    one.input = files[i];
+    one.output = is_directory ? (std::filesystem::path(output) / std::filesystem::path(one.input).filename()).string()
+                              : matched(output, one.input);
+    one.clusters = matched(options.clusters, one.input);
+    one.picture = matched(options.picture, one.input);
+    one.report = matched(options.report, one.input);
+  }
+  check_files(result);
+  return result;
+}
+
+// The arguments, with the angle of --features, which need not be given, tied to the option: what follows is taken for it only if
+// it is a number.
 std::vector<std::string> arguments(int argc, char* argv[])
 {
   std::vector<std::string> result;
@@ -344,13 +446,18 @@ std::vector<std::string> arguments(int argc, char* argv[])
 
 } // namespace
 
-std::optional<Options> read_options(int argc, char* argv[])
+std::string type_of(const Options& options, const std::string& file)
+{
+  return file == standard_stream ? options.format : file_type(file);
+}
+
+std::vector<Options> read_options(int argc, char* argv[])
 {
   const po::options_description described = described_options();
   po::options_description all;
-  all.add(described).add_options()("input", po::value<std::string>())("output", po::value<std::string>());
+  all.add(described).add_options()("files", po::value<std::vector<std::string> >());
   po::positional_options_description positional;
-  positional.add("input", 1).add("output", 1);
+  positional.add("files", -1);
   po::variables_map values;
   try {
     const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
@@ -360,13 +467,14 @@ std::optional<Options> read_options(int argc, char* argv[])
   }
   if (values.count("help")) {
     print_help(described);
-    return std::nullopt;
+    return {};
   }
   if (values.count("version")) {
     std::cout << "coarsen_mesh " CGAL_SURFACE_MESH_COARSENING_VERSION "\n";
-    return std::nullopt;
+    return {};
   }
-  return checked_options(values);
+  typedef std::vector<std::string> Names;
+  return options_of_inputs(checked_options(values), values.count("files") ? values["files"].as<Names>() : Names());
 }
 
 } // namespace coarsen_mesh_tool

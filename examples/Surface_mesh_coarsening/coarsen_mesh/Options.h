@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace coarsen_mesh_tool {
 
@@ -27,6 +28,7 @@ class Wrong_usage : public std::runtime_error
 struct Options
 {
   std::string input, output;
+  std::string format; // of standard input and output
   std::optional<std::size_t> vertices;
   std::optional<double> vertex_ratio; // of the input's
   bool asks_range = false;            // of the numbers of vertices that are possible, and for no output
@@ -41,6 +43,7 @@ struct Options
   bool paper = false; // in what no other option names
   std::size_t error_feedback = Defaults::error_feedback; // rounds of it
   std::optional<double> features; // the angle in degrees from which edges are kept
+  std::string patches; // the field of faces whose patches are kept
   std::string clusters, picture, report;
   Vector view, up = Vector(0, 1, 0);
   double minimum_component_area = 0; // of the mesh's units squared; 0 keeps every component
@@ -50,8 +53,12 @@ struct Options
   unsigned threads = 1;
 };
 
-// Reads the command line. Returns nothing if it has answered --help or --version on standard output.
-std::optional<Options> read_options(int argc, char* argv[]);
+// The type of a mesh file that the options name, also of a standard stream.
+std::string type_of(const Options& options, const std::string& file);
+
+// Reads the command line. Returns one set of options for each input, none when a question (--help, --version) has been answered on
+// standard output.
+std::vector<Options> read_options(int argc, char* argv[]);
 
 } // namespace coarsen_mesh_tool
 

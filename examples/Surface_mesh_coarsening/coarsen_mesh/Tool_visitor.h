@@ -26,7 +26,8 @@ public:
 
   void stage_begins(Stage stage)
   {
-    progress.say(coarsening_support::stage_name(stage));
+    progress.say(stage == Stage::TRIANGULATION ? "triangulation, vertex placement and repair"
+                                               : coarsening_support::stage_name(stage));
     Timing_visitor::stage_begins(stage);
   }
 

@@ -2,6 +2,10 @@
 
 #include "coarsening.h"
 
+#include "io/Failure.h"
+#include "io/Number_property.h"
+#include "patches.h"
+
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Exact_maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
@@ -27,6 +31,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <iterator>
@@ -54,7 +59,28 @@ void with_placement(const Options& options, const Use& use)
     use(SMC::Fitted_placement());
 }
 
-// Colors and floating-point numbers have means; other integers are labels.
+// Normals that are unit vectors stay such.
+void keep_normals_normal(const Mesh& input, Mesh& result)
+{
+  const Normal_properties before(input), after(result);
+  constexpr double tolerance = 1e-3; // of numbers that were written with few digits
+  const auto length = [](const Normal_properties& n, Vertex v) { return std::hypot(n.x(v), n.y(v), n.z(v)); };
+  if (!before || !after || std::any_of(input.vertices_begin(), input.vertices_end(),
+                                       [&](Vertex v) { return std::abs(length(before, v) - 1) > tolerance; }))
+    return;
+  std::vector<double> lengths;
+  for (const Vertex v : result.vertices())
+    lengths.push_back(length(after, v));
+  for (const char* name : {"v:nx", "v:ny", "v:nz"})
+    use_numbers<Vertex>(result, name, [&](auto map) {
+      typedef typename decltype(map)::value_type Number;
+      for (const Vertex v : result.vertices())
+        if (lengths[v] > 0)
+          map[v] = static_cast<Number>(map[v] / lengths[v]);
+    });
+}
+
+// Colors are means, as numbers with fractions are; other whole numbers are labels.
 void carry_properties(const Mesh& input, const std::vector<std::size_t>& labels, Mesh& result)
 {
   static const Mesh plain;
@@ -68,6 +94,22 @@ void carry_properties(const Mesh& input, const std::vector<std::size_t>& labels,
   const auto clusters =
     boost::make_function_property_map<Face>([&](Face f) { return labels[static_cast<std::size_t>(f)]; });
   SMC::transfer_properties(input, clusters, result, policies);
+  keep_normals_normal(input, result);
+}
+
+// Patches to be kept, one for all faces if there are none.
+std::vector<std::int64_t> wanted_patches(const Mesh& input, const Options& options)
+{
+  if (options.patches.empty())
+    return std::vector<std::int64_t>(input.number_of_faces(), 0);
+  auto result = patches(input, options.patches);
+  if (!result)
+    throw Failure(options.input, "has no " +
+                                   (options.patches == "material" || options.patches == "group"
+                                      ? options.patches + "s"
+                                      : "whole numbers '" + options.patches + "'") +
+                                   " of faces, which --patches names");
+  return std::move(*result);
 }
 
 template <class NamedParameters>
@@ -119,6 +161,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
   Coarsening_result result;
   typedef SMC::Mwcvd_clustering<Mesh, Weight, CGAL::Parallel_if_available_tag> Clustering;
   const std::size_t rounds = options.rounds.value_or(Defaults::number_of_iterations);
+  const std::vector<std::int64_t> patch_of = wanted_patches(input, options);
   const auto np = SMC::parameters::maximum_density(options.maximum_density)
                     .cluster_weight(Weight())
                                         .minimum_component_area(options.minimum_component_area)
@@ -130,6 +173,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
                     .repair_output(!options.paper)
                     .error_feedback(options.error_feedback)
                     .feature_angle(options.features.value_or(Defaults::feature_angle))
+                    .face_patch_map(boost::make_function_property_map<Face>([&](Face f) { return patch_of[f]; }))
                     .visitor(std::ref(visitor));
   if (options.maximum_distance) {
     coarsen_to_distance(input, options,
@@ -146,8 +190,20 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
     clustering.seed_from_level(*options.neighborhood_level);
   clustering.grow();
   clustering.minimize(rounds, options.convergence_tolerance);
-  with_placement(options, [&](const auto& placement) { clustering.extract_embedded_dual_mesh(result.mesh, placement); });
+  const auto is_on_line = result.mesh.add_property_map<Edge, bool>("e:is on a line", false).first;
+  const auto is_corner = result.mesh.add_property_map<Vertex, bool>("v:is a corner", false).first;
+  with_placement(options, [&](const auto& placement) {
+    clustering.extract_embedded_dual_mesh(
+      result.mesh, placement, SMC::parameters::edge_is_constrained_map(is_on_line).vertex_is_constrained_map(is_corner));
+  });
   result.report = clustering.report();
+  for (Vertex v : result.mesh.vertices()) {
+    const auto around = result.mesh.halfedges_around_target(result.mesh.halfedge(v));
+    result.vertices_on_features += is_corner[v] || std::any_of(around.begin(), around.end(), [&](Halfedge h) {
+      return is_on_line[result.mesh.edge(h)];
+    });
+  }
+  result.mesh.remove_all_property_maps();
   result.labels.reserve(input.number_of_faces());
   for (Face f : input.faces())
     result.labels.push_back(clustering.cluster(f));

@@ -28,7 +28,8 @@ struct Coarsening_result
   Mesh mesh;                       // its vertex i represents label i
   std::vector<std::size_t> labels; // per face of the input
   CGAL::Surface_mesh_coarsening::Coarsening_report report;
-  std::optional<double> distance_bound; // if a distance was requested
+  std::size_t vertices_on_features = 0;
+  std::optional<double> distance_bound; // if a distance was asked for
   std::vector<Coarser_level> levels;
 };
 

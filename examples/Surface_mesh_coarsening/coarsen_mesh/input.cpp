@@ -33,14 +33,13 @@ Input read_input(const Options& options, Stage_times& times, Progress_line& prog
 {
   times.begin("read");
   progress.say("reading " + options.input);
-  Soup soup = read_soup(options.input, Interruption::throw_if_requested);
+  Soup soup = read_soup(options.input, Interruption::throw_if_requested, options.format);
   Input result;
   result.points_in_file = soup.points.size();
   result.polygons_in_file = soup.polygons.size();
   if (options.repair) {
     times.begin("repair");
     progress.say("repairing");
-    soup.drop_properties(); // repairing renumbers points and polygons
     result.repairs = try_repair(options.input, soup);
     Interruption::throw_if_requested();
     times.begin("read");
@@ -53,7 +52,8 @@ Input read_input(const Options& options, Stage_times& times, Progress_line& prog
   result.unused_points = drop_unused_points(soup);
   result.mesh = to_mesh(soup, *pairing, Interruption::throw_if_requested);
   add_properties(soup, result.mesh);
-  result.material_library = soup.material_library;
+  result.notes = soup.notes;
+  result.left_out = soup.left_out;
   times.end();
   return result;
 }

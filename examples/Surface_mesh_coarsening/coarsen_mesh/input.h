@@ -21,7 +21,8 @@ struct Input
   std::size_t points_in_file = 0, polygons_in_file = 0;
   std::size_t unused_points = 0; // removed unconditionally: they belong to no surface
   std::vector<Repair_step> repairs;
-  std::string material_library; // named by the file
+  File_notes notes;
+  std::vector<std::string> left_out; // fields of the file, in words
 };
 
 // Reads the input, repairs it on request, and throws Failure unless it is an oriented 2-manifold.

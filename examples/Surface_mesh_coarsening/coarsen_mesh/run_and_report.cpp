@@ -4,6 +4,7 @@
 
 #include "check/certificate.h"
 #include "check/soup_fault.h"
+#include "io/Descriptor.h"
 #include "io/Failure.h"
 #include "io/Output_files.h"
 #include "io/file_type.h"
@@ -64,6 +65,8 @@ std::string counted(std::size_t number, const std::string& noun)
   return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
 }
 
+std::string counted_vertices(std::size_t number) { return std::to_string(number) + (number == 1 ? " vertex" : " vertices"); }
+
 // Returns what `use` does with a visitor, or throws Failure with the reason why it could not.
 template <class Use>
 auto explained(const Input& input, const Options& options, Stage_times& times, Progress_line& progress, const Use& use)
@@ -88,10 +91,9 @@ auto explained(const Input& input, const Options& options, Stage_times& times, P
   }
 }
 
-// Reads back the content of a file: rounding to the numbers of its format may have changed the mesh.
-void check_written(const std::string& file, const std::string& bytes, const Mesh& mesh)
+// Reads back what a file is to hold: rounding to the numbers of its format may have changed the mesh.
+void check_written(const std::string& file, const std::string& type, const std::string& bytes, const Mesh& mesh)
 {
-  const std::string type = file_type(file);
   const Soup soup = parse_soup(bytes, type, Interruption::throw_if_requested);
   std::optional<std::string> fault = soup_fault(soup);
   if (soup.points.size() != mesh.number_of_vertices() || soup.polygons.size() != mesh.number_of_faces())
@@ -108,15 +110,15 @@ std::string summary(const Options& options, const Input& input, const Coarsening
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.2f s", times.total());
   const auto sizes = [](const Mesh& mesh) {
-    const std::size_t n = mesh.number_of_vertices();
-    return std::to_string(n) + (n == 1 ? " vertex, " : " vertices, ") + counted(mesh.number_of_faces(), "face");
+    return counted_vertices(mesh.number_of_vertices()) + ", " + counted(mesh.number_of_faces(), "face");
   };
   const auto& report = result.report;
   std::string remarks;
   if (findings.holes)
     remarks += counted(findings.holes->number(Hole_state::FILLED), "hole") + " filled, ";
-  if (options.features)
-    remarks += counted(report.feature_lines, "feature line") + " and " + counted(report.feature_corners, "corner") + " kept, ";
+  if (options.features || !options.patches.empty())
+    remarks += counted(report.feature_lines, "feature line") + " and " + counted(report.feature_corners, "corner") + " kept by " +
+               counted_vertices(result.vertices_on_features) + ", ";
   if (result.distance_bound)
     remarks += distance_text(options, options.distance_is_relative ? *result.distance_bound / diagonal(input.mesh)
                                                                    : *result.distance_bound) + ", ";
@@ -139,6 +141,24 @@ void flush_output()
     throw Failure("standard output", "cannot be written: " + std::generic_category().message(errno ? errno : EIO));
 }
 
+// One for each field of the input that the result does not have.
+std::vector<std::string> warnings_of(const Options& options, const Input& input)
+{
+  std::vector<std::string> warnings;
+  for (const std::string& field : input.left_out)
+    warnings.push_back(options.input + ": " + field + " are not read");
+  const std::string type = type_of(options, options.output);
+  for (const std::string& field : fields_without_room(input.mesh, type, input.notes))
+    warnings.push_back(options.output + ": " + field + " are left out, the format " + upper_case(type) + " cannot hold them");
+  return warnings;
+}
+
+void warn(const std::vector<std::string>& warnings)
+{
+  for (const std::string& warning : warnings)
+    std::cerr << "coarsen_mesh: warning: " << escaped_utf8(warning) << std::endl;
+}
+
 typedef std::vector<std::pair<std::string, std::string> > Files; // name and content
 
 // Commits the files and the report, and prints their names. The report is created last because it contains the times of
@@ -158,8 +178,10 @@ void write_files(const Options& options, const Files& files, const std::function
   }
   Interruption::throw_if_requested();
   outputs.write_streams(Interruption::throw_if_requested);
-  if (!options.quiet)
-    std::cout << make_summary() << '\n';
+  if (!options.quiet) {
+    const bool is_taken = options.output == standard_stream || options.report == standard_stream;
+    (is_taken ? std::cerr : std::cout) << make_summary() << '\n';
+  }
   flush_output();
   const Deferred_interruption deferred;
   Interruption::throw_if_requested();
@@ -173,6 +195,29 @@ void print_range(const Input& input, const Options& options, Stage_times& times,
   progress.end();
   std::cout << range.least << " to " << range.most << " vertices\n";
   flush_output();
+}
+
+void check_result(const Options& options, const Input& input, const Coarsening_result& result, Stage_times& times,
+                  Progress_line& progress, Findings& findings)
+{
+  Interruption::throw_if_requested();
+  times.begin("check");
+  progress.say("checking the result");
+  findings.fault = triangle_mesh_fault(result.mesh);
+  for (const Coarser_level& level : result.levels)
+    if (!findings.fault)
+      findings.fault = triangle_mesh_fault(level.mesh);
+  if (findings.fault)
+    throw Failure(options.input, "the result is not a valid mesh and is not written: " + *findings.fault);
+  findings.certificate = certify(input.mesh, result.labels, result.mesh, result.report.dropped_components,
+                                result.report.subdivided_components == 0 && result.report.feature_lines == 0 &&
+                                  result.report.feature_corners == 0);
+  if (options.measure) {
+    times.begin("measuring");
+    progress.say("measuring");
+    findings.quality = measure(input.mesh, result);
+    Interruption::throw_if_requested();
+  }
 }
 
 // Computes everything, and only then commits the files.
@@ -201,24 +246,7 @@ void run(const Options& options)
   const Coarsening_result result = explained(
     input, options, times, progress, [&](Tool_visitor& visitor) { return coarsen(input.mesh, options, visitor); });
 
-  Interruption::throw_if_requested();
-  times.begin("check");
-  progress.say("checking the result");
-  findings.fault = triangle_mesh_fault(result.mesh);
-  for (const Coarser_level& level : result.levels)
-    if (!findings.fault)
-      findings.fault = triangle_mesh_fault(level.mesh);
-  if (findings.fault)
-    throw Failure(options.input, "the result is not a valid mesh and is not written: " + *findings.fault);
-  findings.certificate = certify(input.mesh, result.labels, result.mesh, result.report.dropped_components,
-                                result.report.subdivided_components == 0 && result.report.feature_lines == 0 &&
-                                  result.report.feature_corners == 0);
-  if (options.measure) {
-    times.begin("measuring");
-    progress.say("measuring");
-    findings.quality = measure(input.mesh, result);
-    Interruption::throw_if_requested();
-  }
+  check_result(options, input, result, times, progress, findings);
 
   Files files;
   if (!options.picture.empty()) {
@@ -232,8 +260,9 @@ void run(const Options& options)
   times.begin("write");
   progress.say("writing");
   const auto add_mesh = [&](const std::string& file, const Mesh& mesh) {
-    files.emplace_back(file, mesh_bytes(mesh, file_type(file), input.material_library));
-    check_written(file, files.back().second, mesh);
+    const std::string type = type_of(options, file);
+    files.emplace_back(file, mesh_bytes(mesh, type, input.notes));
+    check_written(file, type, files.back().second, mesh);
   };
   add_mesh(options.output, result.mesh);
   for (std::size_t i = 0; i < result.levels.size(); ++i)
@@ -241,6 +270,7 @@ void run(const Options& options)
   if (!options.clusters.empty())
     files.emplace_back(options.clusters, cluster_bytes(input.mesh, result.labels));
   progress.end();
+  findings.warnings = warnings_of(options, input);
   write_files(
     options, files,
     [&] {
@@ -248,6 +278,8 @@ void run(const Options& options)
       return options.report.empty() ? "" : report_text(options, input, result, findings, times);
     },
     [&] { return summary(options, input, result, findings, times); });
+  if (!options.quiet)
+    warn(findings.warnings); // of what there is: failures are one line
 }
 
 int complain(const std::string& what, int status)
@@ -264,15 +296,20 @@ int run_and_report(int argc, char* argv[])
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
   std::string subject = "the command line";
+  int status = 0;
   try {
-    const auto options = read_options(argc, argv);
-    if (!options) {
+    const std::vector<Options> all = read_options(argc, argv);
+    if (all.empty())
       flush_output();
-      return 0;
+    for (const Options& options : all) {
+      subject = options.input;
+      try {
+        run(options);
+      } catch (const Failure& e) { // the other inputs may do better
+        status = complain(e.what(), 1);
+      }
     }
-    subject = options->input;
-    run(*options);
-    return 0;
+    return status;
   } catch (const Wrong_usage& e) {
     return complain(e.what(), 2);
   } catch (const Interrupted& e) {

@@ -10,6 +10,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -37,7 +38,14 @@ struct Soup_property
   std::vector<double> values;
 };
 
-// Polygons as in a file, without connectivity.
+// What a file says of itself.
+struct File_notes
+{
+  std::string material_library;
+  std::vector<std::string> comments;
+};
+
+// Holds polygons as they stand in a file: nothing is known yet about how they hang together.
 struct Soup
 {
   std::vector<Point> points;
@@ -47,18 +55,16 @@ struct Soup
   // lists at all.
   std::vector<std::array<double, 2> > texture_points = {};
   Polygons texture_corners = {};
+  std::vector<Vector> normals = {};
+  Polygons normal_corners = {};
   std::vector<std::string> materials = {}, groups = {}; // of each polygon, if there are any
-  std::string material_library = {};
+  File_notes notes = {};
+  std::vector<std::string> left_out = {}; // in words, what the file has and the soup has not
 
-  void drop_properties()
+  void leave_out(const std::string& field)
   {
-    of_points.clear();
-    of_polygons.clear();
-    texture_points.clear();
-    texture_corners.clear();
-    materials.clear();
-    groups.clear();
-    material_library.clear();
+    if (std::find(left_out.begin(), left_out.end(), field) == left_out.end())
+      left_out.push_back(field);
   }
 };
 

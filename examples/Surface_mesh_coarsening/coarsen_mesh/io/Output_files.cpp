@@ -2,10 +2,10 @@
 
 #include "io/Output_files.h"
 
+#include "io/Descriptor.h"
 #include "io/Failure.h"
 #include "io/same_file.h"
 
-#include <cerrno>
 #include <cstddef>
 #include <system_error>
 #include <utility>
@@ -24,45 +24,17 @@ Failure cannot_write(const std::string& file, const std::error_code& error)
   return Failure(file, "cannot be written: " + error.message());
 }
 
-std::error_code last_error() { return std::error_code(errno ? errno : EIO, std::generic_category()); }
-
-bool was_interrupted(const std::function<void()>& stop)
-{
-  if (errno != EINTR)
-    return false;
-  if (stop)
-    stop();
-  return true;
-}
-
-// `flags` are flags of open(). `stop` as in write_streams().
+// `flags` are those of open(). `stop` as in write_streams().
 std::error_code write_bytes(const fs::path& file, int flags, const std::string& bytes,
                             const std::function<void()>& stop = nullptr)
 {
-  struct Descriptor
-  {
-    int number = -1;
-    ~Descriptor()
-    {
-      if (number >= 0)
-        ::close(number);
-    }
-  } descriptor;
-  constexpr mode_t for_all = 0666; // reduced by the user's mask
-  errno = 0;
-  while ((descriptor.number = ::open(file.c_str(), O_WRONLY | O_CLOEXEC | flags, for_all)) < 0)
-    if (!was_interrupted(stop))
-      return last_error();
-  for (std::size_t done = 0; done < bytes.size();) {
-    errno = 0;
-    const ssize_t written = ::write(descriptor.number, bytes.data() + done, bytes.size() - done);
-    if (written > 0)
-      done += static_cast<std::size_t>(written);
-    else if (!was_interrupted(stop))
-      return last_error();
-  }
-  const int number = std::exchange(descriptor.number, -1);
-  return ::close(number) == 0 || errno == EINTR ? std::error_code() : last_error();
+  std::error_code error;
+  coarsening_support::Descriptor descriptor(file.string(), O_WRONLY | flags, stop, error);
+  if (!error)
+    descriptor.write(bytes, stop, error);
+  if (!error)
+    descriptor.close(error);
+  return error;
 }
 
 // Returns an unused name in the folder of the target.
@@ -101,7 +73,13 @@ void Output_files::stage(const std::string& file, const std::string& bytes)
 {
   Entry entry;
   entry.name = file;
-  entry.target = coarsening_support::end_of_links(file); // to be replaced instead of the link
+  if (file == coarsening_support::standard_stream) {
+    entry.target = file;
+    entry.bytes = bytes;
+    entries.push_back(std::move(entry));
+    return;
+  }
+  entry.target = coarsening_support::end_of_links(file); // which is to be replaced, not the link
   std::error_code error;
   const fs::file_status status = fs::status(entry.target, error);
   if (status.type() == fs::file_type::none) // its name is too long, its folder is not accessible, or similar

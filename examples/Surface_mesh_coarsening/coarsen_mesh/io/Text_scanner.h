@@ -136,6 +136,19 @@ public:
     return result;
   }
 
+  // What is left of the line, without the blanks around it.
+  std::string_view rest_of_line()
+  {
+    skip_blanks();
+    const char* const begin = at;
+    while (at != end && !is_line_end(*at))
+      ++at;
+    const char* last = at;
+    while (last != begin && is_blank(last[-1]))
+      --last;
+    return std::string_view(begin, static_cast<std::size_t>(last - begin));
+  }
+
   void skip_line()
   {
     while (!word().empty())
@@ -157,21 +170,28 @@ public:
     return "'" + escaped(text.substr(0, most)) + (text.size() > most ? "...'" : "'");
   }
 
-  // Numbers too large for a double become infinite, too small ones zero.
+  // Takes the next word; returns whether it is a number. Numbers too large for a double become infinite, those too small zero.
+  bool try_number(double& value)
+  {
+    if (take_number(value))
+      return true;
+    const std::string_view text = word();
+    char* stop = nullptr;
+    value = text.empty() ? 0 : std::strtod(text.data(), &stop);
+    return !text.empty() && stop == text.data() + text.size();
+  }
+
   template <class Words>
   double number(const Words& what)
   {
+    const char* const before = at;
+    const std::size_t line_before = line;
     double value = 0;
-    if (take_number(value))
+    if (try_number(value))
       return value;
-    // A sign, a hexadecimal number, or one that is out of range.
-    const std::string_view text = word();
-    char* stop = nullptr;
-    if (!text.empty())
-      value = std::strtod(text.data(), &stop);
-    if (text.empty() || stop != text.data() + text.size())
-      fail_at(text, what);
-    return value;
+    at = before;
+    line = line_before;
+    fail_at(word(), what);
   }
 
   template <class Words>

@@ -2,6 +2,7 @@
 
 #include "io/read_obj.h"
 
+#include "io/Row_numbers.h"
 
 #include <algorithm>
 #include <charconv>
@@ -14,16 +15,27 @@
 namespace coarsening_support {
 namespace {
 
-// The data of the format other than vertices and faces.
-bool is_other_obj_keyword(std::string_view word)
+// What the format has beside vertices and faces with normals, textures, materials and groups, in words.
+const char* other_obj_field(std::string_view keyword)
 {
-  static constexpr std::string_view keywords[] = {
-    "vt",        "vn",        "vp",    "g",     "o",      "s",      "usemtl",   "mtllib",   "l",
-    "p",         "deg",       "bmat",  "step",  "cstype", "curv",   "curv2",    "surf",     "parm",
-    "trim",      "hole",      "scrv",  "sp",    "end",    "con",    "mg",       "bevel",    "c_interp",
-    "d_interp",  "lod",       "usemap", "maplib", "call",  "csh",    "shadow_obj", "trace_obj", "ctech",
-    "stech"};
-  return std::find(std::begin(keywords), std::end(keywords), word) != std::end(keywords);
+  struct Field
+  {
+    std::string_view keyword;
+    const char* words;
+  };
+  static constexpr Field fields[] = {{"o", "names of objects"}, {"s", "smoothing groups"}, {"l", "lines"}, {"p", "points"},
+                                     {"mg", "merging groups"}, {"bevel", "settings of the display"},
+                                     {"c_interp", "settings of the display"}, {"d_interp", "settings of the display"},
+                                     {"lod", "settings of the display"}, {"usemap", "texture maps"},
+                                     {"maplib", "texture maps"}, {"shadow_obj", "shadows and reflections"},
+                                     {"trace_obj", "shadows and reflections"}, {"call", "other files"}, {"csh", "other files"}};
+  for (const Field& field : fields)
+    if (field.keyword == keyword)
+      return field.words;
+  static constexpr std::string_view free_form[] = {"vp",   "deg",  "bmat", "step", "cstype", "curv", "curv2", "surf",
+                                                   "parm", "trim", "hole", "scrv", "sp",     "end",  "con",   "ctech",
+                                                   "stech"};
+  return std::find(std::begin(free_form), std::end(free_form), keyword) != std::end(free_form) ? "free-form geometry" : nullptr;
 }
 
 // Reads the vertex in one of the forms V, V/T, V//N and V/T/N. Vertices count from 1; negative numbers count back from
@@ -40,43 +52,108 @@ Vertex_number obj_vertex(const Text_scanner& text, std::string_view word, std::s
   return value < 1 ? no_vertex : to_vertex_number(static_cast<std::size_t>(value) - 1);
 }
 
-// Reads the texture point of a corner, in the form V/T or V/T/N; `no_vertex` if it has none.
-Vertex_number obj_texture_point(std::string_view word, std::size_t points)
+// A number behind the first or second slash of a corner V/T/N; `no_vertex` if it has none.
+Vertex_number obj_attribute(std::string_view word, int slashes, std::size_t number_of_them)
 {
-  const std::size_t slash = word.find('/');
-  if (slash == std::string_view::npos)
-    return no_vertex;
-  const std::string_view rest = word.substr(slash + 1), number = rest.substr(0, rest.find('/'));
+  for (; slashes > 0; --slashes) {
+    const std::size_t slash = word.find('/');
+    if (slash == std::string_view::npos)
+      return no_vertex;
+    word.remove_prefix(slash + 1);
+  }
+  const std::string_view number = word.substr(0, word.find('/'));
   long long value = 0;
   const auto read = std::from_chars(number.data(), number.data() + number.size(), value);
   if (number.empty() || read.ec != std::errc() || read.ptr != number.data() + number.size())
     return no_vertex;
   if (value < 0)
-    value += static_cast<long long>(points) + 1;
-  return value < 1 || value > static_cast<long long>(points) ? no_vertex
-                                                                         : to_vertex_number(static_cast<std::size_t>(value) - 1);
+    value += static_cast<long long>(number_of_them) + 1;
+  return value < 1 || value > static_cast<long long>(number_of_them) ? no_vertex
+                                                                     : to_vertex_number(static_cast<std::size_t>(value) - 1);
 }
 
-// The polygons so far have no texture points.
-void end_texture_corners(Soup& soup, std::size_t polygons)
+// The polygons that have got no attributes so far have none.
+void end_corners(Polygons& corners, std::size_t polygons)
 {
-  while (soup.texture_corners.size() < polygons)
-    soup.texture_corners.end_polygon();
+  while (corners.size() < polygons)
+    corners.end_polygon();
 }
 
-// Keeps the texture points of a face if each of its corners has one.
-void read_obj_face(Text_scanner& text, Soup& soup, std::vector<Vertex_number>& texture)
+// What the corners of a face have is kept if each of them has it.
+void add_corners(const std::vector<Vertex_number>& attributes, const Soup& soup, Polygons& corners)
 {
-  texture.clear();
+  if (std::find(attributes.begin(), attributes.end(), no_vertex) != attributes.end())
+    return;
+  end_corners(corners, soup.polygons.size() - 1);
+  corners.push_back(attributes);
+}
+
+struct Obj_corners
+{
+  std::vector<Vertex_number> texture, normals;
+};
+
+void read_obj_face(Text_scanner& text, Soup& soup, Obj_corners& corners)
+{
+  corners.texture.clear();
+  corners.normals.clear();
   for (std::string_view word = text.word(); !word.empty(); word = text.word()) {
     soup.polygons.add_corner(obj_vertex(text, word, soup.points.size()));
-    texture.push_back(obj_texture_point(word, soup.texture_points.size()));
+    corners.texture.push_back(obj_attribute(word, 1, soup.texture_points.size()));
+    corners.normals.push_back(obj_attribute(word, 2, soup.normals.size()));
   }
   soup.polygons.end_polygon();
-  if (soup.texture_points.empty() || std::find(texture.begin(), texture.end(), no_vertex) != texture.end())
+  add_corners(corners.texture, soup, soup.texture_corners);
+  add_corners(corners.normals, soup, soup.normal_corners);
+}
+
+void read_obj_point(Text_scanner& text, Soup& soup, Row_numbers& behind)
+{
+  const double x = text.number("coordinate x of a vertex"), y = text.number("coordinate y of a vertex"),
+               z = text.number("coordinate z of a vertex");
+  soup.points.emplace_back(x, y, z);
+  behind.read_row(text);
+}
+
+void read_obj_normal(Text_scanner& text, Soup& soup)
+{
+  double n[3];
+  for (double& x : n)
+    if (!text.try_number(x) || !std::isfinite(x))
+      x = 0;
+  soup.normals.emplace_back(n[0], n[1], n[2]);
+}
+
+// Where all corners at a vertex have the same normal, it is the vertex's, as other formats have it.
+void give_normals_to_points(Soup& soup)
+{
+  const Polygons& corners = soup.normal_corners;
+  if (corners.corners().size() != soup.polygons.corners().size())
     return;
-  end_texture_corners(soup, soup.polygons.size() - 1);
-  soup.texture_corners.push_back(texture);
+  std::vector<Vertex_number> normal(soup.points.size(), no_vertex);
+  for (std::size_t c = 0; c < corners.corners().size(); ++c) {
+    const Vertex_number v = soup.polygons.corners()[c], n = corners.corners()[c];
+    if (v >= normal.size() || (normal[v] != no_vertex && soup.normals[normal[v]] != soup.normals[n]))
+      return;
+    normal[v] = n;
+  }
+  static const char* const names[] = {"nx", "ny", "nz"};
+  for (int i = 0; i < 3; ++i) {
+    soup.of_points.push_back({names[i], Number_type::FLOAT64, {}});
+    for (const Vertex_number n : normal)
+      soup.of_points.back().values.push_back(n == no_vertex ? 0 : soup.normals[n][i]);
+  }
+  soup.normals.clear();
+  soup.normal_corners.clear();
+}
+
+// Behind the coordinates there may be a color, and nothing else that is known.
+void add_numbers_behind_points(const Row_numbers& numbers, Soup& soup)
+{
+  if (numbers.is_regular() && numbers.width() == 3)
+    numbers.add_colors(0, 3, soup.of_points);
+  else if (!numbers.empty())
+    soup.leave_out("the numbers behind the coordinates of vertices");
 }
 
 // Assigns its name to the polygons since the last one.
@@ -92,16 +169,17 @@ void read_obj(const std::string& content, Soup& soup, const Stop& stop)
 {
   Text_scanner text(content.data(), content.data() + content.size(), '#', true);
   std::string material, group;
-  std::vector<Vertex_number> texture;
+  Obj_corners corners;
+  Row_numbers behind_points;
   for (std::size_t line = 0; text.find_line(); ++line) {
     stop_at(line, stop);
     const std::string_view keyword = text.word();
     if (keyword == "v") {
-      const double x = text.number("coordinate x of a vertex"), y = text.number("coordinate y of a vertex"),
-                   z = text.number("coordinate z of a vertex");
-      soup.points.emplace_back(x, y, z);
+      read_obj_point(text, soup, behind_points);
     } else if (keyword == "f" || keyword == "fo") {
-      read_obj_face(text, soup, texture);
+      read_obj_face(text, soup, corners);
+    } else if (keyword == "vn") {
+      read_obj_normal(text, soup);
     } else if (keyword == "vt") {
       const double u = text.number("coordinate u of a texture point"),
                    v = text.next_word().empty() ? 0 : text.number("coordinate v of a texture point");
@@ -113,15 +191,25 @@ void read_obj(const std::string& content, Soup& soup, const Stop& stop)
       name_polygons(soup.groups, group, soup);
       group = std::string(text.word());
     } else if (keyword == "mtllib") {
-      soup.material_library = std::string(text.word());
-    } else if (!is_other_obj_keyword(keyword))
-      text.fail(Text_scanner::shown(keyword) + " is no keyword of OBJ");
+      soup.notes.material_library = std::string(text.word());
+    } else {
+      const char* const field = other_obj_field(keyword);
+      if (field == nullptr)
+        text.fail(Text_scanner::shown(keyword) + " is no keyword of OBJ");
+      const bool says_off = keyword == "s" && (text.next_word() == "off" || text.next_word() == "0");
+      if (!says_off)
+        soup.leave_out(field);
+    }
     text.skip_line();
   }
   name_polygons(soup.materials, material, soup);
   name_polygons(soup.groups, group, soup);
-  if (!soup.texture_points.empty())
-    end_texture_corners(soup, soup.polygons.size());
+  if (!soup.texture_corners.empty())
+    end_corners(soup.texture_corners, soup.polygons.size());
+  if (!soup.normal_corners.empty())
+    end_corners(soup.normal_corners, soup.polygons.size());
+  give_normals_to_points(soup);
+  add_numbers_behind_points(behind_points, soup);
 }
 
 } // namespace coarsening_support

@@ -3,6 +3,7 @@
 #include "io/read_off.h"
 
 #include "io/Byte_scanner.h"
+#include "io/Row_numbers.h"
 
 #include <algorithm>
 #include <cctype>
@@ -52,7 +53,28 @@ Off_header read_off_header(Text_scanner& text)
 
 Point off_point(double x, double y, double z, double w) { return Point(x / w, y / w, z / w); }
 
-// Colors and other data may follow the coordinates and the vertices of a face on the same line.
+// Behind the coordinates there may be a normal, a color and texture coordinates, in this order; behind the corners of a face a
+// color.
+void add_off_numbers(const Off_header& header, const Row_numbers& of_points, const Row_numbers& of_polygons, Soup& soup)
+{
+  const std::size_t normal = header.normal ? 3 : 0, texture = header.texture ? 2 : 0, width = of_points.width();
+  const std::size_t color = width - (std::min)(width, normal + texture);
+  const bool is_known = of_points.is_regular() && width == normal + texture + color &&
+                        (header.color ? color == 3 || color == 4 : color == 0);
+  if (is_known) {
+    if (header.normal)
+      of_points.add_numbers(0, {"nx", "ny", "nz"}, soup.of_points);
+    of_points.add_colors(normal, color, soup.of_points);
+    if (header.texture)
+      of_points.add_numbers(normal + color, {"s", "t"}, soup.of_points);
+  } else if (!of_points.empty())
+    soup.leave_out("the numbers behind the coordinates of vertices");
+  if (of_polygons.is_regular() && (of_polygons.width() == 3 || of_polygons.width() == 4))
+    of_polygons.add_colors(0, of_polygons.width(), soup.of_polygons);
+  else if (!of_polygons.empty())
+    soup.leave_out("the numbers behind the corners of faces");
+}
+
 void read_text_off(Text_scanner& text, const Off_header& header, Soup& soup, const Stop& stop)
 {
   text.need_line("the number of vertices");
@@ -64,13 +86,14 @@ void read_text_off(Text_scanner& text, const Off_header& header, Soup& soup, con
   text.end_line("the numbers of vertices, faces and edges");
   soup.points.reserve(points);
   soup.polygons.reserve(polygons, (std::min)(3 * polygons, text.bytes_left() / 2));
+  Row_numbers of_points, of_polygons;
   for (std::size_t v = 0; v < points; ++v) {
     stop_at(v, stop);
     text.need_line([&] { return "vertex " + std::to_string(v) + " of the " + std::to_string(points) + " announced"; });
     const double x = text.number("coordinate x of a vertex"), y = text.number("coordinate y of a vertex"),
                  z = text.number("coordinate z of a vertex");
     soup.points.push_back(off_point(x, y, z, header.homogeneous ? text.number("coordinate w of a vertex") : 1));
-    text.skip_line();
+    of_points.read_row(text);
   }
   for (std::size_t f = 0; f < polygons; ++f) {
     stop_at(f, stop);
@@ -79,11 +102,12 @@ void read_text_off(Text_scanner& text, const Off_header& header, Soup& soup, con
     for (std::size_t i = 0; i < corners; ++i)
       soup.polygons.add_corner(text.vertex_number());
     soup.polygons.end_polygon();
-    text.skip_line();
+    of_polygons.read_row(text);
   }
   if (text.find_line())
     text.fail("the file goes on after the " + std::to_string(points) + " vertices and " + std::to_string(polygons) +
               " faces announced");
+  add_off_numbers(header, of_points, of_polygons, soup);
 }
 
 void read_binary_off(Byte_scanner& bytes, const Off_header& header, Soup& soup, const Stop& stop)
@@ -91,17 +115,21 @@ void read_binary_off(Byte_scanner& bytes, const Off_header& header, Soup& soup, 
   const auto points = bytes.read<std::int32_t>("the number of vertices");
   const auto polygons = bytes.read<std::int32_t>("the number of faces");
   bytes.read<std::int32_t>("the number of edges");
-  const unsigned extras = 4 * (3 * header.normal + 4 * header.color + 2 * header.texture);
-  bytes.check_count(points, "vertices", 12 + 4 * header.homogeneous + extras);
+  const unsigned extras = 3 * header.normal + 4 * header.color + 2 * header.texture;
+  bytes.check_count(points, "vertices", 12 + 4 * header.homogeneous + 4 * extras);
   bytes.check_count(polygons, "faces", 8);
   soup.points.reserve(static_cast<std::size_t>(points));
   soup.polygons.reserve(static_cast<std::size_t>(polygons), bytes.bytes_left() / 4);
   const char *const vertex = "a vertex", *const face = "a face";
+  Row_numbers of_points, of_polygons;
+  double numbers[9];
   for (std::int32_t v = 0; v < points; ++v) {
     stop_at(static_cast<std::size_t>(v), stop);
     const double x = bytes.read<float>(vertex), y = bytes.read<float>(vertex), z = bytes.read<float>(vertex);
     soup.points.push_back(off_point(x, y, z, header.homogeneous ? bytes.read<float>(vertex) : 1));
-    bytes.skip(extras, vertex);
+    for (unsigned i = 0; i < extras; ++i)
+      numbers[i] = bytes.read<float>(vertex);
+    of_points.add_row(numbers, numbers + extras);
   }
   for (std::int32_t f = 0; f < polygons; ++f) {
     stop_at(static_cast<std::size_t>(f), stop);
@@ -114,9 +142,15 @@ void read_binary_off(Byte_scanner& bytes, const Off_header& header, Soup& soup, 
     soup.polygons.end_polygon();
     const auto colors = bytes.read<std::int32_t>(face);
     bytes.check_count(colors, "color components of a face", 4);
-    bytes.skip(4 * static_cast<std::uint64_t>(colors), face);
+    for (std::int32_t i = 0; i < colors; ++i) {
+      const double number = bytes.read<float>(face);
+      if (i < 4)
+        numbers[i] = number;
+    }
+    of_polygons.add_row(numbers, numbers + (std::min)(colors, 4));
   }
   bytes.expect_end("the " + std::to_string(points) + " vertices and " + std::to_string(polygons) + " faces announced");
+  add_off_numbers(header, of_points, of_polygons, soup);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "io/Byte_scanner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -23,8 +24,8 @@ unsigned size_of(Ply_type type)
 
 bool is_integer(Ply_type type) { return type < Ply_type::FLOAT32; }
 
-// The use of the values of a property.
-enum class Ply_use { NONE, X, Y, Z, CORNERS, KEPT };
+// What the values of a property are for.
+enum class Ply_use { NONE, X, Y, Z, CORNERS, STRIP, TEXTURE, KEPT };
 
 struct Ply_property
 {
@@ -74,6 +75,10 @@ Ply_use ply_use(const Ply_element& element, const Ply_property& property, std::s
     return static_cast<Ply_use>(static_cast<int>(Ply_use::X) + (name[0] - 'x'));
   if (element.name == "face" && property.is_list && (name == "vertex_indices" || name == "vertex_index"))
     return Ply_use::CORNERS;
+  if (element.name == "tristrips" && property.is_list && (name == "vertex_indices" || name == "vertex_index"))
+    return Ply_use::STRIP;
+  if (element.name == "face" && property.is_list && name == "texcoord")
+    return Ply_use::TEXTURE;
   const bool is_known = element.name == "vertex" || element.name == "face";
   return is_known && !property.is_list ? Ply_use::KEPT : Ply_use::NONE;
 }
@@ -108,8 +113,10 @@ void read_ply_property(Text_scanner& text, Ply_header& header, Soup& soup)
   if (name.empty())
     text.fail("a property has no name");
   property.use = ply_use(header.elements.back(), property, name);
-  if (property.use == Ply_use::CORNERS && !is_integer(property.type))
+  if ((property.use == Ply_use::CORNERS || property.use == Ply_use::STRIP) && !is_integer(property.type))
     text.fail("the numbers of vertices are of a type that is not whole");
+  if (property.use == Ply_use::NONE && (header.elements.back().name == "vertex" || header.elements.back().name == "face"))
+    soup.leave_out("the lists '" + escaped(name) + "' of " + (header.elements.back().name == "face" ? "faces" : "vertices"));
   for (const Ply_property& earlier : header.elements.back().properties)
     if (property.use != Ply_use::NONE && property.use != Ply_use::KEPT && property.use == earlier.use)
       text.fail("the property " + Text_scanner::shown(name) + " comes twice");
@@ -149,13 +156,13 @@ void check_ply_header(const Ply_header& header, const Text_scanner& text)
     std::size_t number = 0;
     for (const Ply_element& e : header.elements)
       for (const Ply_property& p : e.properties)
-        number += e.name == element && p.use != Ply_use::NONE && p.use != Ply_use::KEPT;
+        number += e.name == element && p.use >= Ply_use::X && p.use <= Ply_use::STRIP;
     return number;
   };
   if (uses_of("vertex") != 3)
     text.fail("the header has no element 'vertex' with the properties x, y and z");
-  if (uses_of("face") != 1)
-    text.fail("the header has no element 'face' with a list vertex_indices");
+  if (uses_of("face") + uses_of("tristrips") != 1)
+    text.fail("the header has no element 'face' or 'tristrips' with a list vertex_indices, or both");
   for (const Ply_element& e : header.elements)
     text.check_count(static_cast<long long>(e.count), "elements " + Text_scanner::shown(e.name),
                      e.min_bytes(header.binary), text.bytes_left());
@@ -172,7 +179,7 @@ Ply_header read_ply_header(Text_scanner& text, Soup& soup)
     text.need_line("'end_header'");
     const std::string_view keyword = text.word();
     if (keyword == "comment" || keyword == "obj_info") {
-      text.skip_line();
+      soup.notes.comments.emplace_back(text.rest_of_line());
       continue;
     }
     if (keyword == "end_header")
@@ -191,6 +198,9 @@ Ply_header read_ply_header(Text_scanner& text, Soup& soup)
   if (!has_format)
     text.fail("the header does not say what the format is");
   check_ply_header(header, text);
+  for (const Ply_element& element : header.elements)
+    if (element.name != "vertex" && element.name != "face" && element.name != "tristrips" && element.count > 0)
+      soup.leave_out("the elements '" + escaped(element.name) + "'");
   return header;
 }
 
@@ -288,11 +298,46 @@ public:
   void expect_end() { bytes.expect_end("all elements announced"); }
 };
 
+// A strip: each vertex makes a triangle with the two before it, turned around every other time; a negative number begins
+// another strip. Repeated vertices change the direction: triangles that have one twice are left out.
 template <class Source, class Words>
-void read_ply_list(Source& source, const Ply_property& property, const Words& what, Soup& soup)
+void read_ply_strip(Source& source, long long count, const Ply_property& property, const Words& what, Soup& soup)
+{
+  Vertex_number before[2] = {0, 0};
+  for (long long i = 0, length = 0; i < count; ++i) {
+    const long long v = source.integer(property.type, what);
+    if (v < 0) {
+      length = 0;
+      continue;
+    }
+    const Vertex_number corner = to_vertex_number(static_cast<std::size_t>(v));
+    if (length >= 2 && before[0] != before[1] && corner != before[0] && corner != before[1]) {
+      soup.polygons.add_corner(before[length % 2 == 0 ? 0 : 1]);
+      soup.polygons.add_corner(before[length % 2 == 0 ? 1 : 0]);
+      soup.polygons.add_corner(corner);
+      soup.polygons.end_polygon();
+    }
+    before[0] = before[1];
+    before[1] = corner;
+    ++length;
+  }
+}
+
+// `texture` receives texture coordinates, which may come before the corners that they are for.
+template <class Source, class Words>
+void read_ply_list(Source& source, const Ply_property& property, const Words& what, Soup& soup, std::vector<double>& texture)
 {
   const long long count = source.integer(property.count_type, what);
   source.check_list(count, property.type);
+  if (property.use == Ply_use::STRIP) {
+    read_ply_strip(source, count, property, what, soup);
+    return;
+  }
+  if (property.use == Ply_use::TEXTURE) {
+    for (long long i = 0; i < count; ++i)
+      texture.push_back(source.number(property.type, what));
+    return;
+  }
   if (property.use != Ply_use::CORNERS) {
     source.skip_list(count, property.type, what);
     return;
@@ -302,6 +347,19 @@ void read_ply_list(Source& source, const Ply_property& property, const Words& wh
     soup.polygons.add_corner(v < 0 ? no_vertex : to_vertex_number(static_cast<std::size_t>(v)));
   }
   soup.polygons.end_polygon();
+}
+
+// Gives the last polygon its texture coordinates, if there are two for each corner.
+void add_ply_texture(const std::vector<double>& texture, Soup& soup)
+{
+  const std::size_t f = soup.polygons.size() - 1;
+  if (texture.size() == 2 * soup.polygons[f].size())
+    for (std::size_t i = 0; i < texture.size(); i += 2) {
+      const double u = texture[i], v = texture[i + 1];
+      soup.texture_corners.add_corner(to_vertex_number(soup.texture_points.size()));
+      soup.texture_points.push_back({{std::isfinite(u) ? u : 0, std::isfinite(v) ? v : 0}});
+    }
+  soup.texture_corners.end_polygon();
 }
 
 template <class Source>
@@ -314,6 +372,9 @@ void read_ply_elements(Source source, const Ply_header& header, std::size_t byte
       soup.points.reserve(element.count);
     if (element.name == "face")
       soup.polygons.reserve(element.count, (std::min)(3 * element.count, bytes_left));
+    const bool has_texture = std::any_of(element.properties.begin(), element.properties.end(),
+                                         [](const Ply_property& p) { return p.use == Ply_use::TEXTURE; });
+    std::vector<double> texture;
     for (std::size_t i = 0; i < element.count; ++i) {
       stop_at(i, stop);
       const auto what = [&] { return element.name + " " + std::to_string(i); };
@@ -321,7 +382,7 @@ void read_ply_elements(Source source, const Ply_header& header, std::size_t byte
       source.begin(what);
       for (const Ply_property& property : element.properties)
         if (property.is_list)
-          read_ply_list(source, property, what, soup);
+          read_ply_list(source, property, what, soup, texture);
         else if (property.use == Ply_use::KEPT)
           kept[property.kept].values.push_back(source.number(property.type, what));
         else if (property.use != Ply_use::NONE)
@@ -330,6 +391,9 @@ void read_ply_elements(Source source, const Ply_header& header, std::size_t byte
         else
           source.skip(property.type, what);
       source.end(what);
+      if (has_texture)
+        add_ply_texture(texture, soup);
+      texture.clear();
       if (is_vertex)
         soup.points.emplace_back(coordinates[0], coordinates[1], coordinates[2]);
     }

@@ -2,6 +2,7 @@
 
 #include "io/read_soup.h"
 
+#include "io/Descriptor.h"
 #include "io/Failure.h"
 #include "io/file_bytes.h"
 #include "io/file_type.h"
@@ -49,9 +50,9 @@ Soup parse_soup(const std::string& content, const std::string& type, const Stop&
   return soup;
 }
 
-Soup read_soup(const std::string& file, const Stop& stop)
+Soup read_soup(const std::string& file, const Stop& stop, const std::string& type_of_stream)
 {
-  const std::string type = file_type(file);
+  const std::string type = file == standard_stream ? type_of_stream : file_type(file);
   if (!is_mesh_file_type(type))
     throw Failure(file, "has no known mesh file type (.off, .obj, .ply, .stl)");
   const std::string content = file_bytes(file, stop);

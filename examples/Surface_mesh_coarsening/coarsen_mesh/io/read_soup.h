@@ -17,8 +17,9 @@ namespace coarsening_support {
 // multiple of the content's size for any content. Throws Format_fault.
 Soup parse_soup(const std::string& content, const std::string& type, const Stop& stop = nullptr);
 
-// Reads the soup of the file unchanged. Throws Failure.
-Soup read_soup(const std::string& file, const Stop& stop = nullptr);
+// Reads the soup as it stands in the file, whose ending tells the type, or from standard input, for which the type stands. Throws
+// Failure.
+Soup read_soup(const std::string& file, const Stop& stop = nullptr, const std::string& type_of_stream = "");
 
 // Removes the points that no polygon uses and returns their number.
 std::size_t drop_unused_points(Soup& soup);

@@ -21,6 +21,7 @@ typedef std::array<double, 2> Texture_point;
 
 // The names of the properties for textures and materials.
 constexpr const char* texture_property = "h:texture";
+constexpr const char* normal_property = "h:normal";
 constexpr const char* material_property = "f:material name";
 constexpr const char* group_property = "f:group name";
 
@@ -64,20 +65,23 @@ inline void add_names(const char* name, const std::vector<std::string>& names, M
     map[Face(Mesh::size_type(f))] = names[f];
 }
 
-inline void add_texture(const Soup& soup, Mesh& mesh)
+// Gives the halfedges at the corners of faces what `corners` says they have of `values`.
+template <class Value>
+void add_corner_values(const Soup& soup, const Polygons& corners, const std::vector<Value>& values, const char* name,
+                       const Value& none, Mesh& mesh)
 {
-  if (soup.texture_corners.corners().empty())
+  if (corners.corners().empty())
     return;
-  const auto texture = mesh.add_property_map<Halfedge, Texture_point>(texture_property, Texture_point{{0, 0}}).first;
-  for (std::size_t f = 0; f < soup.texture_corners.size(); ++f) {
-    if (soup.texture_corners[f].empty())
+  const auto map = mesh.add_property_map<Halfedge, Value>(name, none).first;
+  for (std::size_t f = 0; f < corners.size(); ++f) {
+    if (corners[f].empty())
       continue;
     // The first halfedge of the face leaves its first corner, or a later one.
     Halfedge h = mesh.halfedge(Face(Mesh::size_type(f)));
     while (Vertex_number(mesh.target(h)) != soup.polygons[f][0])
       h = mesh.next(h);
-    for (const Vertex_number t : soup.texture_corners[f]) {
-      texture[h] = soup.texture_points[t];
+    for (const Vertex_number t : corners[f]) {
+      map[h] = values[t];
       h = mesh.next(h);
     }
   }
@@ -90,7 +94,8 @@ inline void add_properties(const Soup& soup, Mesh& mesh)
     add_property<Vertex>("v:", p, mesh);
   for (const Soup_property& p : soup.of_polygons)
     add_property<Face>("f:", p, mesh);
-  add_texture(soup, mesh);
+  add_corner_values(soup, soup.texture_corners, soup.texture_points, texture_property, Texture_point{{0, 0}}, mesh);
+  add_corner_values(soup, soup.normal_corners, soup.normals, normal_property, Vector(0, 0, 0), mesh);
   add_names(material_property, soup.materials, mesh);
   add_names(group_property, soup.groups, mesh);
 }

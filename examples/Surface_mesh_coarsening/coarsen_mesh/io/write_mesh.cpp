@@ -3,136 +3,106 @@
 #include "io/write_mesh.h"
 
 #include "io/Failure.h"
-#include "io/soup_properties.h"
+#include "io/Number_property.h"
+#include "io/write_obj.h"
+#include "io/write_off.h"
+#include "io/write_ply.h"
 
 #include <CGAL/IO/STL.h>
-#include <CGAL/boost/graph/IO/PLY.h>
 #include <CGAL/boost/graph/IO/STL.h>
 
-#include <charconv>
-#include <cstddef>
+#include <algorithm>
 #include <ios>
-#include <map>
 #include <sstream>
-#include <string_view>
-#include <utility>
 
 namespace coarsen_mesh_tool {
 
 namespace {
 
-// Text with numbers in the shortest form that reads back the same.
-class Text
-{
-  std::string bytes_;
-
-public:
-  Text& operator<<(char c)
-  {
-    bytes_ += c;
-    return *this;
-  }
-  Text& operator<<(std::string_view words)
-  {
-    bytes_ += words;
-    return *this;
-  }
-  template <class Number>
-  Text& number(Number value)
-  {
-    char digits[32];
-    bytes_.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
-    return *this;
-  }
-  Text& point(const Point& p)
-  {
-    number(p.x()) << ' ';
-    number(p.y()) << ' ';
-    return number(p.z()) << '\n';
-  }
-  std::string bytes() && { return std::move(bytes_); }
-};
-
-// A line `keyword name` where the name changes.
-void write_name(Text& text, std::string_view keyword, const std::string& name, std::string& last)
-{
-  if (name != last)
-    text << keyword << ' ' << name << '\n';
-  last = name;
-}
-
-std::string off_bytes(const Mesh& mesh)
-{
-  Text text;
-  text << "OFF\n";
-  text.number(mesh.number_of_vertices()) << ' ';
-  text.number(mesh.number_of_faces()) << " 0\n";
-  for (Vertex v : mesh.vertices())
-    text.point(mesh.point(v));
-  for (Face f : mesh.faces()) {
-    text.number(mesh.degree(f));
-    for (Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
-      (text << ' ').number(std::size_t(mesh.target(h)));
-    text << '\n';
-  }
-  return std::move(text).bytes();
-}
-
-// The texture points of a mesh, numbered from 1 in the order of its corners.
-std::map<Texture_point, std::size_t> write_texture_points(const Mesh& mesh, const Found_property<Halfedge, Texture_point>& texture,
-                                                          Text& text)
-{
-  std::map<Texture_point, std::size_t> numbers;
-  if (texture)
-    for (Face f : mesh.faces())
-      for (Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
-        if (numbers.emplace(texture.map[h], numbers.size() + 1).second)
-          ((text << "vt ").number(texture.map[h][0]) << ' ').number(texture.map[h][1]) << '\n';
-  return numbers;
-}
-
-std::string obj_bytes(const Mesh& mesh, const std::string& material_library)
-{
-  const Found_property<Halfedge, Texture_point> texture(mesh, texture_property);
-  const Found_property<Face, std::string> material(mesh, material_property), group(mesh, group_property);
-  Text text;
-  if (!material_library.empty())
-    text << "mtllib " << material_library << '\n';
-  for (Vertex v : mesh.vertices())
-    (text << "v ").point(mesh.point(v));
-  const auto numbers = write_texture_points(mesh, texture, text);
-  std::string last_material, last_group;
-  for (Face f : mesh.faces()) {
-    if (group)
-      write_name(text, "g", group.map[f], last_group);
-    if (material)
-      write_name(text, "usemtl", material.map[f], last_material);
-    text << 'f';
-    for (Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
-      (text << ' ').number(std::size_t(mesh.target(h)) + 1);
-      if (texture)
-        (text << '/').number(numbers.at(texture.map[h]));
-    }
-    text << '\n';
-  }
-  return std::move(text).bytes();
-}
-
-std::string binary_bytes(const Mesh& mesh, const std::string& type)
+std::string stl_bytes(const Mesh& mesh)
 {
   std::ostringstream os(std::ios::out | std::ios::binary);
   CGAL::IO::set_binary_mode(os);
-  const bool done = type == "ply" ? CGAL::IO::write_PLY(os, mesh) : CGAL::IO::write_STL(os, mesh);
-  if (!done || !os)
-    throw Failure("the result", "cannot be written as " + type);
+  if (!CGAL::IO::write_STL(os, mesh) || !os)
+    throw Failure("the result", "cannot be written as stl");
   return os.str();
+}
+
+struct Field
+{
+  std::string words;
+  std::vector<std::string> types; // of files that have it
+};
+
+bool is_one_of(const std::string& name, const std::vector<std::string>& names)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+Field field_of_vertices(const Mesh& mesh, const std::string& name)
+{
+  if (is_one_of(name, {"v:red", "v:green", "v:blue"}) && Color_properties<Vertex>(mesh))
+    return {"the colors of vertices", {"ply", "off", "obj"}};
+  if (name == "v:alpha" && Color_properties<Vertex>(mesh))
+    return {"the opacities of vertices", {"ply", "off"}};
+  if (is_one_of(name, {"v:nx", "v:ny", "v:nz"}) && Normal_properties(mesh))
+    return {"the normals of vertices", {"ply", "off", "obj"}};
+  if (is_one_of(name, {"v:s", "v:t", "v:u", "v:v", "v:texture_u", "v:texture_v"}) && Texture_properties(mesh))
+    return {"the texture coordinates of vertices", {"ply", "off", "obj"}};
+  return {"the numbers '" + escaped(name.substr(2)) + "' of vertices", {"ply"}};
+}
+
+Field field_of_faces(const Mesh& mesh, const std::string& name)
+{
+  if (is_one_of(name, {"f:red", "f:green", "f:blue", "f:alpha"}) && Color_properties<Face>(mesh))
+    return {"the colors of faces", {"ply", "off"}};
+  if (name == material_property)
+    return {"the materials of faces", {"obj"}};
+  if (name == group_property)
+    return {"the groups of faces", {"obj"}};
+  return {"the numbers '" + escaped(name.substr(2)) + "' of faces", {"ply"}};
+}
+
+// The fields of a mesh, several of which may be one field in words.
+std::vector<Field> fields(const Mesh& mesh, const File_notes& notes)
+{
+  static const Mesh plain;
+  std::vector<Field> result;
+  for (const std::string& name : mesh.properties<Vertex>())
+    if (!is_one_of(name, plain.properties<Vertex>()))
+      result.push_back(field_of_vertices(mesh, name));
+  for (const std::string& name : mesh.properties<Face>())
+    if (!is_one_of(name, plain.properties<Face>()))
+      result.push_back(field_of_faces(mesh, name));
+  for (const std::string& name : mesh.properties<Halfedge>())
+    if (name == texture_property)
+      result.push_back({"the texture coordinates of corners", {"ply", "obj"}});
+    else if (name == normal_property)
+      result.push_back({"the normals of corners", {"obj"}});
+  if (!notes.material_library.empty())
+    result.push_back({"the names of material libraries", {"obj"}});
+  if (!notes.comments.empty())
+    result.push_back({"the comments", {"ply", "off", "obj"}});
+  return result;
 }
 
 } // namespace
 
-std::string mesh_bytes(const Mesh& mesh, const std::string& type, const std::string& material_library)
+std::string mesh_bytes(const Mesh& mesh, const std::string& type, const File_notes& notes)
 {
-  return type == "off" ? off_bytes(mesh) : type == "obj" ? obj_bytes(mesh, material_library) : binary_bytes(mesh, type);
+  return type == "off"   ? off_bytes(mesh, notes)
+         : type == "obj" ? obj_bytes(mesh, notes)
+         : type == "ply" ? ply_bytes(mesh, notes)
+                         : stl_bytes(mesh);
+}
+
+std::vector<std::string> fields_without_room(const Mesh& mesh, const std::string& type, const File_notes& notes)
+{
+  std::vector<std::string> result;
+  for (const Field& field : fields(mesh, notes))
+    if (!is_one_of(type, field.types) && !is_one_of(field.words, result))
+      result.push_back(field.words);
+  return result;
 }
 
 } // namespace coarsen_mesh_tool

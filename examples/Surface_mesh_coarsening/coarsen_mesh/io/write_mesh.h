@@ -6,15 +6,18 @@
 #include "io/Mesh.h"
 
 #include <string>
+#include <vector>
 
 namespace coarsen_mesh_tool {
 
 using namespace coarsening_support;
 
-// Returns the content of a file of this type (off, obj, ply, stl) for the mesh. Numbers in OFF and OBJ have enough digits to
-// be read back exactly; PLY and STL are binary. PLY has the numbers of vertices and faces, OBJ has texture coordinates,
-// materials and groups.
-std::string mesh_bytes(const Mesh& mesh, const std::string& type, const std::string& material_library = "");
+// Returns what a file of this type (off, obj, ply, stl) holds for the mesh, with all of its fields that the format has. OFF and OBJ
+// have as many digits as read back the same; PLY and STL are binary.
+std::string mesh_bytes(const Mesh& mesh, const std::string& type, const File_notes& notes = File_notes());
+
+// The fields of the mesh, in words, that a file of this type cannot hold.
+std::vector<std::string> fields_without_room(const Mesh& mesh, const std::string& type, const File_notes& notes);
 
 } // namespace coarsen_mesh_tool
 

@@ -2,8 +2,10 @@
 
 #include "repair/fill_holes.h"
 
+#include "repair/fill_fields.h"
 #include "repair/triangulate_in_parts.h"
 
+#include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/version.h>
@@ -46,10 +48,39 @@ std::size_t triangulate_by_cgal(Mesh& mesh, Halfedge h, std::size_t edges, const
   return patch.size();
 }
 
+// Whether CGAL's triangulation of a long border would take time with the square of the number of its edges: it does for each of
+// them that is not in the Delaunay triangulation of its vertices.
+bool is_too_jagged(const Mesh& mesh, Halfedge start, std::size_t edges, const Stop& stop)
+{
+  typedef CGAL::Delaunay_triangulation_3<Exact_kernel> Delaunay;
+  constexpr std::size_t most_steps = 2000000;
+  Delaunay delaunay;
+  std::vector<Delaunay::Vertex_handle> vertices;
+  Halfedge h = start;
+  do {
+    if (stop && vertices.size() % 64 == 0)
+      stop();
+    const Point& p = mesh.point(mesh.target(h));
+    const Exact_kernel::Point_3 q(p.x(), p.y(), p.z());
+    vertices.push_back(vertices.empty() ? delaunay.insert(q) : delaunay.insert(q, vertices.back()));
+    h = mesh.next(h);
+  } while (h != start);
+  std::size_t missing = 0;
+  for (std::size_t i = 0; i < edges; ++i) {
+    Delaunay::Cell_handle cell;
+    int a, b;
+    const Delaunay::Vertex_handle u = vertices[i], v = vertices[(i + 1) % edges];
+    missing += u == v || !delaunay.is_edge(u, v, cell, a, b);
+  }
+  return missing > most_steps / edges;
+}
+
 std::size_t triangulate(Mesh& mesh, Halfedge h, std::size_t edges, const Stop& stop)
 {
-  const std::size_t triangles = triangulate_by_cgal(mesh, h, edges, stop);
-  return triangles > 0 || edges <= most_edges_for_cubic_algorithm ? triangles : triangulate_in_parts(mesh, h, stop);
+  if (edges <= most_edges_for_cubic_algorithm)
+    return triangulate_by_cgal(mesh, h, edges, stop);
+  const std::size_t triangles = is_too_jagged(mesh, h, edges, stop) ? 0 : triangulate_by_cgal(mesh, h, edges, stop);
+  return triangles > 0 ? triangles : triangulate_in_parts(mesh, h, stop);
 }
 
 Hole measured(const Mesh& mesh, Halfedge start)
@@ -95,6 +126,7 @@ std::size_t Hole_filling::number(Hole_state state) const
 Hole_filling fill_holes(Mesh& mesh, double most_length, const Stop& stop)
 {
   Hole_filling result;
+  const std::size_t faces = mesh.number_of_faces();
   for (Halfedge h : starts_of_border_loops(mesh)) {
     if (stop)
       stop();
@@ -106,6 +138,7 @@ Hole_filling fill_holes(Mesh& mesh, double most_length, const Stop& stop)
     }
     result.holes.push_back(hole);
   }
+  fill_fields(mesh, faces);
   return result;
 }
 

@@ -2,6 +2,8 @@
 
 #include "repair/repair.h"
 
+#include "repair/carry_over_repair.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -16,6 +18,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 namespace coarsen_mesh_tool {
 namespace {
@@ -111,14 +114,16 @@ public:
     repair_soup();
     orient_soup();
     repair_mesh();
-    soup = Soup();
+    Soup repaired;
     for (const Exact_point& p : mesh.points())
-      soup.points.emplace_back(p.x(), p.y(), p.z());
+      repaired.points.emplace_back(p.x(), p.y(), p.z());
     for (auto f : mesh.faces()) {
       for (auto v : mesh.vertices_around_face(mesh.halfedge(f)))
-        soup.polygons.add_corner(v);
-      soup.polygons.end_polygon();
+        repaired.polygons.add_corner(v);
+      repaired.polygons.end_polygon();
     }
+    carry_over_repair(soup, repaired);
+    soup = std::move(repaired);
     return steps;
   }
 };

@@ -45,9 +45,7 @@ class Border_triangulation
     std::vector<CGAL::Triple<int, int, int> > found;
     const Step_counter counter(stop_);
     try {
-      PMP::triangulate_hole_polyline(
-        points, std::back_inserter(found),
-        CGAL::parameters::visitor(counter).do_not_use_cubic_algorithm(part.size() > most_edges_for_cubic_algorithm));
+      PMP::triangulate_hole_polyline(points, std::back_inserter(found), CGAL::parameters::visitor(counter));
     } catch (const Step_counter::Too_many_steps&) {
       return false;
     }
@@ -103,11 +101,11 @@ public:
         stop_();
       const Part part = std::move(open.back());
       open.pop_back();
-      const bool is_first = part.size() == border_.size(); // already tried
-      if (!is_first && triangulate_whole(part))
+      constexpr std::size_t least_edges = 16, most_edges = 64; // of which all triangulations are searched in milliseconds
+      if (part.size() <= most_edges && triangulate_whole(part))
         continue;
       const auto [i, j] = short_diagonal(part);
-      if (part.size() <= most_edges_for_cubic_algorithm || i == j)
+      if (i == j || part.size() < least_edges)
         return false;
       open.emplace_back(part.begin() + std::ptrdiff_t(i), part.begin() + std::ptrdiff_t(j) + 1);
       open.emplace_back(part.begin(), part.begin() + std::ptrdiff_t(i) + 1);

@@ -27,6 +27,14 @@ Mesh without_dropped_faces(const Mesh& input, const Coarsening_result& result)
   return to_mesh(kept);
 }
 
+Measured_quality measured(const Mesh& mesh, const Mesh& coarse)
+{
+  Measured_quality quality{SMC::measure_coarsening(mesh, coarse)};
+  if (quality.self_intersections > 0)
+    quality.self_intersections_of_input = SMC::measure_coarsening(mesh, mesh, 1).self_intersections;
+  return quality;
+}
+
 std::string line(const char* name, const char* format, double a, double b, double c)
 {
   char text[160];
@@ -36,11 +44,10 @@ std::string line(const char* name, const char* format, double a, double b, doubl
 
 } // namespace
 
-Coarsening_quality measure(const Mesh& input, const Coarsening_result& result)
+Measured_quality measure(const Mesh& input, const Coarsening_result& result)
 {
-  return result.report.dropped_components == 0
-           ? SMC::measure_coarsening(input, result.mesh)
-           : SMC::measure_coarsening(without_dropped_faces(input, result), result.mesh);
+  return result.report.dropped_components == 0 ? measured(input, result.mesh)
+                                               : measured(without_dropped_faces(input, result), result.mesh);
 }
 
 double percent(const Coarsening_quality& quality, double length)
@@ -48,7 +55,7 @@ double percent(const Coarsening_quality& quality, double length)
   return quality.diagonal > 0 ? 100 * (length / quality.diagonal) : 0;
 }
 
-std::string quality_text(const Mesh& result, const Coarsening_quality& q)
+std::string quality_text(const Mesh& result, const Measured_quality& q)
 {
   const auto part = [&q](double length) { return percent(q, length); };
   const char* distances = "RMS %.4f, mean %.4f, maximum %.4f %% of the diagonal";
@@ -62,7 +69,8 @@ std::string quality_text(const Mesh& result, const Coarsening_quality& q)
   text += line("normal deviation: ", "mean %.2f degrees", q.mean_normal_deviation, 0, 0);
   text += line("smallest angles:  ", "mean %.1f, least %.1f degrees, %.1f %% of the triangles below 30",
                q.mean_smallest_angle, q.smallest_angle, 100 * q.part_below_30_degrees);
-  return text + "  self-intersections: " + std::to_string(q.self_intersections);
+  text += "  self-intersections: " + std::to_string(q.self_intersections);
+  return q.self_intersections == 0 ? text : text + ", input " + std::to_string(q.self_intersections_of_input);
 }
 
 } // namespace coarsen_mesh_tool

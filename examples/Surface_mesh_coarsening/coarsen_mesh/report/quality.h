@@ -7,20 +7,26 @@
 
 #include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
 
+#include <cstddef>
 #include <string>
 
 namespace coarsen_mesh_tool {
 
 using CGAL::Surface_mesh_coarsening::Coarsening_quality;
 
-// Measures how well the result approximates the input without the removed components.
-Coarsening_quality measure(const Mesh& input, const Coarsening_result& result);
+struct Measured_quality : Coarsening_quality
+{
+  std::size_t self_intersections_of_input = 0; // counted if the result has any
+};
+
+// Measures how well the result stands for the input, without components that were left out on purpose.
+Measured_quality measure(const Mesh& input, const Coarsening_result& result);
 
 // A length of the measurement in % of the diagonal of the input's bounding box.
 double percent(const Coarsening_quality& quality, double length);
 
 // Lines for the user.
-std::string quality_text(const Mesh& result, const Coarsening_quality& quality);
+std::string quality_text(const Mesh& result, const Measured_quality& quality);
 
 } // namespace coarsen_mesh_tool
 

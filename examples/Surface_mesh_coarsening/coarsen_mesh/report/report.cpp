@@ -65,6 +65,7 @@ Json parameters_of(const Options& options)
   result["paper"] = options.paper;
   result["error_feedback"] = options.error_feedback;
   result["features"] = options.features ? Json(*options.features) : Json();
+  result["patches"] = options.patches.empty() ? Json() : Json(options.patches);
   result["minimum_component_area"] = options.minimum_component_area;
   result["fill_holes"] = std::isfinite(options.fill_holes) ? Json(options.fill_holes) : Json("all");
   result["hole_length_is_relative"] = options.hole_length_is_relative;
@@ -135,11 +136,11 @@ Json holes_of(const std::optional<Hole_filling>& holes)
           {"all", all}};
 }
 
-Json quality_of(const Mesh& result, const std::optional<Coarsening_quality>& quality)
+Json quality_of(const Mesh& result, const std::optional<Measured_quality>& quality)
 {
   if (!quality)
     return nullptr;
-  const Coarsening_quality& q = *quality;
+  const Measured_quality& q = *quality;
   const auto distances = [&q](double rms, double mean, double maximum) {
     return Json{{"rms", percent(q, rms)}, {"mean", percent(q, mean)}, {"maximum", percent(q, maximum)}};
   };
@@ -152,7 +153,8 @@ Json quality_of(const Mesh& result, const std::optional<Coarsening_quality>& qua
           {"mean_normal_deviation_degrees", q.mean_normal_deviation},
           {"smallest_angle_degrees",
            {{"mean", q.mean_smallest_angle}, {"least", q.smallest_angle}, {"part_below_30", q.part_below_30_degrees}}},
-          {"self_intersections", q.self_intersections}};
+          {"self_intersections", q.self_intersections},
+          {"self_intersections_of_input", q.self_intersections == 0 ? Json() : Json(q.self_intersections_of_input)}};
 }
 
 // With `measure`, includes the distances of each level.
@@ -194,6 +196,7 @@ std::string report_text(const Options& options, const Input& input, const Coarse
   report["input"]["holes"] = holes_of(findings.holes);
   report["parameters"] = parameters_of(options);
   report["clustering"] = clustering_of(result.report);
+  report["clustering"]["vertices_on_features"] = result.vertices_on_features;
   report["output"] = sizes_of(options.output, result.mesh);
   report["output"]["distance_bound"] = result.distance_bound ? Json(*result.distance_bound) : Json();
   report["output"]["relative_distance_bound"] =
@@ -203,6 +206,7 @@ std::string report_text(const Options& options, const Input& input, const Coarse
   report["output"]["fault"] = findings.fault ? Json(*findings.fault) : Json();
   report["certificate"] = certificate_of(findings.certificate);
   report["quality"] = quality_of(result.mesh, findings.quality);
+  report["warnings"] = findings.warnings;
   report["seconds"] = seconds_of(times);
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; // file names need not be UTF-8
 }

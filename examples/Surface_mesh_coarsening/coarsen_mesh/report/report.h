@@ -22,7 +22,8 @@ struct Findings
   std::optional<Hole_filling> holes; // if requested
   std::optional<std::string> fault;  // the reason if the result is not valid
   Certificate certificate;
-  std::optional<Coarsening_quality> quality; // if requested
+  std::optional<Measured_quality> quality; // if it was to be measured
+  std::vector<std::string> warnings;
 };
 
 // Returns the report as JSON text.
