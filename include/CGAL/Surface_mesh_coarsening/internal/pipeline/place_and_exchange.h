@@ -32,6 +32,12 @@ inline bool is_worth_repairing(const Clustering_state& state, const Placed_dual&
   return dual.number_left() > 0 && 2 * dual.number_left() <= state.number_of_clusters();
 }
 
+// Returns whether there are more than one for a thousand clusters. Fewer do not justify to place or cluster the whole mesh again.
+inline bool has_many_intersections(const Clustering_state& state, const Placed_dual& dual)
+{
+  return 1000 * dual.number_left() > state.number_of_clusters();
+}
+
 // Returns the functions by which the placement relocates clusters while it exchanges vertices.
 inline Vertex_relocation vertex_relocation(const Clustering_state& state, const Clustered_surface& surface,
                                            Cluster_relocation& clusters)
@@ -121,8 +127,8 @@ inline bool may_exchange_vertices(const Clustering_state& state, const Placement
          state.seeding.kind != Seeding::BY_CALLER;
 }
 
-// Replaces a repaired placement by the one without exchange if that has fewer pairs of intersecting triangles, or as many and a
-// smaller distance. `plain_distance` is its squared distance before its own repair. Returns whether it was replaced.
+// Replaces a repaired placement by the one without exchange if that has fewer of many intersections, or no more and a smaller
+// distance. `plain_distance` is its squared distance before its own repair. Returns whether it was replaced.
 inline bool is_better_plain(Clustering_state& state, const Placement_model& placement,
                             const Output_coordinates& output_coordinates, Cluster_relocation& clusters, double plain_distance,
                             Placed_dual& dual)
@@ -131,14 +137,15 @@ inline bool is_better_plain(Clustering_state& state, const Placement_model& plac
   if (!is_repaired)
     return false;
   const double distance = squared_fit_distance(*clustered_surface(state, dual), dual.triangles, dual.positions);
-  if (dual.number_left() == 0 && distance < plain_distance)
+  const bool has_many = has_many_intersections(state, dual);
+  if (!has_many && distance < plain_distance)
     return false;
   const std::vector<Index> labels_of_dual = labels(state).labels();
   clusters.undo();
   Placed_dual plain = place(state, placement, output_coordinates);
   const std::size_t left = plain.number_left();
-  if (left < dual.number_left() ||
-      (left == dual.number_left() &&
+  if ((has_many && left < dual.number_left()) ||
+      (left <= dual.number_left() &&
        squared_fit_distance(*clustered_surface(state, plain), plain.triangles, plain.positions) < distance)) {
     dual = std::move(plain);
     return true;

@@ -330,7 +330,8 @@ inline void recluster(Clustering_state& state, const std::vector<double>& densit
 // Returns whether other densities are likely to help.
 inline bool is_worth_reclustering(const Clustering_state& state, const Placed_dual& dual)
 {
-  return is_worth_repairing(state, dual) && state.seeding.kind != Seeding::BY_CALLER && state.energy->depends_on_densities();
+  return is_worth_repairing(state, dual) && has_many_intersections(state, dual) && state.seeding.kind != Seeding::BY_CALLER &&
+         state.energy->depends_on_densities();
 }
 
 // Raises the densities of the faces in clusters whose vertices belong to intersecting triangles.
