@@ -161,7 +161,7 @@ Minimization_end distributed_minimization_end(const NamedParameters& np)
 ///   \cgalParamNBegin{faces_per_block}
 ///     \cgalParamDescription{the number of faces that are worked on together. The result depends on it, as it does not on ranks}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{`262144`, and in the refinement as many as 500 clusters have, if that is more, up to `4194304`}
+///     \cgalParamDefault{`262144`, and in the refinement as many as 1000 clusters have, if that is more, up to `4194304`}
 ///     \cgalParamExtra{there are more where the centers of more faces coincide up to a millionth of the extent of the mesh, and
 ///                     where a single cluster has more}
 ///   \cgalParamNEnd

@@ -287,7 +287,7 @@ BOOST_AUTO_TEST_CASE(agrees_with_the_coarsening_in_memory)
     Mesh distributed, in_memory;
     const auto np = SMC::parameters::vertex_placement(SMC::Quadric_placement());
     const SMC::Coarsening_report report =
-      SMC::coarsen_distributed_mesh(ranks, piece.mesh, piece.number, n, distributed, np.faces_per_block(50000));
+      SMC::coarsen_distributed_mesh(ranks, piece.mesh, piece.number, n, distributed, np.faces_per_block(75000));
     if (ranks.rank() != 0)
       return;
     const Mesh whole = test::to_mesh(soup);

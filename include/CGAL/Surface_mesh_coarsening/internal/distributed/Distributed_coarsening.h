@@ -90,7 +90,7 @@ public:
 
 private:
   static constexpr Index max_level = 6;
-  static constexpr std::size_t cells_per_cluster = 12, clusters_per_task = 500;
+  static constexpr std::size_t cells_per_cluster = 12, clusters_per_task = 1000;
   static constexpr std::size_t phases = 4, max_rounds_of_phase = 20;
   static constexpr std::size_t default_faces_per_block = std::size_t(1) << 18, max_faces_per_task = std::size_t(1) << 22;
 
