@@ -205,7 +205,8 @@ BOOST_NOINLINE void run_once(const Method& method, const Model& m)
 int main(int argc, char** argv)
 {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const bool once = arguments.size() == 4 && arguments[0] == "--once" && (arguments[1] == "default" || arguments[1] == "clustering");
+  const bool once =
+    arguments.size() == 4 && arguments[0] == "--once" && (arguments[1] == "default" || arguments[1] == "clustering");
   if (!once && (arguments.size() < 3 || arguments.size() % 2 == 0 || !is_number(arguments[0]))) {
     std::cerr << "usage: compare_speed RUNS MODEL VERTICES [MODEL VERTICES]...\n"
                  "       compare_speed --once default|clustering MODEL VERTICES\n"

@@ -2,9 +2,9 @@
 //
 // Weights from the current sums, as the package has them, against weights that are frozen for a round, as the paper can be read:
 //   measure_frozen_weights FILE VERTICES [R_AREA R_MAXIMUM R_VARIANCE]
-// prints for each weight how many rounds were run, the smallest and the largest energy in the last twenty of them, relative to the
-// smallest of all, and the shapes of the third of the clusters that has the highest densities: the mean elongation, and the mean cosine
-// of the angle between the long axis and the sharp edges of those that have some.
+// prints for each weight how many rounds were run, the smallest and the largest energy in the last twenty of them, relative to
+// the smallest of all, and the shapes of the third of the clusters that has the highest densities: the mean elongation, and the
+// mean cosine of the angle between the long axis and the sharp edges of those that have some.
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
@@ -263,7 +263,8 @@ int main(int argc, char* argv[])
   try {
     const std::size_t number = std::strtoul(argv[2], nullptr, 10);
     const auto density = [&](int i, double otherwise) { return argc == 6 ? std::strtod(argv[i], nullptr) : otherwise; };
-    std::cout << "weight,weights_of_a_round,rounds,least_energy_of_last_20,largest,elongation,cosine_with_sharp_edges" << std::endl;
+    std::cout << "weight,weights_of_a_round,rounds,least_energy_of_last_20,largest,elongation,cosine_with_sharp_edges"
+              << std::endl;
     compare<SMC::Weighted_area_weight>(mesh, number, AREA, density(3, 50));
     compare<SMC::Maximum_density_weight>(mesh, number, MAXIMUM, density(4, 50));
     compare<SMC::Density_variance_weight>(mesh, number, VARIANCE, density(5, 3));

@@ -154,8 +154,8 @@ public:
 
   bool finish() const
   {
-    std::cout << runs_ << " runs, " << failures_ << " longer than " << limit_ << " times the reference; the longest took " << worst_
-              << " times" << std::endl;
+    std::cout << runs_ << " runs, " << failures_ << " longer than " << limit_ << " times the reference; the longest took "
+              << worst_ << " times" << std::endl;
     return failures_ == 0;
   }
 
@@ -166,7 +166,8 @@ private:
     const double before = processor_seconds_of_children();
     const unsigned most = unsigned((std::min)(600., 2 * limit_ * reference_ + 2));
     const test::Tool_outcome outcome =
-      test::Tool_process(directory_.path(), input + " out.off --quiet " + options_ + " " + options, "ulimit -c 0; ulimit -t " + std::to_string(most))
+      test::Tool_process(directory_.path(), input + " out.off --quiet " + options_ + " " + options,
+                         "ulimit -c 0; ulimit -t " + std::to_string(most))
         .wait(std::chrono::seconds(3600));
     return {outcome.status, processor_seconds_of_children() - before};
   }

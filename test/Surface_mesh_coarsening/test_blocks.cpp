@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The minimization in blocks of clusters: whatever the order in which the blocks make their moves, and on however many threads, the
-// result is the same; clusterings stay valid, and the energy falls.
+// The minimization in blocks of clusters: whatever the order in which the blocks make their moves, and on however many threads,
+// the result is the same; clusterings stay valid, and the energy falls.
 
 #define BOOST_TEST_MODULE blocks
 #include "support/face_graphs.h"
@@ -165,7 +165,8 @@ BOOST_AUTO_TEST_CASE(edges_are_distributed)
     for (Index v = 0; v < m.number_of_vertices(); ++v) {
       bool is_shared = false;
       for (Index i = m.first_in_star[v]; i != m.first_in_star[v + 1]; ++i)
-        is_shared = is_shared || divided.division[divided.labels[m.star[i]]] != divided.division[divided.labels[m.star[m.first_in_star[v]]]];
+        is_shared = is_shared ||
+                    divided.division[divided.labels[m.star[i]]] != divided.division[divided.labels[m.star[m.first_in_star[v]]]];
       BOOST_REQUIRE_EQUAL(divided.state.is_shared[v], is_shared);
     }
   }
@@ -223,8 +224,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(threads_agree, Weight, Weights)
     const Grown grown(soup);
     const auto minimized = [&grown](double tolerance, Execution execution) {
       Cluster_labels labels(*grown.labels);
-      Energy_minimization<Weight> minimization(grown.working_input(), labels, number_of_clusters, Weight(), false, Cancellation_point(),
-                                               execution);
+      Energy_minimization<Weight> minimization(grown.working_input(), labels, number_of_clusters, Weight(), false,
+                                               Cancellation_point(), execution);
       BOOST_CHECK_GT(minimization.rounds_at_a_time(), 1u);
       std::vector<double> energies{minimization.energy()};
       for (;;) {
@@ -260,8 +261,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(ends_in_a_local_minimum, Weight, Weights)
   const Grown grown(soups().front().second);
   Cluster_labels labels(*grown.labels);
   const Clustering_input& input = grown.working_input().items;
-  Energy_minimization<Weight> minimization(grown.working_input(), labels, number_of_clusters, Weight(), false, Cancellation_point(),
-                                           Execution::SEQUENTIAL);
+  Energy_minimization<Weight> minimization(grown.working_input(), labels, number_of_clusters, Weight(), false,
+                                           Cancellation_point(), Execution::SEQUENTIAL);
   while (minimization.run({3, 0}).moves > 0)
     ;
   const Cluster_energy<Weight> energy{Weight()};
@@ -326,8 +327,8 @@ BOOST_AUTO_TEST_CASE(cancelling)
     visitor.left = (std::numeric_limits<std::size_t>::max)();
     const Visitor_handle handle{std::ref(visitor)};
     Cluster_labels labels(*grown.labels);
-    Energy_minimization<SMC::Uniform_weight> minimization(grown.working_input(), labels, number_of_clusters, SMC::Uniform_weight(), false,
-                                                          Cancellation_point(handle), execution);
+    Energy_minimization<SMC::Uniform_weight> minimization(grown.working_input(), labels, number_of_clusters,
+                                                          SMC::Uniform_weight(), false, Cancellation_point(handle), execution);
     visitor.left = questions;
     try {
       for (int i = 0; i < 5; ++i)

@@ -355,8 +355,8 @@ BOOST_AUTO_TEST_CASE(convergence_tolerance)
 
     const auto clusters = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
     Mesh output;
-    const auto report =
-      SMC::coarsen_mesh(mesh, 70, output, SMC::parameters::convergence_tolerance(tolerance).face_cluster_map(clusters).error_feedback(0));
+    const auto report = SMC::coarsen_mesh(
+      mesh, 70, output, SMC::parameters::convergence_tolerance(tolerance).face_cluster_map(clusters).error_feedback(0));
     BOOST_CHECK_EQUAL(report.rounds, c.report().rounds);
     BOOST_CHECK(test::labels_of(mesh, clusters) == labels);
     if (tolerance == SMC::Coarsening_defaults::convergence_tolerance) {

@@ -108,7 +108,8 @@ BOOST_AUTO_TEST_CASE(distance_falls)
       check_kept(input, with, c.vertices);
       BOOST_TEST(without.report.exchanged_vertices == 0);
       BOOST_TEST(with.report.exchanged_vertices > 0);
-      const auto before = SMC::measure_coarsening(input, without.mesh, 20000), after = SMC::measure_coarsening(input, with.mesh, 20000);
+      const auto before = SMC::measure_coarsening(input, without.mesh, 20000),
+                 after = SMC::measure_coarsening(input, with.mesh, 20000);
       BOOST_TEST(after.rms_distance <= c.factor * before.rms_distance);
       BOOST_TEST(after.mean_smallest_angle >= 40);
     }
@@ -149,7 +150,8 @@ BOOST_AUTO_TEST_CASE(features_stay)
   BOOST_TEST(with.report.exchanged_vertices > 0);
   BOOST_TEST(with.report.feature_lines == without.report.feature_lines);
   BOOST_TEST(with.report.feature_corners == without.report.feature_corners);
-  const auto before = SMC::measure_coarsening(input, without.mesh, 20000), after = SMC::measure_coarsening(input, with.mesh, 20000);
+  const auto before = SMC::measure_coarsening(input, without.mesh, 20000),
+             after = SMC::measure_coarsening(input, with.mesh, 20000);
   BOOST_TEST(after.rms_distance < before.rms_distance);
 }
 
@@ -168,7 +170,8 @@ BOOST_AUTO_TEST_CASE(thin_parts_do_not_get_worse)
       const Outcome without = coarsened(input, c.vertices, parameters(0)), with = coarsened(input, c.vertices, parameters(7));
       check_kept(input, with, c.vertices);
       BOOST_TEST(with.report.intersections_left <= without.report.intersections_left);
-      const auto before = SMC::measure_coarsening(input, without.mesh, 20000), after = SMC::measure_coarsening(input, with.mesh, 20000);
+      const auto before = SMC::measure_coarsening(input, without.mesh, 20000),
+                 after = SMC::measure_coarsening(input, with.mesh, 20000);
       if (with.report.intersections_left == without.report.intersections_left)
         BOOST_TEST(after.rms_distance <= 1.02 * before.rms_distance); // estimates have errors
     }

@@ -57,7 +57,8 @@ void expect(const Function& f, const std::vector<std::string>& parts)
 void expect_invalid_mesh(const Mesh& mesh, const std::vector<std::string>& parts)
 {
   expect<SMC::Invalid_input>([&](Mesh& output) { SMC::coarsen_mesh(mesh, 4, output); }, parts);
-  expect<SMC::Invalid_input>([&](Mesh& output) { SMC::coarsen_mesh(mesh, output, SMC::parameters::neighborhood_level(7)); }, parts);
+  expect<SMC::Invalid_input>([&](Mesh& output) { SMC::coarsen_mesh(mesh, output, SMC::parameters::neighborhood_level(7)); },
+                             parts);
 }
 
 // Also the functions that use the connectivity only.

@@ -232,8 +232,8 @@ void check_rules(const Model& model, std::size_t number)
   Initial_clustering initial(p.input, false, report, Cancellation_point(), Execution::SEQUENTIAL);
   initial.seed(number);
   Cluster_labels labels = initial.grow();
-  Energy_minimization<SMC::Maximum_density_weight> minimization(initial.input(), labels, report.clusters,
-                                                                SMC::Maximum_density_weight(), false, Cancellation_point(), Execution());
+  Energy_minimization<SMC::Maximum_density_weight> minimization(
+    initial.input(), labels, report.clusters, SMC::Maximum_density_weight(), false, Cancellation_point(), Execution());
   for (int round = 0; round < 3; ++round) {
     BOOST_TEST(Clustering_check(labels, report.clusters).fault([](std::size_t x) { return std::to_string(x); }) == "");
     const Labelled_pieces pieces(initial.input(), labels, report.clusters);
@@ -600,7 +600,10 @@ BOOST_AUTO_TEST_CASE(recomputed_clusters)
   for (const std::size_t n : {60, 300}) {
     Output output;
     output.report = SMC::coarsen_mesh(model.mesh, n, output.mesh,
-                                      model.parameters().cluster_weight(SMC::Maximum_density_weight()).maximum_density(10).vertex_placement(SMC::Quadric_placement()),
+                                      model.parameters()
+                                        .cluster_weight(SMC::Maximum_density_weight())
+                                        .maximum_density(10)
+                                        .vertex_placement(SMC::Quadric_placement()),
                                       output.parameters());
     check(model, n, output);
     most = (std::max)(most, output.report.clusterings);

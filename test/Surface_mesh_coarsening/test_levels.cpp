@@ -123,7 +123,8 @@ BOOST_AUTO_TEST_CASE(each_level_is_valid_and_a_union_of_finer_clusters)
       Mesh output, from_labels;
       levels.triangles(n, std::back_inserter(triangles));
       levels.extract_dual_mesh(n, output, SMC::Centroid_placement());
-      SMC::extract_dual_mesh(mesh, label, from_labels, SMC::parameters::repair_output(false).vertex_placement(SMC::Centroid_placement()));
+      SMC::extract_dual_mesh(mesh, label, from_labels,
+                             SMC::parameters::repair_output(false).vertex_placement(SMC::Centroid_placement()));
       BOOST_REQUIRE(CGAL::is_valid_polygon_mesh(output));
       BOOST_REQUIRE_EQUAL(output.number_of_vertices(), n);
       BOOST_REQUIRE(normalized(triangles) == triangles_of(output));

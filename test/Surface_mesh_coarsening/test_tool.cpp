@@ -159,10 +159,29 @@ BOOST_AUTO_TEST_CASE(questions)
   const Outcome help = shop.run("--help");
   BOOST_TEST(shop.run("-h").out == help.out);
   BOOST_TEST(help.status == 0);
-  for (const char* option :
-       {"--vertices", "--range", "--neighborhood-level", "--rounds", "--convergence-tolerance", "--weight", "--maximum-density", "--placement", "--paper", "--features",
-        "--clusters", "--picture", "--view", "--report", "--repair", "--fill-holes", "--minimum-component-area",
-        "--subdivide", "--measure", "--threads", "--quiet", "--version", "--help"})
+  for (const char* option : {"--vertices",
+                             "--range",
+                             "--neighborhood-level",
+                             "--rounds",
+                             "--convergence-tolerance",
+                             "--weight",
+                             "--maximum-density",
+                             "--placement",
+                             "--paper",
+                             "--features",
+                             "--clusters",
+                             "--picture",
+                             "--view",
+                             "--report",
+                             "--repair",
+                             "--fill-holes",
+                             "--minimum-component-area",
+                             "--subdivide",
+                             "--measure",
+                             "--threads",
+                             "--quiet",
+                             "--version",
+                             "--help"})
     BOOST_TEST(help.out.find(option) != std::string::npos, option);
   for (const std::string& weight : weights)
     BOOST_TEST(help.out.find(weight) != std::string::npos, weight);

@@ -316,7 +316,8 @@ BOOST_AUTO_TEST_CASE(numbers_of_formats)
 {
   const Tool_directory shop;
   const generated::Soup sphere = generated::triangle_sphere(3);
-  shop.write("far.off", mesh_files::off(generated::translated(sphere, 6378137, 6378137, 6378137))); // meters from the Earth's center
+  shop.write("far.off",
+             mesh_files::off(generated::translated(sphere, 6378137, 6378137, 6378137))); // meters from the Earth's center
   check_refused(shop, "far.off out.stl -n 200 --report r.json", {"out.stl: cannot be written: ", "different points", "use .ply"});
   check_done(shop, "far.off out.ply -n 200");
   BOOST_TEST(parse_soup(test::content_of(shop / "out.ply"), "ply").points.size() == 200u);

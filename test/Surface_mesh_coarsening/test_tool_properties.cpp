@@ -194,26 +194,28 @@ BOOST_AUTO_TEST_CASE(what_a_format_cannot_hold_is_named_once)
   shop.write("in.ply", colored_ply());
   const Tool_outcome outcome = shop.run("in.ply out.off -n 40 --levels 1 --report report.json");
   check_done(outcome);
-  BOOST_CHECK_EQUAL(outcome.err,
-                    "coarsen_mesh: warning: out.off: the numbers 'red' of vertices are left out, the format OFF cannot hold them\n"
-                    "coarsen_mesh: warning: out.off: the numbers 'quality' of vertices are left out, the format OFF cannot hold "
-                    "them\n"
-                    "coarsen_mesh: warning: out.off: the numbers 'label' of faces are left out, the format OFF cannot hold them\n");
+  BOOST_CHECK_EQUAL(
+    outcome.err, "coarsen_mesh: warning: out.off: the numbers 'red' of vertices are left out, the format OFF cannot hold them\n"
+                 "coarsen_mesh: warning: out.off: the numbers 'quality' of vertices are left out, the format OFF cannot hold "
+                 "them\n"
+                 "coarsen_mesh: warning: out.off: the numbers 'label' of faces are left out, the format OFF cannot hold them\n");
   BOOST_CHECK(test::content_of(shop / "report.json").find("'quality'") != std::string::npos);
   BOOST_CHECK_EQUAL(shop.run("in.ply out.off -n 40 --quiet").err, "");
   BOOST_CHECK_EQUAL(shop.run("in.ply out.ply -n 40").err, "");
   shop.write("in.obj", textured_obj() + "s 1\nl 1 2\n");
   const Tool_outcome lines = shop.run("in.obj out.stl -n 40");
   check_done(lines);
-  for (const char* field : {"smoothing groups are not read", "lines are not read", "the texture coordinates of corners are left out",
-                            "the materials of faces are left out", "the groups of faces are left out"})
+  for (const char* field :
+       {"smoothing groups are not read", "lines are not read", "the texture coordinates of corners are left out",
+        "the materials of faces are left out", "the groups of faces are left out"})
     BOOST_CHECK_MESSAGE(lines.err.find(field) != std::string::npos, lines.err);
 }
 
 // Colors and normals behind the coordinates of OFF, in its order; normals of OBJ that differ at a vertex stay with the corners.
 BOOST_AUTO_TEST_CASE(fields_of_text)
 {
-  const Soup off = parse_soup("CNOFF\n3 1 0\n0 0 0 0 0 1 0.2 0.4 1 1\n1 0 0 0 0 1 0 0 1 1\n0 1 0 0 0 1 0 0 1 1\n3 0 1 2 255 0 9\n", "off");
+  const Soup off =
+    parse_soup("CNOFF\n3 1 0\n0 0 0 0 0 1 0.2 0.4 1 1\n1 0 0 0 0 1 0 0 1 1\n0 1 0 0 0 1 0 0 1 1\n3 0 1 2 255 0 9\n", "off");
   BOOST_REQUIRE_EQUAL(off.of_points.size(), 6u); // opaque
   BOOST_CHECK_EQUAL(off.of_points[2].name, "nz");
   BOOST_CHECK_EQUAL(off.of_points[2].values[1], 1);
@@ -276,12 +278,14 @@ BOOST_AUTO_TEST_CASE(textures_go_from_obj_to_ply)
   check_done(shop.run("in.obj out.ply -n 40"));
   check_done(shop.run("in.obj out.obj -n 40"));
   check_done(shop.run("out.ply again.obj -n 20"));
-  const Soup ply = parse_soup(test::content_of(shop / "out.ply"), "ply"), obj = parse_soup(test::content_of(shop / "out.obj"), "obj");
+  const Soup ply = parse_soup(test::content_of(shop / "out.ply"), "ply"),
+             obj = parse_soup(test::content_of(shop / "out.obj"), "obj");
   BOOST_REQUIRE_EQUAL(ply.texture_corners.size(), ply.polygons.size());
   for (std::size_t f = 0; f < ply.polygons.size(); ++f)
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 2; ++k)
-        BOOST_CHECK_SMALL(ply.texture_points[ply.texture_corners[f][i]][k] - obj.texture_points[obj.texture_corners[f][i]][k], 1e-6);
+        BOOST_CHECK_SMALL(ply.texture_points[ply.texture_corners[f][i]][k] - obj.texture_points[obj.texture_corners[f][i]][k],
+                          1e-6);
   BOOST_CHECK(!parse_soup(test::content_of(shop / "again.obj"), "obj").texture_points.empty());
 }
 

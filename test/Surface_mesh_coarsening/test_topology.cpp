@@ -62,7 +62,8 @@ void check_output(const Reference_mesh& input, const Mesh& output, std::size_t n
 template <class Weight>
 auto parameters()
 {
-  typedef std::conditional_t<std::is_same<Weight, SMC::Weighted_area_weight>::value, SMC::Fitted_placement, SMC::Centroid_placement>
+  typedef std::conditional_t<std::is_same<Weight, SMC::Weighted_area_weight>::value, SMC::Fitted_placement,
+                             SMC::Centroid_placement>
     Placement;
   return SMC::parameters::cluster_weight(Weight()).vertex_placement(Placement());
 }

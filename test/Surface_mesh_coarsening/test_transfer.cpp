@@ -447,8 +447,9 @@ BOOST_AUTO_TEST_CASE(output_is_the_input)
   };
   SMC::coarsen_mesh(mesh, 40, expected, SMC::parameters::face_cluster_map(map_to(expected_labels)));
   const auto source = mesh.add_property_map<Mesh::Vertex_index, Location>("v:source").first;
-  BOOST_CHECK_THROW(SMC::coarsen_mesh(mesh, 40, mesh, SMC::parameters::default_values(), SMC::parameters::vertex_source_map(source)),
-                    SMC::Invalid_input);
+  BOOST_CHECK_THROW(
+    SMC::coarsen_mesh(mesh, 40, mesh, SMC::parameters::default_values(), SMC::parameters::vertex_source_map(source)),
+    SMC::Invalid_input);
   BOOST_CHECK_THROW(SMC::coarsen_mesh(mesh, 1000000, mesh), SMC::Unreachable_number_of_vertices);
   BOOST_CHECK_EQUAL(mesh.number_of_faces(), labels.size());
   SMC::coarsen_mesh(mesh, 40, mesh, SMC::parameters::face_cluster_map(map_to(labels)));

@@ -136,7 +136,8 @@ Soup cone_over_star(std::size_t sides, std::size_t turns, double noise)
   std::mt19937 engine(3);
   generated::Polygon base;
   for (std::size_t i = 0; i < sides; ++i) {
-    const double angle = 2 * generated::pi * double(turns * i) / double(sides), r = 1 + noise * generated::symmetric_random(engine);
+    const double angle = 2 * generated::pi * double(turns * i) / double(sides),
+                 r = 1 + noise * generated::symmetric_random(engine);
     s.points.push_back({r * std::cos(angle), r * std::sin(angle), noise * generated::symmetric_random(engine)});
     base.push_back(sides - 1 - i);
   }

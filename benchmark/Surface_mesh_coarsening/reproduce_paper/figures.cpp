@@ -27,7 +27,8 @@ struct Neighborhoods
 
 Neighborhoods neighborhoods(const Mesh& mesh, const std::vector<Face>& seeds, unsigned level)
 {
-  Neighborhoods result{std::vector<unsigned>(mesh.num_faces(), outside), std::vector<std::size_t>(mesh.num_faces(), seeds.size())};
+  Neighborhoods result{std::vector<unsigned>(mesh.num_faces(), outside),
+                       std::vector<std::size_t>(mesh.num_faces(), seeds.size())};
   std::deque<Face> queue;
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     result.steps[seeds[i]] = 0;
@@ -68,7 +69,9 @@ public:
   {
     const std::vector<std::size_t> colors = color_clusters(mesh, n.seeds);
     return colored([&](Face f) {
-      return n.steps[f] == outside ? Rgb{{235, 235, 235}} : n.steps[f] == 0 ? Rgb{{40, 40, 40}} : palette_color(colors[n.seeds[f]]);
+      return n.steps[f] == outside ? Rgb{{235, 235, 235}}
+             : n.steps[f] == 0     ? Rgb{{40, 40, 40}}
+                                   : palette_color(colors[n.seeds[f]]);
     });
   }
 
@@ -115,7 +118,8 @@ std::vector<std::string> write_figures(const Paper_model& model, const Mesh& mes
     const Clustering_run& run = runs[VARIANCE];
     const auto uniform = [&](double density) { return run_uniform_clustering(mesh, model.level, density); };
     const Clustering_run with_200 = uniform(200);
-    // An ordinary diagram with densities: their range hardly changes it. The paper does not name the model of its figures 1b and 1c.
+    // An ordinary diagram with densities: their range hardly changes it. The paper does not name the model of its figures 1b and
+    // 1c.
     write("figure_1bc.png", {{artist.clusters(uniform(50).labels), artist.clusters(with_200.labels)}});
     const Neighborhoods around = neighborhoods(mesh, run.seeds, model.level);
     const Clustering_run grown = run_clustering(mesh, model.level, VARIANCE, model.maximum_density[VARIANCE], false);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs table 1 of the paper on the models that are found, as the paper prints the method, and draws its figures 1b, 1c, 2, 3, 5, 6
-// and 7. What the paper's table has stands before what comes out here.
+// Runs table 1 of the paper on the models that are found, as the paper prints the method, and draws its figures 1b, 1c, 2, 3, 5,
+// 6 and 7. What the paper's table has stands before what comes out here.
 
 #include "check/certificate.h"
 #include "io/Failure.h"
@@ -35,7 +35,8 @@ std::optional<Options> read_options(int argc, char* argv[])
   Options options;
   po::options_description described("Options"), all;
   described.add_options()("figures", po::value(&options.figures)->value_name("DIRECTORY"),
-                          "draw the figures of the paper into this directory: 1b and 1c, 2, 3, 5, 6 and 7")("help", "print this text");
+                          "draw the figures of the paper into this directory: 1b and 1c, 2, 3, 5, 6 and 7")(
+    "help", "print this text");
   all.add(described).add_options()("places", po::value(&options.places));
   po::variables_map values;
   po::positional_options_description positional;

@@ -182,24 +182,30 @@ po::options_description described_options()
      "with the placement fitted: in R rounds, relocate vertices to places of large distance; with 0, the densities alone "
      "distribute the vertices")
     ("paper",
-     "do as the article prints: densities up to 50 (variance: 3) and none for borders, merging by area, the check by boundary-edge "
-     "counts, the end when a round changes nothing, vertices at centroids, no feedback and no repair; options beside it take precedence")
+     "do as the article prints: densities up to 50 (variance: 3) and none for borders, merging by area, the check "
+     "by boundary-edge "
+     "counts, the end when a round changes nothing, vertices at centroids, no feedback and no repair; options "
+     "beside it take precedence")
     ("features", text()->value_name("ANGLE")->implicit_value(default_feature_angle),
      "keep sharp edges, whose normals differ by ANGLE degrees or more: they become lines of edges, and their corners keep "
      "their positions")
     ("patches", text()->value_name("FIELD"),
-     "keep the lines between faces that differ in FIELD: material or group, or the name of whole numbers that a PLY file has for faces")
+     "keep the lines between faces that differ in FIELD: material or group, or the name of whole numbers that a PLY "
+     "file has for faces")
     ("clusters", text()->value_name("FILE"), "write the input with a color and a label for each face (.ply)")
-    ("picture", text()->value_name("FILE"), "write a picture of the input with its clusters, the result, and the distance between them (.png)")
+    ("picture", text()->value_name("FILE"),
+      "write a picture of the input with its clusters, the result, and the distance between them (.png)")
     ("view", text()->value_name("X,Y,Z"), "direction from which the picture is taken (default 1,0.5,0.8, rotated with --up)")
     ("up", text()->value_name("X,Y,Z"), "direction that points up in the picture (default 0,1,0)")
     ("report", text()->value_name("FILE"), "write parameters, counts, topology and times (JSON)")
-    ("format", text()->value_name("F"), "the format, off, obj, ply or stl, of INPUT or OUTPUT where they are -, standard input and output")
+    ("format", text()->value_name("F"),
+      "the format, off, obj, ply or stl, of INPUT or OUTPUT where they are -, standard input and output")
     ("repair",
      "repair the input first: merge coincident points, remove useless faces, orient, duplicate non-manifold vertices, "
      "stitch borders, remove degenerate triangles and unused points")
     ("fill-holes", text()->value_name("LENGTH"),
-     "first fill the holes whose border is at most LENGTH long, in the mesh's unit of length, or in percent of the diagonal of its "
+     "first fill the holes whose border is at most LENGTH long, in the mesh's unit of length, or in percent of the "
+     "diagonal of its "
      "bounding box, such as 10%, or all; --report lists the holes with their lengths, and whether they were filled")
     ("minimum-component-area", text()->value_name("A"),
      "remove connected components of an area below A, in the square of the mesh's unit of length (a cube of side 2 "

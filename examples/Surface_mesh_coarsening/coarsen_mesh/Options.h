@@ -56,8 +56,8 @@ struct Options
 // The type of a mesh file that the options name, also of a standard stream.
 std::string type_of(const Options& options, const std::string& file);
 
-// Reads the command line. Returns one set of options for each input, none when a question (--help, --version) has been answered on
-// standard output.
+// Reads the command line. Returns one set of options for each input, none when a question (--help, --version) has been answered
+// on standard output.
 std::vector<Options> read_options(int argc, char* argv[]);
 
 } // namespace coarsen_mesh_tool

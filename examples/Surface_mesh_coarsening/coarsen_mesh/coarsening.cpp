@@ -121,7 +121,8 @@ void coarsen_to_distance(const Mesh& input, const Options& options, const NamedP
     [&](Face f) -> std::size_t& { return result.labels[static_cast<std::size_t>(f)]; });
   with_placement(options, [&](const auto& placement) {
     const SMC::Distance_report report = SMC::coarsen_mesh_to_distance<CGAL::Parallel_if_available_tag>(
-      input, (std::min)(*options.maximum_distance * unit, (std::numeric_limits<double>::max)()), result.mesh, np.vertex_placement(placement).face_cluster_map(clusters));
+      input, (std::min)(*options.maximum_distance * unit, (std::numeric_limits<double>::max)()), result.mesh,
+      np.vertex_placement(placement).face_cluster_map(clusters));
     result.report = report.clustering;
     result.distance_bound = report.distance_bound;
   });

@@ -57,7 +57,8 @@ std::string shown(double x)
 // Formats a distance in the requested unit.
 std::string distance_text(const Options& options, double distance)
 {
-  return options.distance_is_relative ? "within " + shown(distance) + " of the diagonal" : "within a distance of " + shown(distance);
+  return options.distance_is_relative ? "within " + shown(distance) + " of the diagonal"
+                                      : "within a distance of " + shown(distance);
 }
 
 std::string counted(std::size_t number, const std::string& noun)
@@ -100,8 +101,9 @@ void check_written(const std::string& file, const std::string& type, const std::
     fault = "its " + std::to_string(mesh.number_of_vertices()) + " vertices are at " + std::to_string(soup.points.size()) +
             " different points only";
   if (fault)
-    throw Failure(file, "cannot be written: as numbers of the format " + upper_case(type) + " can tell, the result is no surface: " +
-                          *fault + (type == "stl" ? " (use .ply, .off or .obj, which keep all digits, or move the mesh to the origin)" : ""));
+    throw Failure(
+      file, "cannot be written: as numbers of the format " + upper_case(type) + " can tell, the result is no surface: " + *fault +
+              (type == "stl" ? " (use .ply, .off or .obj, which keep all digits, or move the mesh to the origin)" : ""));
 }
 
 std::string summary(const Options& options, const Input& input, const Coarsening_result& result,

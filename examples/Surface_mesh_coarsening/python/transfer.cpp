@@ -22,13 +22,15 @@ struct Label
 template <class Key, class Number>
 auto column(const Rows<Number>& rows, std::size_t c)
 {
-  return boost::make_function_property_map<Key>([rows, c](Key k) -> Number { return rows.from[std::size_t(k) * rows.columns + c]; });
+  return boost::make_function_property_map<Key>(
+    [rows, c](Key k) -> Number { return rows.from[std::size_t(k) * rows.columns + c]; });
 }
 
 template <class Key, class Number>
 auto coarse_column(const Rows<Number>& rows, std::size_t c)
 {
-  return boost::make_function_property_map<Key>([rows, c](Key k) -> Number& { return rows.to[std::size_t(k) * rows.columns + c]; });
+  return boost::make_function_property_map<Key>(
+    [rows, c](Key k) -> Number& { return rows.to[std::size_t(k) * rows.columns + c]; });
 }
 
 // Returns the row of the corner that each halfedge points to. The halfedge of a face begins at its first corner.
@@ -47,7 +49,8 @@ std::vector<std::size_t> rows_of_halfedges(const Mesh& mesh)
 Transfer::Transfer(const Mesh& mesh, const std::int64_t* labels, const Mesh& coarse)
   : mesh_(mesh),
     coarse_(coarse),
-    resampler_(mesh, boost::make_function_property_map<Face>([labels](Face f) -> std::size_t { return std::size_t(labels[f]); }), coarse)
+    resampler_(mesh, boost::make_function_property_map<Face>([labels](Face f) -> std::size_t { return std::size_t(labels[f]); }),
+               coarse)
 {}
 
 template <class Value, class Number>

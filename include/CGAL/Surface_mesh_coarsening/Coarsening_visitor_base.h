@@ -29,8 +29,8 @@ struct Coarsening_visitor_base
   void stage_begins(Coarsening_stage /* stage */) {}
   /// is called when `stage` has ended.
   void stage_ends(Coarsening_stage /* stage */) {}
-  /// is called after each round of the minimization, or after some that are made together, where there are many clusters: with the
-  /// number of rounds so far, the number of faces that changed cluster since the last call, and the energy.
+  /// is called after each round of the minimization, or after some that are made together, where there are many clusters: with
+  /// the number of rounds so far, the number of faces that changed cluster since the last call, and the energy.
   void round_done(std::size_t /* round */, std::size_t /* moves */, double /* energy */) {}
   /// is called when a stage begins, after each round, before the output changes, and within the stages about every 16,000
   /// elementary steps; `false` ends the coarsening with `Coarsening_cancelled`.

@@ -148,20 +148,20 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamExtra{clusters on the border have their vertex on the border, unless `place_on_borders` is `false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{place_on_borders}
-///     \cgalParamDescription{whether clusters on the border have their vertex on the border. If not, the placement is asked for it,
-///                           as for others.}
+///     \cgalParamDescription{whether clusters on the border have their vertex on the border. If not, the placement is asked for
+///       it, as for others.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{merge_by_area}
-///     \cgalParamDescription{whether clusters are merged to the number of vertices by their area, as in section 6 of the paper, and not by
-///                           mass and number of faces}
+///     \cgalParamDescription{whether clusters are merged to the number of vertices by their area, as in section 6 of the paper,
+///       and not by mass and number of faces}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{boundary_count_check}
-///     \cgalParamDescription{whether moves in the minimization have to pass the check of section 7 of the paper, too, which is made for
-///                           triangles; the report counts what it refuses, and what is refused besides}
+///     \cgalParamDescription{whether moves in the minimization have to pass the check of section 7 of the paper, too, which is
+///       made for triangles; the report counts what it refuses, and what is refused besides}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -337,8 +337,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_ratio}
-///     \cgalParamDescription{the number of vertices of the output as a part of those of `input`, such as `0.1`. It is rounded, and at
-///                           least 1. Isolated vertices, and those of components that are left out, do not count.}
+///     \cgalParamDescription{the number of vertices of the output as a part of those of `input`, such as `0.1`. It is rounded,
+///       and at least 1. Isolated vertices, and those of components that are left out, do not count.}
 ///     \cgalParamType{`double`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{neighborhood_level}

@@ -42,8 +42,9 @@ struct Dual_soup
 template <class FaceGraph, class FaceClusterMap, class NamedParameters>
 Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters, const NamedParameters& np)
 {
-  accept_parameters<NamedParameters, Geometry_parameters, Order_parameters,
-                    Parameter_list<internal_np::vertex_placement_t, internal_np::repair_output_t, internal_np::face_density_t> >();
+  accept_parameters<
+    NamedParameters, Geometry_parameters, Order_parameters,
+    Parameter_list<internal_np::vertex_placement_t, internal_np::repair_output_t, internal_np::face_density_t> >();
   typedef Parameter_type<internal_np::vertex_placement_t, NamedParameters, Fitted_placement> Placement;
   const Numbering<FaceGraph> n = numbering(mesh, np);
   Clustering_input input;

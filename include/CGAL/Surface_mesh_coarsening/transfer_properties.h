@@ -236,8 +236,8 @@ private:
 /// and the points and vectors of the kernel in two and three dimensions. Floating-point numbers, colors, points, vectors and
 /// arrays are interpolated unless `policies` overrides it; integers, `bool` and strings go by majority. `Property_resampler`
 /// describes the transfer of values of edges and halfedges; seams follow from the values of halfedges. Points are not
-/// transferred, nor properties that belong to the mesh, whose names begin with `v:connectivity` and the like, nor `clusters` if it
-/// is a property map of the mesh. Three-dimensional vectors that are all of unit length, such as normals, keep unit length.
+/// transferred, nor properties that belong to the mesh, whose names begin with `v:connectivity` and the like, nor `clusters` if
+/// it is a property map of the mesh. Three-dimensional vectors that are all of unit length, such as normals, keep unit length.
 ///
 /// \tparam P a point type
 /// \tparam Q a point type

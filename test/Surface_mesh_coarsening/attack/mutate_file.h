@@ -48,9 +48,10 @@ inline void mutate(std::string& file, Random& random)
   case 4: file.resize(at); break;
   case 5: { // a number at its ends
     const auto word = random_word(file, random);
-    file.replace(word.first, word.second - word.first,
-                 random.pick<const char*>({"0", "-1", "1", "nan", "inf", "-inf", "1e400", "1e-400", "1e308", "2147483648", "4294967295",
-                                           "4294967296", "18446744073709551616", "99999999999999999999999", "0x10", "1,5", "-", "."}));
+    file.replace(
+      word.first, word.second - word.first,
+      random.pick<const char*>({"0", "-1", "1", "nan", "inf", "-inf", "1e400", "1e-400", "1e308", "2147483648", "4294967295",
+                                "4294967296", "18446744073709551616", "99999999999999999999999", "0x10", "1,5", "-", "."}));
     break;
   }
   case 6: { // a line twice
@@ -71,14 +72,17 @@ inline void mutate(std::string& file, Random& random)
     break;
   }
   case 9: { // four bytes that are a number at its ends
-    const std::string number = random.pick<std::string>({std::string(4, '\0'), std::string(4, '\xff'), std::string("\xff\xff\xff\x7f", 4),
-                                                         std::string("\x7f\x80\x00\x00", 4), std::string("\x00\x00\xc0\x7f", 4)});
+    const std::string number =
+      random.pick<std::string>({std::string(4, '\0'), std::string(4, '\xff'), std::string("\xff\xff\xff\x7f", 4),
+                                std::string("\x7f\x80\x00\x00", 4), std::string("\x00\x00\xc0\x7f", 4)});
     file.replace(at, (std::min)(number.size(), file.size() - at), number);
     break;
   }
   case 10: file += random.bytes(random.below(40)); break;
   case 11: file += file.substr(at); break;
-  case 12: file.replace(at, 1, random.pick<std::string>({"\r\n", "\r", "\t", "#", std::string(1, '\0'), "\x1b[31m", "\xff"})); break;
+  case 12:
+    file.replace(at, 1, random.pick<std::string>({"\r\n", "\r", "\t", "#", std::string(1, '\0'), "\x1b[31m", "\xff"}));
+    break;
   default: { // a part in another place
     const std::string part = file.substr(at, random.below(60));
     file.insert(random.below(file.size()), part);

@@ -54,7 +54,8 @@ inline bool run_for_number(const Case_directory& directory, const std::string& f
     }
   }
   result = read_result(directory / output);
-  require(result.vertices == number, output + " has " + std::to_string(result.vertices) + " vertices, not " + std::to_string(number));
+  require(result.vertices == number,
+          output + " has " + std::to_string(result.vertices) + " vertices, not " + std::to_string(number));
   return true;
 }
 
@@ -178,17 +179,20 @@ inline void signal_at_any_time(Case_directory& directory, Random& random)
 // The bytes of the results on one thread and on several.
 inline void thread_counts(Case_directory& directory, Random& random)
 {
-  generated::Soup soup = generated::with_noise(generated::triangle_sphere(4 + unsigned(random.below(2))), random.between(0, 0.03));
+  generated::Soup soup =
+    generated::with_noise(generated::triangle_sphere(4 + unsigned(random.below(2))), random.between(0, 0.03));
   if (random.one_in(3))
     soup = generated::with_holes(soup, random.below(20));
   directory.write("in.ply", mesh_files::binary_ply(soup, false));
-  const std::string arguments = "in.ply out.ply --clusters clusters.ply -n " + std::to_string(20 + random.below(1500)) + " --weight " +
+  const std::string arguments = "in.ply out.ply --clusters clusters.ply -n " + std::to_string(20 + random.below(1500)) +
+                                " --weight " +
                                 random.pick<std::string>({"uniform", "area", "maximum", "exact-maximum", "variance"});
   const auto results_of = [&](std::size_t threads) {
     directory.remove_results();
     const test::Tool_outcome outcome = directory.run(arguments + " --threads " + std::to_string(threads));
     require(outcome.status == 0 || outcome.status == 1, "status " + std::to_string(outcome.status) + ": " + outcome.err);
-    return outcome.status == 0 ? test::content_of(directory / "out.ply") + test::content_of(directory / "clusters.ply") : outcome.err;
+    return outcome.status == 0 ? test::content_of(directory / "out.ply") + test::content_of(directory / "clusters.ply")
+                               : outcome.err;
   };
   require(results_of(1) == results_of(2 + random.below(7)), "several threads give other bytes");
 }

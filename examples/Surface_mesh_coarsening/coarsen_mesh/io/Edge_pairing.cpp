@@ -70,7 +70,8 @@ Edge_pairing::Edge_pairing(const Polygons& polygons, std::size_t vertices, const
   for (std::size_t v = 0, begin = 0; v < vertices; ++v) {
     stop_at(v, stop);
     Entry *const first = entries.data() + begin, *const last = entries.data() + ends[v];
-    std::sort(first, last, [](const Entry& s, const Entry& t) { return s.other != t.other ? s.other < t.other : s.side < t.side; });
+    std::sort(first, last,
+              [](const Entry& s, const Entry& t) { return s.other != t.other ? s.other < t.other : s.side < t.side; });
     pair(first, last, sources);
     begin = ends[v];
   }

@@ -57,7 +57,8 @@ std::vector<Halfedge> link_faces(const Polygons& polygons, const Edge_pairing& p
 Mesh to_mesh(const Soup& soup, const Edge_pairing& pairing, const Stop& stop)
 {
   Mesh mesh;
-  mesh.resize(Mesh::size_type(soup.points.size()), Mesh::size_type(pairing.edges().size()), Mesh::size_type(soup.polygons.size()));
+  mesh.resize(Mesh::size_type(soup.points.size()), Mesh::size_type(pairing.edges().size()),
+              Mesh::size_type(soup.polygons.size()));
   for (std::size_t v = 0; v < soup.points.size(); ++v)
     mesh.point(Vertex(Mesh::size_type(v))) = soup.points[v];
   const std::vector<Halfedge> border_from = link_faces(soup.polygons, pairing, stop, mesh);

@@ -12,8 +12,8 @@
 
 namespace coarsening_support {
 
-// A line of small letters, digits and what stands in numbers, each of 5 by 7 dots, for the captions of pictures. A dot has `scale`
-// by `scale` pixels. What has no shape here leaves a gap.
+// A line of small letters, digits and what stands in numbers, each of 5 by 7 dots, for the captions of pictures. A dot has
+// `scale` by `scale` pixels. What has no shape here leaves a gap.
 class Bitmap_text
 {
   static constexpr std::size_t columns = 5, rows = 7, advance = columns + 1;

@@ -65,7 +65,8 @@ Image error_panel(const Mesh& input, const Mesh& result, const Camera& camera, c
   const auto color = [&](Face f) { return scale_color(largest > 0 ? distances[face_of_triangle[f]] / largest : 0); };
   Image image = render(make_scene(mesh, true, color, [](Edge) { return false; }, 1, 0), camera);
   if (image.width > 8 * line_height && image.height > line_height)
-    draw_scale(image, image.width / 4, image.width - image.width / 4, image.height - line_height / 2, image.height - line_height / 4);
+    draw_scale(image, image.width / 4, image.width - image.width / 4, image.height - line_height / 2,
+               image.height - line_height / 4);
   char text[64];
   std::snprintf(text, sizeof text, "distance, 0 to %.2g %% of the diagonal", diagonal > 0 ? 100 * largest / diagonal : 0.);
   return captioned(image, text);

@@ -59,8 +59,9 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   // The same, with rounds that exchange vertices. Returns the squared distance without these.
-  double place_and_exchange(const Clustered_surface& surface, const Border_arcs& border, std::vector<internal::Triangle>& triangles,
-                          std::vector<Clustered_surface::Point>& positions, const internal::Vertex_relocation& relocation) const
+  double place_and_exchange(const Clustered_surface& surface, const Border_arcs& border,
+                            std::vector<internal::Triangle>& triangles, std::vector<Clustered_surface::Point>& positions,
+                            const internal::Vertex_relocation& relocation) const
   {
     return internal::fit_vertices(surface, border, rounds_, mean_angle_, triangles, positions, relocation);
   }

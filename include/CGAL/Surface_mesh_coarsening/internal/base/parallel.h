@@ -38,8 +38,8 @@ constexpr Execution execution()
   return is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL;
 }
 
-// Calls `run(i)` for the numbers from 0 to `n`, which are several, in parallel if `execution` says so. It is never inlined, so that
-// profilers separate parallel from serial work: `count_serial_part.sh` relies on that.
+// Calls `run(i)` for the numbers from 0 to `n`, which are several, in parallel if `execution` says so. It is never inlined, so
+// that profilers separate parallel from serial work: `count_serial_part.sh` relies on that.
 template <class Run>
 BOOST_NOINLINE void run_concurrently(Execution execution, std::size_t n, const Run& run)
 {
@@ -137,8 +137,8 @@ void for_each_in_groups(Execution execution, const std::vector<Index>& group, st
   }
 }
 
-// A cancellation point for loops on several threads. The visitor is asked on the thread that began the loop; the others learn of its
-// refusal.
+// A cancellation point for loops on several threads. The visitor is asked on the thread that began the loop; the others learn of
+// its refusal.
 class Shared_cancellation_point
 {
 public:

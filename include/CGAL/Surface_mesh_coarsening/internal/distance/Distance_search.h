@@ -34,10 +34,17 @@ public:
   // `quick` is the placement from which `placement` starts, if there is one. `vertices` is the maximal number of
   // clusters.
   Distance_search(Clustering_state& state, const Placement_model& placement, const std::optional<Placement_model>& quick,
-                  const Output_coordinates& output_coordinates, double distance, const Minimization_end& end, std::size_t vertices,
-                  Distance_report& report)
-    : state_(state), placement_(placement), quick_(quick), output_coordinates_(output_coordinates), minimization_end_(end),
-      vertices_(vertices), number_((std::max)(vertices / 16, std::size_t(4))), report_(report), distance_(distance),
+                  const Output_coordinates& output_coordinates, double distance, const Minimization_end& end,
+                  std::size_t vertices, Distance_report& report)
+    : state_(state),
+      placement_(placement),
+      quick_(quick),
+      output_coordinates_(output_coordinates),
+      minimization_end_(end),
+      vertices_(vertices),
+      number_((std::max)(vertices / 16, std::size_t(4))),
+      report_(report),
+      distance_(distance),
       local_distance_((std::min)(state.frame.length_to_local(distance), farthest_needed(state.base_input()))),
       surface_(triangles_of(state.base_input().mesh))
   {}

@@ -26,9 +26,8 @@ struct Dual_within_distance
 // and comes nearly as close. `vertices` is the maximal number of clusters.
 Dual_within_distance find_within_distance(Clustering_state& state, const Placement_model& placement,
                                           const std::optional<Placement_model>& quick,
-                                          const Output_coordinates& output_coordinates, double distance, const Minimization_end& end,
-                                          std::size_t vertices, Distance_report& report);
-
+                                          const Output_coordinates& output_coordinates, double distance,
+                                          const Minimization_end& end, std::size_t vertices, Distance_report& report);
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

@@ -53,7 +53,8 @@ public:
     for (Index f = 0; f < input().mesh.number_of_faces(); ++f)
       if (!may_move(f))
         labels_.pin(f);
-    const std::unique_ptr<Minimization> minimization = energy.minimization(input_, labels_, size(), false, cancellation, execution);
+    const std::unique_ptr<Minimization> minimization =
+      energy.minimization(input_, labels_, size(), false, cancellation, execution);
     std::size_t rounds = 0;
     bool has_ended = false;
     double before = minimization->energy();

@@ -39,7 +39,8 @@ void list_faces(const FaceGraph& mesh, const Numbering<FaceGraph>& n, std::size_
       list.corner_vertex.push_back(n.number_of(source(h, mesh)));
       list.face_across.push_back(beyond == boost::graph_traits<FaceGraph>::null_face() ? NONE : n.number_of(beyond));
     }
-    const auto corner = list.corner_vertex.begin() + std::ptrdiff_t(first), across = list.face_across.begin() + std::ptrdiff_t(first);
+    const auto corner = list.corner_vertex.begin() + std::ptrdiff_t(first),
+               across = list.face_across.begin() + std::ptrdiff_t(first);
     const std::ptrdiff_t shift = std::min_element(corner, list.corner_vertex.end()) - corner;
     std::rotate(corner, corner + shift, list.corner_vertex.end());
     std::rotate(across, across + shift, list.face_across.end());

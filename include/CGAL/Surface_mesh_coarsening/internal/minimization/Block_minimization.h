@@ -85,8 +85,8 @@ public:
   // Whether the work has to end early.
   bool is_cancelled() const { return is_cancelled_; }
 
-  // Ends the work on the block. Edges within clusters leave the list. Edges where a face could not move because of other blocks or
-  // features go to `postponed`.
+  // Ends the work on the block. Edges within clusters leave the list. Edges where a face could not move because of other blocks
+  // or features go to `postponed`.
   void finish(Boundary_edges& postponed)
   {
     std::size_t n = 0;

@@ -16,8 +16,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Blocks of nearby clusters, all of about the same number: recursive coordinate bisection (Berger and Bokhari: A partitioning strategy
-// for nonuniform problems on multiprocessors, 1987). They follow from the points alone; ties are broken by the number of the cluster.
+// Blocks of nearby clusters, all of about the same number: recursive coordinate bisection (Berger and Bokhari: A partitioning
+// strategy for nonuniform problems on multiprocessors, 1987). They follow from the points alone; ties are broken by the number of
+// the cluster.
 class Cluster_blocks
 {
 public:

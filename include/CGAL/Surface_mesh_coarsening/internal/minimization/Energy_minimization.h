@@ -32,8 +32,9 @@ namespace internal {
 // simplicial surface. All weights are those of the current sums, so the energy is a function of the clustering and
 // falls with each move.
 //
-// Many clusters are divided into blocks, which make some rounds on their own, in parallel. Edges at which a face had to wait for another
-// block are in blocks of a second division next, and the few that had to wait again are gone through in order. The divisions take turns.
+// Many clusters are divided into blocks, which make some rounds on their own, in parallel. Edges at which a face had to wait for
+// another block are in blocks of a second division next, and the few that had to wait again are gone through in order. The
+// divisions take turns.
 template <class Weight>
 class Energy_minimization : public Minimization
 {
@@ -141,8 +142,8 @@ private:
     rounds_since_sums_ = 0;
   }
 
-  // In two orthogonal frames, whose planes cross each other at large angles: clusters at the border of a block in one are inside a
-  // block in the other, nearly always. What roundings of fused operations tell apart is taken for equal.
+  // In two orthogonal frames, whose planes cross each other at large angles: clusters at the border of a block in one are inside
+  // a block in the other, nearly always. What roundings of fused operations tell apart is taken for equal.
   void divide(std::size_t blocks)
   {
     std::vector<Vector> straight, oblique;
@@ -151,7 +152,8 @@ private:
       straight.push_back(p);
       oblique.push_back({p[0] + 2 * p[1] + 2 * p[2], 2 * p[0] + p[1] - 2 * p[2], 2 * p[0] - 2 * p[1] + p[2]});
     }
-    divisions_ = {{Cluster_blocks(std::move(straight), blocks, execution_), Cluster_blocks(std::move(oblique), blocks, execution_)}};
+    divisions_ = {
+      {Cluster_blocks(std::move(straight), blocks, execution_), Cluster_blocks(std::move(oblique), blocks, execution_)}};
   }
 
   Progress run_rounds(const Minimization_end& end, bool tests_all)

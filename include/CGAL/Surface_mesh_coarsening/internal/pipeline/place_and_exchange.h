@@ -60,8 +60,8 @@ inline Repair_counts repair_exchanged(const Clustering_state& state, const Clust
 {
   for (std::size_t x = 0; x < dual.positions.size(); ++x)
     dual.positions[x] = surface.within_bounds(x, dual.positions[x]);
-  return state.repairs_output ? repair_placement(surface, Border_arcs(surface, state.places_on_borders), placement, output_coordinates,
-                                                 dual.triangles, dual.positions, state.cancellation())
+  return state.repairs_output ? repair_placement(surface, Border_arcs(surface, state.places_on_borders), placement,
+                                                 output_coordinates, dual.triangles, dual.positions, state.cancellation())
                               : Repair_counts();
 }
 

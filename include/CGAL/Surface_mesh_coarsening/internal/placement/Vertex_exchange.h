@@ -24,10 +24,15 @@ namespace internal {
 class Vertex_exchange
 {
 public:
-  Vertex_exchange(const Border_arcs& border, Flippable_triangulation& coarse, std::vector<Vector>& positions, Fit_samples& samples,
-                  const Vertex_relocation& relocation, const Cancellation_point& cancellation)
-    : coarse_(coarse), positions_(positions), samples_(samples), relocation_(relocation), cancellation_(cancellation),
-      candidates_(border, coarse, positions, samples, cancellation) {}
+  Vertex_exchange(const Border_arcs& border, Flippable_triangulation& coarse, std::vector<Vector>& positions,
+                  Fit_samples& samples, const Vertex_relocation& relocation, const Cancellation_point& cancellation)
+    : coarse_(coarse),
+      positions_(positions),
+      samples_(samples),
+      relocation_(relocation),
+      cancellation_(cancellation),
+      candidates_(border, coarse, positions, samples, cancellation)
+  {}
 
   // Exchanges vertices as long as an exchange between two untouched places is profitable. `rate` is the squared distance per
   // radian. Returns the number of exchanged vertices.

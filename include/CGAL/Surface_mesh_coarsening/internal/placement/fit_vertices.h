@@ -15,10 +15,10 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Fits all vertices together, starting from quadrics: see `Fitted_placement`. `mean_angle` is in degrees. After the rounds, as many
-// follow as `relocation` wants, which exchange vertices for as long as there are some to exchange, then two without. The plain
-// fit is the result if none of the last meshes is nearer at angles as large. Returns the squared distance of the plain fit; 0 if
-// no others follow it.
+// Fits all vertices together, starting from quadrics: see `Fitted_placement`. `mean_angle` is in degrees. After the rounds, as
+// many follow as `relocation` wants, which exchange vertices for as long as there are some to exchange, then two without. The
+// plain fit is the result if none of the last meshes is nearer at angles as large. Returns the squared distance of the plain fit;
+// 0 if no others follow it.
 double fit_vertices(const Clustered_surface& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
                     std::vector<Triangle>& triangles, std::vector<Vector>& positions,
                     const Vertex_relocation& relocation = Vertex_relocation());

@@ -26,7 +26,12 @@ class Cluster_editing
 {
 public:
   Cluster_editing(const Featured_input& input, Cluster_labels& labels, Index clusters)
-    : input_(input.items), cells_(input.cells.get()), mesh_(input.items.mesh), labels_(labels), walk_(labels), face_of_(clusters, NONE)
+    : input_(input.items),
+      cells_(input.cells.get()),
+      mesh_(input.items.mesh),
+      labels_(labels),
+      walk_(labels),
+      face_of_(clusters, NONE)
   {
     for (std::size_t f = mesh_.number_of_faces(); f-- > 0;)
       face_of_[labels_[Index(f)]] = Index(f);

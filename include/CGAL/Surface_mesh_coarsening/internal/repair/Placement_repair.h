@@ -135,8 +135,8 @@ private:
       make_for_good(best);
   }
 
-  // Lets vertices go back towards where they were, as far as that lowers the distance and makes no fault: not all that were shaken
-  // had to move, and later changes may have made room for others.
+  // Lets vertices go back towards where they were, as far as that lowers the distance and makes no fault: not all that were
+  // shaken had to move, and later changes may have made room for others.
   void return_to(const std::vector<Vector>& wanted)
   {
     constexpr int times = 3;
