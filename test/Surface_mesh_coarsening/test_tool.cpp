@@ -373,10 +373,11 @@ BOOST_AUTO_TEST_CASE(choices)
   shop.run_well("in.off out.off -k 3 --rounds 2 --report r.json");
   BOOST_TEST(shop.report("r.json")["clustering"]["rounds"] == 2);
   BOOST_TEST(shop.report("r.json")["clustering"]["converged"] == false);
-  shop.run_well("in.off out.off -n 50 --report r.json");
+  shop.write("fine.off", generated::with_noise(generated::triangle_sphere(4), 0.01));
+  shop.run_well("fine.off out.off -n 50 --report r.json");
   const Json standard = shop.report("r.json");
   BOOST_TEST(standard["parameters"]["convergence_tolerance"] == 0.001);
-  shop.run_well("in.off out.off -n 50 --convergence-tolerance 0 --report r.json");
+  shop.run_well("fine.off out.off -n 50 --convergence-tolerance 0 --report r.json");
   const Json exact = shop.report("r.json");
   BOOST_TEST(exact["parameters"]["convergence_tolerance"] == 0.);
   BOOST_TEST(exact["clustering"]["rounds"] > standard["clustering"]["rounds"]);

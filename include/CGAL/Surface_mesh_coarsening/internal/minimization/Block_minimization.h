@@ -6,8 +6,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/prefetch.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Cluster_energy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization_state.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Valid_moves.h>
 
 #include <CGAL/assertions.h>
@@ -22,25 +22,6 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
-
-// What the blocks of a minimization share. Each block reads and writes the parts that belong to its own clusters.
-template <class Weight>
-struct Minimization_state
-{
-  const Clustering_input& input;
-  Cluster_labels& labels;
-  Cluster_energy<Weight> energy;
-  std::vector<Cluster_sums<Weight> > clusters;
-  std::vector<Move_time> last_change; // of each cluster, and of none
-  Listed_edges listed;
-  Feature_rules* rules; // none without features
-  // Of each vertex, whether clusters of several blocks meet there; empty while there is one block only.
-  std::vector<char> is_shared;
-  bool checks_boundary_counts = false; // whether moves have to pass the paper's check, too
-
-  // In the place of the cluster where there is none.
-  Index nowhere() const { return Index(clusters.size()); }
-};
 
 // Section 8.2 of the paper: rounds over the edges between the clusters of a block. The face on one side or on the other joins the
 // cluster across, whichever lowers the energy more, if both clusters remain discs and the dual a simplicial surface.

@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Pinch_resolution.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/apportion.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/faces_of_clusters.h>
 
 #include <algorithm>
 #include <numeric>
@@ -120,12 +121,7 @@ public:
   // Returns the seeds, and after growth a face of each cluster.
   std::vector<Index> seeds() const
   {
-    std::vector<Index> all(face_of_cluster_);
-    if (!all.empty())
-      return all;
-    for (const Component_seeds& seeds : seeds_)
-      all.insert(all.end(), seeds.faces.begin(), seeds.faces.end());
-    return all;
+    return face_of_cluster_.empty() ? found_seeds() : face_of_cluster_;
   }
 
   // Grows the clusters from the seeds and brings them to the required number.
@@ -146,7 +142,8 @@ public:
     if (std::find(is_pinched_.begin(), is_pinched_.end(), true) != is_pinched_.end())
       resolve_pinches();
     labels_->recount();
-    find_face_of_clusters();
+    face_of_cluster_ = faces_of_clusters(*labels_, report_.clusters, resolved_input_ ? std::vector<Index>() : found_seeds(),
+                                         cancellation_);
     Cluster_labels labels = std::move(*labels_);
     labels_.reset();
     release();
@@ -154,6 +151,14 @@ public:
   }
 
 private:
+  std::vector<Index> found_seeds() const
+  {
+    std::vector<Index> all;
+    for (const Component_seeds& seeds : seeds_)
+      all.insert(all.end(), seeds.faces.begin(), seeds.faces.end());
+    return all;
+  }
+
   static std::size_t sum(const std::vector<std::size_t>& v)
   {
     return std::accumulate(v.begin(), v.end(), std::size_t(0));
@@ -355,24 +360,6 @@ private:
     labels_.emplace(resolved_input_->items.mesh);
     for (std::size_t f = 0; f < new_labels.size(); ++f)
       labels_->set(Index(f), new_labels[f]);
-  }
-
-  // Finds a face of each cluster, its seed if it has one.
-  void find_face_of_clusters()
-  {
-    face_of_cluster_.assign(report_.clusters, NONE);
-    const auto offer = [&](Index f) {
-      Index& face = face_of_cluster_[(*labels_)[f]];
-      if (face == NONE)
-        face = f;
-    };
-    if (!resolved_input_)
-      for (const Component_seeds& seeds : seeds_)
-        std::for_each(seeds.faces.begin(), seeds.faces.end(), offer);
-    for (std::size_t f = 0; f < labels_->labels().size(); ++f) {
-      cancellation_.poll();
-      offer(Index(f));
-    }
   }
 
   enum class State { NEW, SEEDED, DONE };

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_MINIMIZATION_STATE_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_MINIMIZATION_STATE_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/features/Feature_rules.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Cluster_energy.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// What the blocks of a minimization share. Each block reads and writes the parts that belong to its own clusters.
+template <class Weight>
+struct Minimization_state
+{
+  const Clustering_input& input;
+  Cluster_labels& labels;
+  Cluster_energy<Weight> energy;
+  std::vector<Cluster_sums<Weight> > clusters;
+  std::vector<Move_time> last_change; // of each cluster, and of none
+  Listed_edges listed;
+  Feature_rules* rules; // none without features
+  // Of each vertex, whether clusters of several blocks meet there; empty while there is one block only.
+  std::vector<char> is_shared;
+  bool checks_boundary_counts = false; // whether moves have to pass the paper's check, too
+
+  // In the place of the cluster where there is none.
+  Index nowhere() const { return Index(clusters.size()); }
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_MINIMIZATION_STATE_H
