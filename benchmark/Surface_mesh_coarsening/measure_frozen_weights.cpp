@@ -78,7 +78,7 @@ class Experiment
 {
 public:
   Experiment(const Clustering_input& input, const Cluster_labels& start, std::size_t clusters, Weight weight)
-    : input_(input), labels_(start), moves_(labels_, clusters), weight_(weight), sums_(clusters)
+    : input_(input), labels_(start), moves_(labels_, nullptr), weight_(weight), sums_(clusters)
   {
     for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f) {
       faces_.push_back(of_face(Index(f)));

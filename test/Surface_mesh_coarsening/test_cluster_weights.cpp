@@ -312,10 +312,10 @@ BOOST_AUTO_TEST_CASE(own_weights_with_optional_members)
   const test::Mesh mesh = test::to_mesh(generated::with_noise(generated::triangulated(generated::torus(30, 20)), 0.1, 1));
   const auto labels_with = [&](const auto& weight) {
     SMC::Mwcvd_clustering<test::Mesh, std::decay_t<decltype(weight)> > clustering(
-      mesh, SMC::parameters::cluster_weight(weight).convergence_tolerance(0));
+      mesh, SMC::parameters::cluster_weight(weight));
     clustering.seed(60);
     clustering.grow();
-    clustering.minimize();
+    clustering.minimize(SMC::Coarsening_defaults::number_of_iterations, 0);
     std::vector<std::size_t> labels;
     for (const auto f : mesh.faces())
       labels.push_back(clustering.cluster(f));

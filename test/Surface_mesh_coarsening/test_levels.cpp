@@ -170,7 +170,8 @@ BOOST_AUTO_TEST_CASE(levels_are_about_as_near_as_direct_results, *utf::precondit
 {
   const Mesh mesh = test::to_mesh(test::read_soup(models::fandisk));
   const auto rms = [&mesh](const Mesh& output) { return SMC::measure_coarsening(mesh, output, 50000).rms_distance; };
-  Clustering clustering(mesh), other(mesh);
+  const auto np = SMC::parameters::maximum_density(50);
+  Clustering clustering(mesh, np), other(mesh, np);
   make_clusters(clustering, 1600);
   const Levels levels(clustering);
   double finer = 0;

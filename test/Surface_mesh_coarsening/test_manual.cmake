@@ -34,10 +34,18 @@ function(check_number what measured stated)
   endif()
 endfunction()
 
+# Reads the rows with figures, without the semicolons of &deg; that would divide them.
+function(read_rows result file)
+  file(READ ${file} text)
+  string(REPLACE ";" "" text "${text}")
+  string(REGEX MATCHALL "\\|[^\n]*[0-9][^\n]*" rows "${text}")
+  set(${result} "${rows}" PARENT_SCOPE)
+endfunction()
+
 # Compares the rows that were measured with the first rows of the manual's table that begin alike. Every number is compared.
 function(check_table name)
-  file(STRINGS ${CMAKE_CURRENT_BINARY_DIR}/tables/${name}.md measured REGEX "^\\|.*[0-9]")
-  file(STRINGS ${doc}/tables/${name}.md stated REGEX "^\\|.*[0-9]")
+  read_rows(measured ${CMAKE_CURRENT_BINARY_DIR}/tables/${name}.md)
+  read_rows(stated ${doc}/tables/${name}.md)
   list(LENGTH measured number)
   if(number EQUAL 0)
     message(SEND_ERROR "${name}: nothing was measured")

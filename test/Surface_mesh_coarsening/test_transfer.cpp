@@ -464,8 +464,10 @@ BOOST_AUTO_TEST_CASE(output_is_the_input)
   for (const auto f : mesh.faces())
     for (const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
       BOOST_CHECK(mesh.target(h) == expected.target(h));
-  const SMC::Distance_report report = SMC::coarsen_mesh_to_distance(mesh, 1, mesh);
-  BOOST_CHECK_EQUAL(mesh.number_of_vertices(), report.vertices);
+  Mesh fine = test::to_mesh(torus);
+  const SMC::Distance_report report = SMC::coarsen_mesh_to_distance(fine, 0.3, fine);
+  BOOST_CHECK_EQUAL(fine.number_of_vertices(), report.vertices);
+  BOOST_CHECK_LT(report.vertices, 384u);
 }
 
 BOOST_AUTO_TEST_CASE(other_face_graphs_and_wrong_arguments)
@@ -479,7 +481,10 @@ BOOST_AUTO_TEST_CASE(other_face_graphs_and_wrong_arguments)
   std::map<Traits::face_descriptor, std::size_t> clusters;
   std::map<Traits::vertex_descriptor, std::size_t> vertex_clusters;
   SMC::coarsen_mesh(input, 30, output,
-                    SMC::parameters::face_cluster_map(boost::make_assoc_property_map(clusters))
+                    SMC::parameters::cluster_weight(SMC::Maximum_density_weight())
+                      .maximum_density(50.)
+                      .vertex_placement(SMC::Centroid_placement())
+                      .face_cluster_map(boost::make_assoc_property_map(clusters))
                       .vertex_to_cluster_map(boost::make_assoc_property_map(vertex_clusters)),
                     SMC::parameters::vertex_source_map(boost::make_assoc_property_map(sources)));
   BOOST_CHECK_EQUAL(sources.size(), 30u);

@@ -285,7 +285,7 @@ BOOST_AUTO_TEST_CASE(agrees_with_the_coarsening_in_memory)
     const std::size_t n = 1500;
     const Piece piece = piece_of(soup, ranks);
     Mesh distributed, in_memory;
-    const auto np = SMC::parameters::vertex_placement(SMC::Quadric_placement());
+    const auto np = SMC::parameters::cluster_weight(SMC::Maximum_density_weight()).vertex_placement(SMC::Quadric_placement());
     const SMC::Coarsening_report report =
       SMC::coarsen_distributed_mesh(ranks, piece.mesh, piece.number, n, distributed, np.faces_per_block(75000));
     if (ranks.rank() != 0)
