@@ -4,7 +4,7 @@
 //   measure_frozen_weights FILE VERTICES [R_AREA R_MAXIMUM R_VARIANCE]
 // prints for each weight how many rounds were run, the smallest and the largest energy in the last twenty of them, relative to
 // the smallest of all, and the shapes of the third of the clusters that has the highest densities: the mean elongation, and the
-// mean cosine of the angle between the long axis and the sharp edges of those that have some.
+// mean cosine of the angle between the long axis and the sharp edges, where a cluster has some.
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>

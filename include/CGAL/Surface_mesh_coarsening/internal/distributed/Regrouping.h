@@ -63,7 +63,7 @@ private:
   // A vertex and a group that has faces there.
   typedef std::array<std::uint64_t, 2> Place;
 
-  // Numbers that follow each other, and those that differ by powers of two, belong to different ranks.
+  // Consecutive numbers, and numbers that differ by powers of two, belong to different ranks.
   std::size_t rank_of_vertex(std::uint64_t number) const { return std::size_t((number * 0x9e3779b97f4a7c15u) >> 32) % ranks_; }
 
   void find_shared_vertices()
@@ -86,7 +86,7 @@ private:
     sort_unique(shared_);
   }
 
-  // Those that belong to this rank, sorted.
+  // The numbers of this rank, sorted.
   std::vector<Membership> memberships() const
   {
     std::vector<Place> own;
@@ -108,7 +108,7 @@ private:
     return all;
   }
 
-  // The groups that get a face: its own, and those that have faces at its vertices.
+  // The groups that get a face: its own, and all groups with faces at its vertices.
   void find_targets(std::size_t f, std::vector<Index>& targets) const
   {
     targets.assign(1, group_[f]);

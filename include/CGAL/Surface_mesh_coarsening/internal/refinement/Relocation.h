@@ -7,7 +7,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// What comes of moving a cluster to another place.
+// The result of moving a cluster to another place.
 enum class Relocation
 {
   DONE,
