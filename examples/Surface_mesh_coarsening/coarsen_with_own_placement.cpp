@@ -22,7 +22,7 @@ namespace SMC = CGAL::Surface_mesh_coarsening;
 class Central_face_placement
 {
 public:
-  typedef SMC::Clustered_surface::Point Point;
+  typedef SMC::Clustered_surface::Point_3 Point;
 
   Point operator()(const SMC::Clustered_surface& surface, std::size_t cluster) const
   {
@@ -30,22 +30,13 @@ public:
     Point closest = center;
     double nearest = -1;
     for (const std::uint32_t f : surface.faces(cluster)) {
-      const double d = squared_distance(surface.centroid(f), center);
+      const double d = CGAL::squared_distance(surface.centroid(f), center);
       if (nearest < 0 || d < nearest) {
         nearest = d;
         closest = surface.centroid(f);
       }
     }
     return closest;
-  }
-
-private:
-  static double squared_distance(const Point& p, const Point& q)
-  {
-    double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      sum += (p[i] - q[i]) * (p[i] - q[i]);
-    return sum;
   }
 };
 //! [placement]

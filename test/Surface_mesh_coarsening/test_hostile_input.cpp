@@ -272,7 +272,7 @@ BOOST_AUTO_TEST_CASE(positions_that_are_not_finite)
   };
   check([](const SMC::Clustered_surface&, std::size_t x) {
     const double nowhere = x % 2 ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity();
-    return SMC::Clustered_surface::Point{{0, nowhere, 0}};
+    return SMC::Clustered_surface::Point_3(0, nowhere, 0);
   });
   for (const double size : {1e300, 1.7e308}) {
     soup = generated::scaled(generated::triangle_sphere(2), size);

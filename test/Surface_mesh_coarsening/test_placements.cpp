@@ -228,7 +228,7 @@ BOOST_AUTO_TEST_CASE(repair_keeps_to_input_vertices)
 // A user's placement at the first corner of the first face, with and without the optional member.
 struct First_corner_placement
 {
-  typedef SMC::Clustered_surface::Point Point;
+  typedef SMC::Clustered_surface::Point_3 Point;
   Point operator()(const SMC::Clustered_surface& surface, std::size_t cluster) const
   {
     return surface.point(*surface.vertices(*surface.faces(cluster).begin()).begin());

@@ -112,7 +112,7 @@ struct Waiting_placement
   };
   std::shared_ptr<Visits> visits = std::make_shared<Visits>();
 
-  SMC::Clustered_surface::Point operator()(const SMC::Clustered_surface& surface, std::size_t cluster) const
+  SMC::Clustered_surface::Point_3 operator()(const SMC::Clustered_surface& surface, std::size_t cluster) const
   {
     std::unique_lock<std::mutex> lock(visits->mutex);
     if (visits->threads.insert(std::this_thread::get_id()).second) {

@@ -194,14 +194,13 @@ BOOST_AUTO_TEST_CASE(features_and_borders)
   std::size_t seen = 0;
   const auto check = [&](const SMC::Clustered_surface& surface, const SMC::Border_arcs& border,
                          std::vector<std::array<std::uint32_t, 3> >& triangles,
-                         std::vector<SMC::Clustered_surface::Point>& positions) {
+                         std::vector<SMC::Clustered_surface::Point_3>& positions) {
     SMC::Fitted_placement()(surface, border, triangles, positions);
     for (std::size_t x = 0; x < positions.size(); ++x) {
       CGAL::Bbox_3 box;
       for (const std::uint32_t f : surface.faces(x))
         for (const std::uint32_t v : surface.vertices(f)) {
-          const auto& p = surface.point(v);
-          box += CGAL::Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
+          box += surface.point(v).bbox();
         }
       const auto& p = positions[x];
       BOOST_TEST(diagonals_outside(box, p[0], p[1], p[2]) <= 0.5 + 1e-9);
@@ -225,9 +224,8 @@ BOOST_AUTO_TEST_CASE(placements_that_leave_the_bounds)
   double off = 0;
   bool clamps = false;
   const auto placement = [&](const SMC::Clustered_surface& surface, std::size_t cluster) {
-    auto p = surface.cluster_centroid(cluster);
-    if (cluster == 7)
-      p[1] += off;
+    const auto c = surface.cluster_centroid(cluster);
+    const SMC::Clustered_surface::Point_3 p(c.x(), cluster == 7 ? c.y() + off : c.y(), c.z());
     return clamps ? surface.within_bounds(cluster, p) : p;
   };
   Mesh output;

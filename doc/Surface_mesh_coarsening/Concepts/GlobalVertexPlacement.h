@@ -34,5 +34,5 @@ public:
   void operator()(const CGAL::Surface_mesh_coarsening::Clustered_surface& surface,
                   const CGAL::Surface_mesh_coarsening::Border_arcs& border,
                   std::vector<std::array<std::uint32_t, 3> >& triangles,
-                  std::vector<CGAL::Surface_mesh_coarsening::Clustered_surface::Point>& positions) const;
+                  std::vector<CGAL::Surface_mesh_coarsening::Clustered_surface::Point_3>& positions) const;
 };

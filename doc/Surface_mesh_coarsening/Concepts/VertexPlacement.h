@@ -34,6 +34,6 @@ public:
   /// The position lies in `surface.vertex_bounds(cluster)`, the bounding box of the cluster grown by half its diagonal, where
   /// `surface.within_bounds()` brings it: `CGAL::Surface_mesh_coarsening::Invalid_input` is thrown for one that lies outside,
   /// and the output is not touched. A position that is not finite stands for the centroid of the cluster.
-  CGAL::Surface_mesh_coarsening::Clustered_surface::Point
+  CGAL::Surface_mesh_coarsening::Clustered_surface::Point_3
   operator()(const CGAL::Surface_mesh_coarsening::Clustered_surface& surface, std::size_t cluster) const;
 };

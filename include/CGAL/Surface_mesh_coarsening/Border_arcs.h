@@ -23,7 +23,7 @@ class Border_arcs
 public:
   /// \cond SKIP_IN_MANUAL
   // `with_border`: whether the clusters on the border have their vertex there.
-  explicit Border_arcs(const Clustered_surface& surface, bool with_border = true)
+  explicit Border_arcs(const internal::Clustered_faces& surface, bool with_border = true)
     : mesh_(surface.input().mesh), labels_(surface.labels()), features_(surface.features()),
       place_of_(surface.number_of_clusters(), internal::NONE)
   {
@@ -44,12 +44,20 @@ public:
   bool is_on_border(std::size_t cluster) const { return place_of_[cluster] != internal::NONE; }
 
   /// places the vertices of the clusters on the border or on features. Other positions do not change.
-  void place(std::vector<Clustered_surface::Point>& positions) const
+  void place(std::vector<Clustered_surface::Point_3>& positions) const
+  {
+    for (std::size_t x = 0; x < place_of_.size(); ++x)
+      if (is_on_border(x))
+        positions[x] = internal::to_point(places_[place_of_[x]]);
+  }
+  /// \cond SKIP_IN_MANUAL
+  void place(std::vector<internal::Vector>& positions) const
   {
     for (std::size_t x = 0; x < place_of_.size(); ++x)
       if (is_on_border(x))
         positions[x] = places_[place_of_[x]];
   }
+  /// \endcond
 
 private:
   typedef internal::Index Index;

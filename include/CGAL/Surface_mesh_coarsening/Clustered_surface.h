@@ -3,24 +3,15 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_CLUSTERED_SURFACE_H
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTERED_SURFACE_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
-#include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/vertex_bounds.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/kernel_point.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Iterator_range.h>
+#include <CGAL/Simple_cartesian.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -33,93 +24,55 @@ namespace Surface_mesh_coarsening {
 class Clustered_surface
 {
 public:
-  /// A point, or a vector.
-  typedef std::array<double, 3> Point;
+  /// the kernel of the points, whatever the kernel of the mesh
+  typedef Simple_cartesian<double> Kernel;
 
-  /// A range of numbers of faces or vertices.
+  /// the type of points
+  typedef Kernel::Point_3 Point_3;
+
+  /// a range of numbers of faces or vertices
   typedef Iterator_range<const std::uint32_t*> Range;
 
   /// \cond SKIP_IN_MANUAL
-  Clustered_surface(const internal::Clustering_input& input, const internal::Cluster_labels& labels, std::size_t clusters,
-                    internal::Execution execution = internal::Execution::SEQUENTIAL,
-                    const internal::Coarse_features* features = nullptr,
-                    const internal::Cancellation_point& cancellation = internal::Cancellation_point())
-    : input_(input), labels_(labels), execution_(execution), features_(features), cancellation_(cancellation),
-      faces_(internal::numbers_below(std::uint32_t(input.mesh.number_of_faces())), clusters,
-             [&](std::uint32_t f) { return labels[f]; }, cancellation),
-      bounds_(clusters)
-  {
-    internal::for_each_chunk(execution, clusters, 64, cancellation, [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t x = begin; x < end; ++x)
-        bounds_[x] = internal::vertex_bounds(input.mesh, faces(x));
-    });
-  }
-  const internal::Clustering_input& input() const { return input_; }
-  const internal::Cluster_labels& labels() const { return labels_; }
-  internal::Execution execution() const { return execution_; }
-  const internal::Coarse_features* features() const { return features_; }
-  const internal::Cancellation_point& cancellation() const { return cancellation_; }
+  explicit Clustered_surface(const internal::Clustered_faces& clusters) : clusters_(clusters) {}
+  const internal::Clustered_faces& clusters() const { return clusters_; }
   /// \endcond
 
   /// returns the number of clusters.
-  std::size_t number_of_clusters() const { return faces_.size(); }
+  std::size_t number_of_clusters() const { return clusters_.number_of_clusters(); }
   /// returns the faces of a cluster.
-  Range faces(std::size_t cluster) const { return faces_[cluster]; }
+  Range faces(std::size_t cluster) const { return clusters_.faces(cluster); }
   /// returns the vertices around a face, counterclockwise.
-  Range vertices(std::size_t face) const
-  {
-    const internal::Flat_mesh& m = input_.mesh;
-    return {m.corner_vertex.data() + m.first_corner[face], m.corner_vertex.data() + m.first_corner[face + 1]};
-  }
+  Range vertices(std::size_t face) const { return clusters_.vertices(face); }
   /// returns the position of a vertex.
-  const Point& point(std::size_t vertex) const { return input_.mesh.points[vertex]; }
+  Point_3 point(std::size_t vertex) const { return internal::to_point(clusters_.point(vertex)); }
   /// returns whether a vertex lies on the boundary of its cluster, that is, between several clusters or on the border of
   /// the mesh.
-  bool is_on_cluster_boundary(std::size_t vertex) const { return labels_.boundary_count(internal::Index(vertex)) != 0; }
+  bool is_on_cluster_boundary(std::size_t vertex) const { return clusters_.is_on_cluster_boundary(vertex); }
   /// returns the centroid of a face.
-  Point centroid(std::size_t face) const { return input_.centroid(internal::Index(face)); }
+  Point_3 centroid(std::size_t face) const { return internal::to_point(clusters_.centroid(face)); }
   /// returns the area of a face.
-  double area(std::size_t face) const { return input_.area[face]; }
+  double area(std::size_t face) const { return clusters_.area(face); }
   /// returns the density of a face.
-  double density(std::size_t face) const { return input_.density[face]; }
+  double density(std::size_t face) const { return clusters_.input().density[face]; }
 
   /// returns the centroid (7) of a cluster: the mean of the centroids of its faces, weighted with density times area;
   /// unweighted if the faces have no area. Coordinates are rounded to 43 binary digits of the largest, so that they
   /// hardly ever depend on the compiler.
-  Point cluster_centroid(std::size_t cluster) const
-  {
-    using namespace internal;
-    Vector moment{{0, 0, 0}}, sum{{0, 0, 0}};
-    double mass = 0;
-    for (const Index f : faces(cluster)) {
-      const Vector center = input_.centroid(f);
-      moment = moment + input_.mass(f) * center;
-      mass += input_.mass(f);
-      sum = sum + center;
-    }
-    constexpr double least = (std::numeric_limits<double>::min)(); // its inverse is finite
-    return without_last_digits(mass >= least ? (1 / mass) * moment : (1 / double(faces(cluster).size())) * sum);
-  }
+  Point_3 cluster_centroid(std::size_t cluster) const { return internal::to_point(clusters_.cluster_centroid(cluster)); }
 
   /// returns the box that has to contain the vertex of a cluster: the bounding box of the vertices of its faces, enlarged by
   /// half its diagonal on all sides.
-  const Bbox_3& vertex_bounds(std::size_t cluster) const { return bounds_[cluster]; }
+  const Bbox_3& vertex_bounds(std::size_t cluster) const { return clusters_.vertex_bounds(cluster); }
 
   /// returns the point of `vertex_bounds()` closest to `p`, or the centroid of the cluster if `p` is not finite.
-  Point within_bounds(std::size_t cluster, const Point& p) const
+  Point_3 within_bounds(std::size_t cluster, const Point_3& p) const
   {
-    const bool is_finite = std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-    return is_finite ? internal::closest_in_box(p, bounds_[cluster]) : cluster_centroid(cluster);
+    return internal::to_point(clusters_.within_bounds(cluster, internal::to_vector(p)));
   }
 
 private:
-  const internal::Clustering_input& input_;
-  const internal::Cluster_labels& labels_;
-  const internal::Execution execution_;
-  const internal::Coarse_features* features_; // null without features
-  const internal::Cancellation_point cancellation_;
-  internal::Bucketed_items<std::uint32_t> faces_; // of each cluster
-  std::vector<Bbox_3> bounds_;                     // of each cluster's vertex
+  const internal::Clustered_faces& clusters_;
 };
 
 } // namespace Surface_mesh_coarsening

@@ -63,7 +63,7 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
   dual.triangles = Simplicial_dual<decltype(name)>(labels, name).triangles();
   Repair_counts counts;
   const Placement placement = choose_parameter<Placement>(get_parameter(np, internal_np::vertex_placement_p));
-  const Clustered_surface surface(input, labels, names.size());
+  const Clustered_faces surface(input, labels, names.size());
   dual.positions = place_vertices(surface, Border_arcs(surface), placement_model(placement),
                                   choose_parameter(get_parameter(np, internal_np::repair_output_p), true),
                                   output_coordinates<typename GetGeomTraits<FaceGraph, NamedParameters>::type>(dual.frame),

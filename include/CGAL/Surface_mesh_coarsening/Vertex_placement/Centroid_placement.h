@@ -19,7 +19,7 @@ public:
   static constexpr bool may_run_in_parallel = true;
 
   /// returns the position of the vertex of cluster `cluster`.
-  Clustered_surface::Point operator()(const Clustered_surface& surface, std::size_t cluster) const
+  Clustered_surface::Point_3 operator()(const Clustered_surface& surface, std::size_t cluster) const
   {
     return surface.cluster_centroid(cluster);
   }

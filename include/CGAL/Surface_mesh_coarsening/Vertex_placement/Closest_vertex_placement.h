@@ -5,6 +5,8 @@
 
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace CGAL {
@@ -25,18 +27,17 @@ public:
   static constexpr bool is_at_input_vertices = true;
 
   /// returns the position of the vertex of cluster `cluster`.
-  Clustered_surface::Point operator()(const Clustered_surface& surface, std::size_t cluster) const
+  Clustered_surface::Point_3 operator()(const Clustered_surface& surface, std::size_t cluster) const
   {
-    using namespace internal;
-    const Vector center = surface.cluster_centroid(cluster);
+    const Clustered_surface::Point_3 center = surface.cluster_centroid(cluster);
     double nearest[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    Vector position[2] = {center, center};
-    for (const Index f : surface.faces(cluster))
-      for (const Index v : surface.vertices(f)) {
+    Clustered_surface::Point_3 position[2] = {center, center};
+    for (const std::uint32_t f : surface.faces(cluster))
+      for (const std::uint32_t v : surface.vertices(f)) {
         const bool shared = surface.is_on_cluster_boundary(v);
-        const Vector d = surface.point(v) - center;
-        if (dot(d, d) < nearest[shared]) {
-          nearest[shared] = dot(d, d);
+        const double d = squared_distance(surface.point(v), center);
+        if (d < nearest[shared]) {
+          nearest[shared] = d;
           position[shared] = surface.point(v);
         }
       }

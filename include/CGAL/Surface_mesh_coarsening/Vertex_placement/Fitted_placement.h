@@ -52,18 +52,20 @@ public:
   /// \param positions the positions of the vertices; vertices on the border are placed already
   void operator()(const Clustered_surface& surface, const Border_arcs& border,
                   std::vector<std::array<std::uint32_t, 3> >& triangles,
-                  std::vector<Clustered_surface::Point>& positions) const
+                  std::vector<Clustered_surface::Point_3>& positions) const
   {
-    place_and_exchange(surface, border, triangles, positions, internal::Vertex_relocation());
+    std::vector<internal::Vector> fitted = internal::to_vectors(positions);
+    place_and_exchange(surface.clusters(), border, triangles, fitted, internal::Vertex_relocation());
+    positions = internal::to_points(fitted);
   }
 
   /// \cond SKIP_IN_MANUAL
   // The same, with rounds that exchange vertices. Returns the squared distance without these.
-  double place_and_exchange(const Clustered_surface& surface, const Border_arcs& border,
-                            std::vector<internal::Triangle>& triangles, std::vector<Clustered_surface::Point>& positions,
+  double place_and_exchange(const internal::Clustered_faces& clusters, const Border_arcs& border,
+                            std::vector<internal::Triangle>& triangles, std::vector<internal::Vector>& positions,
                             const internal::Vertex_relocation& relocation) const
   {
-    return internal::fit_vertices(surface, border, rounds_, mean_angle_, triangles, positions, relocation);
+    return internal::fit_vertices(clusters, border, rounds_, mean_angle_, triangles, positions, relocation);
   }
   /// \endcond
 

@@ -43,9 +43,9 @@ public:
   }
 
   /// returns the position of the vertex of cluster `cluster`.
-  Clustered_surface::Point operator()(const Clustered_surface& surface, std::size_t cluster) const
+  Clustered_surface::Point_3 operator()(const Clustered_surface& surface, std::size_t cluster) const
   {
-    return internal::quadric_position(surface, cluster, pull_);
+    return internal::to_point(internal::quadric_position(surface.clusters(), cluster, pull_));
   }
 
 private:

@@ -25,7 +25,7 @@ Iterator_range<boost::counting_iterator<Number> > numbers_below(Number n)
 }
 
 // The items of several groups in two arrays, group by group; items keep their order within a group. Built in linear
-// time.
+// time. Boost has this only inside of its compressed_sparse_row_graph, which sorts edges and cannot be cancelled.
 template <class Item>
 class Bucketed_items
 {

@@ -55,7 +55,8 @@ BOOST_NOINLINE void run_concurrently(Execution execution, std::size_t n, const R
 }
 
 // Calls `work(i, begin, end)` for the i-th of the chunks of `size` numbers from 0 to `n`. Chunks, and hence results
-// combined in order, do not depend on the number of threads.
+// combined in order, do not depend on the number of threads. oneTBB leaves the choice of chunks to its partitioners, and the
+// package has to give the same bytes without it.
 template <class Work>
 void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const Work& work)
 {

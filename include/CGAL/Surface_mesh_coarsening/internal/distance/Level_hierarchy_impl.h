@@ -64,7 +64,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_level Level_hierarchy::place(std::siz
 {
   Placed_level placed{labels(level), history_.triangles(level), {}};
   Repair_counts counts;
-  const Clustered_surface surface(state_.working_input(), placed.labels, level);
+  const Clustered_faces surface(state_.working_input(), placed.labels, level);
   placed.positions = place_vertices(surface, Border_arcs(surface, state_.places_on_borders), placement, with_repair,
                                     output_coordinates, placed.triangles, counts, state_.cancellation());
   return placed;

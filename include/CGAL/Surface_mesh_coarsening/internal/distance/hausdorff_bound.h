@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/kernel_point.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 
 #include <CGAL/Kernel/global_functions.h>
@@ -57,8 +58,6 @@ public:
   }
 
 private:
-  static Point to_point(const Vector& p) { return Point(p[0], p[1], p[2]); }
-
   Mesh mesh_;
   const std::vector<Vector>* points_;
 };

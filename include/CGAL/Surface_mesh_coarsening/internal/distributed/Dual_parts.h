@@ -55,7 +55,7 @@ struct Dual_parts
     for (Index f = 0; f < input.mesh.number_of_faces(); ++f)
       if (patch.is_own[f])
         add_border(patch, clusters_of_patch, f, is_on_border);
-    const Clustered_surface surface(input, labels, clusters_of_patch.size(), execution, nullptr, cancellation);
+    const Clustered_faces surface(input, labels, clusters_of_patch.size(), execution, nullptr, cancellation);
     const std::vector<double> energy = energies(input, labels, clusters_of_patch.size());
     for (Index x = 0; x < clusters_of_patch.number_of_own(); ++x) {
       cancellation.poll(surface.faces(x).size());

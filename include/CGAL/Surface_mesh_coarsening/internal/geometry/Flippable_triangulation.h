@@ -96,6 +96,9 @@ inline Triangle with_corner(Triangle t, Index old_corner, Index new_corner)
 
 // The triangles of the dual, with the triangles around each vertex and across each edge. Edges may be flipped unless
 // they are feature edges, which have no neighbors across, like the border.
+//
+// A halfedge structure would do; the fit and the repair read the corners of triangles much more often than they flip edges, and
+// find them side by side here.
 class Flippable_triangulation
 {
 public:

@@ -15,6 +15,7 @@ namespace internal {
 
 // Traverses the faces breadth first from `seed`, which the caller has marked. The edge after corner `c` is crossed to
 // face `g` if `enter(c, g)`, which marks `g`. Appends the faces to `reached` in the order of traversal.
+// `CGAL::Polygon_mesh_processing::connected_component()` stores visited faces in a tree and cannot be cancelled.
 template <class Enter>
 void flood_fill(const Flat_mesh& m, Index seed, std::vector<Index>& reached, const Cancellation_point& cancellation,
                 const Enter& enter)

@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_PLACE_VERTICES_H
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
-#include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Output_coordinates.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Placement_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Placement_repair.h>
@@ -18,7 +18,7 @@ namespace Surface_mesh_coarsening {
 namespace internal {
 
 // Returns the centroid if a placement yields no finite position, as with coordinates of very different magnitude.
-inline Vector checked_position(const Clustered_surface& surface, std::size_t cluster, const Vector& p)
+inline Vector checked_position(const Clustered_faces& surface, std::size_t cluster, const Vector& p)
 {
   const Vector inside = surface.within_bounds(cluster, p);
   const bool is_finite = std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
@@ -31,7 +31,7 @@ inline Vector checked_position(const Clustered_surface& surface, std::size_t clu
 
 // Places the vertices of the clusters; vertices of border clusters lie on the border. A global placement may flip edges
 // of the triangles.
-inline std::vector<Vector> place_vertices(const Clustered_surface& surface, const Border_arcs& border,
+inline std::vector<Vector> place_vertices(const Clustered_faces& surface, const Border_arcs& border,
                                           const Placement_model& placement, std::vector<Triangle>& triangles,
                                           const Cancellation_point& cancellation)
 {
@@ -56,7 +56,7 @@ inline std::vector<Vector> place_vertices(const Clustered_surface& surface, cons
 }
 
 // Moves vertices and flips edges where triangles intersect that do not in the input, or face away from the surface.
-inline Repair_counts repair_placement(const Clustered_surface& surface, const Border_arcs& border,
+inline Repair_counts repair_placement(const Clustered_faces& surface, const Border_arcs& border,
                                       const Placement_model& placement, const Output_coordinates& output_coordinates,
                                       std::vector<Triangle>& triangles, std::vector<Vector>& positions,
                                       const Cancellation_point& cancellation)
@@ -68,7 +68,7 @@ inline Repair_counts repair_placement(const Clustered_surface& surface, const Bo
 }
 
 // Places the vertices, and repairs the placement on request.
-inline std::vector<Vector> place_vertices(const Clustered_surface& surface, const Border_arcs& border,
+inline std::vector<Vector> place_vertices(const Clustered_faces& surface, const Border_arcs& border,
                                           const Placement_model& placement, bool with_repair,
                                           const Output_coordinates& output_coordinates, std::vector<Triangle>& triangles,
                                           Repair_counts& counts, const Cancellation_point& cancellation = Cancellation_point())

@@ -19,10 +19,10 @@ namespace Surface_mesh_coarsening {
 namespace internal {
 
 // Returns the surface with its current clusters.
-inline std::unique_ptr<Clustered_surface> clustered_surface(const Clustering_state& state, Placed_dual& dual)
+inline std::unique_ptr<Clustered_faces> clustered_faces(const Clustering_state& state, Placed_dual& dual)
 {
   dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
-  return std::make_unique<Clustered_surface>(dual.pieces->input(), dual.pieces->labels(), state.number_of_clusters(),
+  return std::make_unique<Clustered_faces>(dual.pieces->input(), dual.pieces->labels(), state.number_of_clusters(),
                                              state.execution, dual.pieces->features(), state.cancellation());
 }
 
@@ -39,7 +39,7 @@ inline bool has_many_intersections(const Clustering_state& state, const Placed_d
 }
 
 // Returns the functions by which the placement relocates clusters while it exchanges vertices.
-inline Vertex_relocation vertex_relocation(const Clustering_state& state, const Clustered_surface& surface,
+inline Vertex_relocation vertex_relocation(const Clustering_state& state, const Clustered_faces& surface,
                                            Cluster_relocation& clusters)
 {
   Vertex_relocation relocation;
@@ -54,7 +54,7 @@ inline Vertex_relocation vertex_relocation(const Clustering_state& state, const 
 }
 
 // Moves the vertices into their bounds and repairs the placement.
-inline Repair_counts repair_exchanged(const Clustering_state& state, const Clustered_surface& surface,
+inline Repair_counts repair_exchanged(const Clustering_state& state, const Clustered_faces& surface,
                                       const Placement_model& placement, const Output_coordinates& output_coordinates,
                                       Placed_dual& dual)
 {
@@ -69,7 +69,7 @@ inline Repair_counts repair_exchanged(const Clustering_state& state, const Clust
 // left; otherwise nothing changes.
 inline bool repair_by_exchange(Clustering_state& state, const Placement_model& placement,
                                const Output_coordinates& output_coordinates, Cluster_relocation& clusters,
-                               std::unique_ptr<Clustered_surface>& surface, Placed_dual& dual)
+                               std::unique_ptr<Clustered_faces>& surface, Placed_dual& dual)
 {
   const std::vector<Index> old_labels = labels(state).labels();
   Placed_dual next;
@@ -80,7 +80,7 @@ inline bool repair_by_exchange(Clustering_state& state, const Placement_model& p
     relocation.faulty.insert(relocation.faulty.end(), {pair.first, pair.second});
   sort_unique(relocation.faulty);
   placement.exchanging(*surface, Border_arcs(*surface, state.places_on_borders), next.triangles, next.positions, relocation);
-  surface = clustered_surface(state, next);
+  surface = clustered_faces(state, next);
   next.counts = repair_exchanged(state, *surface, placement, output_coordinates, next);
   next.counts.intersections_found = dual.counts.intersections_found;
   next.counts.reversals_found = dual.counts.reversals_found;
@@ -89,7 +89,7 @@ inline bool repair_by_exchange(Clustering_state& state, const Placement_model& p
     dual = std::move(next);
   } else {
     clusters.take_labels(old_labels);
-    surface = clustered_surface(state, dual);
+    surface = clustered_faces(state, dual);
   }
   return is_better;
 }
@@ -103,7 +103,7 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
   constexpr std::size_t max_repairs = 5;
   state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
   Placed_dual dual;
-  std::unique_ptr<Clustered_surface> surface = clustered_surface(state, dual);
+  std::unique_ptr<Clustered_faces> surface = clustered_faces(state, dual);
   dual.triangles = dual_triangles(labels(state), state.cancellation(), state.execution);
   dual.positions.resize(state.number_of_clusters());
   const Border_arcs border(*surface, state.places_on_borders);
@@ -111,7 +111,7 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
   plain_distance =
     placement.exchanging(*surface, border, dual.triangles, dual.positions, vertex_relocation(state, *surface, clusters));
   if (clusters.number() > 0)
-    surface = clustered_surface(state, dual);
+    surface = clustered_faces(state, dual);
   dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual);
   bool is_better = true;
   for (std::size_t i = 0; i < max_repairs && is_better && is_worth_repairing(state, dual); ++i)
@@ -136,7 +136,7 @@ inline bool is_better_plain(Clustering_state& state, const Placement_model& plac
   const bool is_repaired = dual.counts.intersections_found + dual.counts.reversals_found > 0;
   if (!is_repaired)
     return false;
-  const double distance = squared_fit_distance(*clustered_surface(state, dual), dual.triangles, dual.positions);
+  const double distance = squared_fit_distance(*clustered_faces(state, dual), dual.triangles, dual.positions);
   const bool has_many = has_many_intersections(state, dual);
   if (!has_many && distance < plain_distance)
     return false;
@@ -146,7 +146,7 @@ inline bool is_better_plain(Clustering_state& state, const Placement_model& plac
   const std::size_t left = plain.number_left();
   if ((has_many && left < dual.number_left()) ||
       (left <= dual.number_left() &&
-       squared_fit_distance(*clustered_surface(state, plain), plain.triangles, plain.positions) < distance)) {
+       squared_fit_distance(*clustered_faces(state, plain), plain.triangles, plain.positions) < distance)) {
     dual = std::move(plain);
     return true;
   }

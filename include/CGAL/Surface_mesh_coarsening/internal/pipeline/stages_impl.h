@@ -290,7 +290,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place(const Clustering_state& st
   const Cancellation_point cancellation = state.cancellation();
   Placed_dual dual;
   dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), current, state.number_of_clusters());
-  const Clustered_surface surface(dual.pieces->input(), dual.pieces->labels(), state.number_of_clusters(), state.execution,
+  const Clustered_faces surface(dual.pieces->input(), dual.pieces->labels(), state.number_of_clusters(), state.execution,
                                   dual.pieces->features(), cancellation);
   dual.triangles = dual_triangles(current, cancellation, state.execution);
   dual.positions = place_vertices(surface, Border_arcs(surface, state.places_on_borders), placement, state.repairs_output,

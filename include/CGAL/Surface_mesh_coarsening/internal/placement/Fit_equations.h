@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A symmetric matrix.
+// A symmetric matrix: six numbers, where Eigen's fixed matrices store nine.
 struct Symmetric_block
 {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;

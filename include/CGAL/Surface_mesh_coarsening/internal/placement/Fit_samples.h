@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_SAMPLES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_SAMPLES_H
 
-#include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Input_surface.h>
@@ -44,7 +44,7 @@ public:
   };
   typedef std::array<Back_sample, 6> Back_samples;
 
-  Fit_samples(const Clustered_surface& surface, const Flippable_triangulation& coarse, const std::vector<Vector>& positions)
+  Fit_samples(const Clustered_faces& surface, const Flippable_triangulation& coarse, const std::vector<Vector>& positions)
     : surface_(surface), input_(surface.input().mesh), coarse_(coarse), positions_(positions),
       area_(input_.area(surface.cancellation())), prepared_(coarse.triangles().size()), back_(coarse.triangles().size())
   {
@@ -372,7 +372,7 @@ private:
     return sum;
   }
 
-  const Clustered_surface& surface_;
+  const Clustered_faces& surface_;
   const Input_surface input_;
   const Flippable_triangulation& coarse_;
   const std::vector<Vector>& positions_;

@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_LINE_FIT_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_LINE_FIT_H
 
-#include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 
 #include <Eigen/Cholesky>

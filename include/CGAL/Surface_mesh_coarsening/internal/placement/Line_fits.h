@@ -18,7 +18,7 @@ namespace internal {
 class Line_fits
 {
 public:
-  Line_fits(const Clustered_surface& surface, std::vector<Vector>& positions) : positions_(positions)
+  Line_fits(const Clustered_faces& surface, std::vector<Vector>& positions) : positions_(positions)
   {
     if (!surface.features())
       return;

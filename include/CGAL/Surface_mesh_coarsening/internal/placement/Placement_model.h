@@ -23,11 +23,11 @@ namespace internal {
 struct Placement_model
 {
   // One of the two: a position for each cluster, or all positions together, which may flip edges of the triangles.
-  std::function<Vector(const Clustered_surface&, std::size_t)> local;
-  std::function<void(const Clustered_surface&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&)> global;
+  std::function<Vector(const Clustered_faces&, std::size_t)> local;
+  std::function<void(const Clustered_faces&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&)> global;
   // The same with vertex exchange between regions. Returns the squared distance without exchange.
-  std::function<double(const Clustered_surface&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&,
-                     const Vertex_relocation&)>
+  std::function<double(const Clustered_faces&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&,
+                       const Vertex_relocation&)>
     exchanging;
   bool may_run_in_parallel = false;
   bool is_at_input_vertices = false;
@@ -35,7 +35,7 @@ struct Placement_model
 
 template <class Placement>
 constexpr bool is_local_placement =
-  std::is_invocable_r<Vector, const Placement&, const Clustered_surface&, std::size_t>::value;
+  std::is_invocable_r<Clustered_surface::Point_3, const Placement&, const Clustered_surface&, std::size_t>::value;
 
 // The optional members of the concept `VertexPlacement`.
 template <class Placement, class = void>
@@ -54,7 +54,7 @@ constexpr bool exchanges_vertices = false;
 template <class Placement>
 constexpr bool exchanges_vertices<
   Placement, std::void_t<decltype(std::declval<const Placement&>().place_and_exchange(
-               std::declval<const Clustered_surface&>(), std::declval<const Border_arcs&>(),
+               std::declval<const Clustered_faces&>(), std::declval<const Border_arcs&>(),
                std::declval<std::vector<Triangle>&>(), std::declval<std::vector<Vector>&>(),
                std::declval<const Vertex_relocation&>()))> > = true;
 
@@ -63,16 +63,20 @@ Placement_model placement_model(const Placement& placement)
 {
   Placement_model model;
   if constexpr (is_local_placement<Placement>)
-    model.local = [&placement](const Clustered_surface& surface, std::size_t cluster) -> Vector {
-      return placement(surface, cluster);
+    model.local = [&placement](const Clustered_faces& clusters, std::size_t cluster) -> Vector {
+      return to_vector(placement(Clustered_surface(clusters), cluster));
     };
   else
-    model.global = [&placement](const Clustered_surface& surface, const Border_arcs& border, std::vector<Triangle>& triangles,
-                                std::vector<Vector>& positions) { placement(surface, border, triangles, positions); };
+    model.global = [&placement](const Clustered_faces& clusters, const Border_arcs& border, std::vector<Triangle>& triangles,
+                                std::vector<Vector>& positions) {
+      std::vector<Clustered_surface::Point_3> points = to_points(positions);
+      placement(Clustered_surface(clusters), border, triangles, points);
+      positions = to_vectors(points);
+    };
   if constexpr (exchanges_vertices<Placement>)
-    model.exchanging = [&placement](const Clustered_surface& surface, const Border_arcs& border, std::vector<Triangle>& triangles,
+    model.exchanging = [&placement](const Clustered_faces& clusters, const Border_arcs& border, std::vector<Triangle>& triangles,
                                     std::vector<Vector>& positions, const Vertex_relocation& relocation) {
-      return placement.place_and_exchange(surface, border, triangles, positions, relocation);
+      return placement.place_and_exchange(clusters, border, triangles, positions, relocation);
     };
   model.may_run_in_parallel = may_run_in_parallel<Placement>;
   model.is_at_input_vertices = is_at_input_vertices<Placement>;

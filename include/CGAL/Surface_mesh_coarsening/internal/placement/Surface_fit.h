@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_SURFACE_FIT_H
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
-#include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_equations.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
@@ -29,7 +29,7 @@ namespace internal {
 class Surface_fit
 {
 public:
-  Surface_fit(const Clustered_surface& surface, const Border_arcs& border, const Flippable_triangulation& coarse,
+  Surface_fit(const Clustered_faces& surface, const Border_arcs& border, const Flippable_triangulation& coarse,
               std::vector<Vector>& positions)
     : surface_(surface), border_(border), coarse_(coarse), positions_(positions), samples_(surface, coarse, positions),
       lines_(surface, positions)
@@ -208,7 +208,7 @@ private:
     return part;
   }
 
-  const Clustered_surface& surface_;
+  const Clustered_faces& surface_;
   const Border_arcs& border_;
   const Flippable_triangulation& coarse_;
   std::vector<Vector>& positions_;

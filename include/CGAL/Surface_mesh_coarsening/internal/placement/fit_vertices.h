@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_VERTICES_H
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
-#include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Vertex_relocation.h>
 
@@ -19,12 +19,12 @@ namespace internal {
 // many follow as `relocation` wants, which exchange vertices for as long as there are some to exchange, then two without. The
 // plain fit is the result if none of the last meshes is nearer at angles as large. Returns the squared distance of the plain fit;
 // 0 if no others follow it.
-double fit_vertices(const Clustered_surface& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
+double fit_vertices(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
                     std::vector<Triangle>& triangles, std::vector<Vector>& positions,
                     const Vertex_relocation& relocation = Vertex_relocation());
 
 // The mean squared distance of samples of a surface from a coarse mesh, or the other way if that is larger.
-double squared_fit_distance(const Clustered_surface& surface, const std::vector<Triangle>& triangles,
+double squared_fit_distance(const Clustered_faces& surface, const std::vector<Triangle>& triangles,
                             const std::vector<Vector>& positions);
 
 } // namespace internal

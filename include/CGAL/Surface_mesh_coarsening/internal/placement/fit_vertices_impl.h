@@ -34,7 +34,7 @@ struct Fitted_mesh
 class Vertex_fit
 {
 public:
-  Vertex_fit(const Clustered_surface& surface, const Border_arcs& border, double mean_angle,
+  Vertex_fit(const Clustered_faces& surface, const Border_arcs& border, double mean_angle,
              const std::vector<Triangle>& triangles, std::vector<Vector>& positions, const Vertex_relocation& relocation)
     : surface_(surface), mean_angle_(mean_angle), positions_(positions), relocation_(relocation),
       coarse_(triangles, positions.size(), surface.features()), fit_(surface, border, coarse_, positions),
@@ -80,7 +80,7 @@ public:
 private:
   static constexpr double degrees_per_radian = 180 / CGAL_PI;
 
-  const Clustered_surface& surface_;
+  const Clustered_faces& surface_;
   double mean_angle_;
   bool is_steady_ = false;
   std::vector<Vector>& positions_;
@@ -91,7 +91,7 @@ private:
   Vertex_exchange exchange_;
 };
 
-inline void place_by_quadrics(const Clustered_surface& surface, const Border_arcs& border, std::vector<Vector>& positions)
+inline void place_by_quadrics(const Clustered_faces& surface, const Border_arcs& border, std::vector<Vector>& positions)
 {
   for (std::size_t x = 0; x < positions.size(); ++x) {
     surface.cancellation().poll(surface.faces(x).size());
@@ -100,7 +100,7 @@ inline void place_by_quadrics(const Clustered_surface& surface, const Border_arc
   }
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_surface& surface, const Border_arcs& border,
+CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_faces& surface, const Border_arcs& border,
                                                       std::size_t rounds, double mean_angle, std::vector<Triangle>& triangles,
                                                       std::vector<Vector>& positions, const Vertex_relocation& relocation)
 {
@@ -152,7 +152,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_surface&
   return plain_distance;
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE double squared_fit_distance(const Clustered_surface& surface,
+CGAL_SURFACE_MESH_COARSENING_INLINE double squared_fit_distance(const Clustered_faces& surface,
                                                                 const std::vector<Triangle>& triangles,
                                                                 const std::vector<Vector>& positions)
 {

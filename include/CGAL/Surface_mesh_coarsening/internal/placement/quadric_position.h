@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_QUADRIC_POSITION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_QUADRIC_POSITION_H
 
-#include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 
 #include <cstddef>
 
@@ -12,8 +12,7 @@ namespace Surface_mesh_coarsening {
 namespace internal {
 
 // The position that minimizes the quadric of a cluster: see `Quadric_placement`.
-Vector quadric_position(const Clustered_surface& surface, std::size_t cluster, double pull);
-
+Vector quadric_position(const Clustered_faces& surface, std::size_t cluster, double pull);
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

@@ -19,7 +19,7 @@ namespace Surface_mesh_coarsening {
 namespace internal {
 
 // Returns the fraction of a movement away from the centroid, at most 1, that does not lead beyond the faces.
-inline double share_within_reach(const Clustered_surface& surface, std::size_t cluster,
+inline double share_within_reach(const Clustered_faces& surface, std::size_t cluster,
                                  const Vector& center, double square)
 {
   double reach = 0;
@@ -33,7 +33,7 @@ inline double share_within_reach(const Clustered_surface& surface, std::size_t c
   return std::sqrt(reach / square);
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE Vector quadric_position(const Clustered_surface& surface, std::size_t cluster, double pull)
+CGAL_SURFACE_MESH_COARSENING_INLINE Vector quadric_position(const Clustered_faces& surface, std::size_t cluster, double pull)
 {
   // A single pass over the faces, with sums about a point of the first one.
   const Vector origin = surface.centroid(*surface.faces(cluster).begin());
@@ -68,7 +68,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Vector quadric_position(const Clustered_surf
   const double share = share_within_reach(surface, cluster, origin + center, x.squaredNorm());
   return surface.within_bounds(cluster, origin + center + share * Vector{{x[0], x[1], x[2]}});
 }
-
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_INPUT_ORACLE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_INPUT_ORACLE_H
 
-#include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Input_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Triangle_conflicts.h>
@@ -28,7 +28,7 @@ namespace internal {
 class Input_oracle
 {
 public:
-  explicit Input_oracle(const Clustered_surface& surface)
+  explicit Input_oracle(const Clustered_faces& surface)
     : surface_(surface), input_(surface.input().mesh), normals_(surface.number_of_clusters(), Vector{{0, 0, 0}}),
       first_block_(surface.number_of_clusters() + 1, 0)
   {
@@ -96,7 +96,7 @@ public:
     std::size_t last = 0; // the triangle nearest to the previous sample
     double sum = 0;
     for (const Index x : clusters) {
-      const Clustered_surface::Range faces = surface_.faces(x);
+      const Clustered_faces::Range faces = surface_.faces(x);
       const std::size_t step = 1 + faces.size() / max_samples;
       for (std::size_t i = 0; i < faces.size(); i += step) {
         const Index f = faces.begin()[i];
@@ -126,7 +126,7 @@ private:
     return 1.000000001 * squared_distance + 1e-18 * squared_size;
   }
 
-  typedef Clustered_surface::Range Face_range;
+  typedef Clustered_faces::Range Face_range;
 
   // The nearest face of a cluster is searched in blocks of this number of faces, in order, each with its box.
   static constexpr std::size_t faces_of_block = 32;
@@ -267,7 +267,7 @@ private:
     for (const Index f : surface_.faces(x)) {
       if (!do_overlap(box_of_faces(Face_range(&f, &f + 1)), box))
         continue;
-      const Clustered_surface::Range v = surface_.vertices(f);
+      const Clustered_faces::Range v = surface_.vertices(f);
       for (std::size_t i = 2; i < v.size(); ++i)
         triangles.push_back({v.begin()[0], v.begin()[i - 1], v.begin()[i]});
     }
@@ -291,7 +291,7 @@ private:
     return triangles;
   }
 
-  const Clustered_surface& surface_;
+  const Clustered_faces& surface_;
   Input_surface input_;
   std::vector<Vector> normals_;
   std::vector<std::size_t> first_block_; // of each cluster

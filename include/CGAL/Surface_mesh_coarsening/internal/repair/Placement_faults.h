@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_PLACEMENT_FAULTS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_PLACEMENT_FAULTS_H
 
-#include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_hierarchy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Triangle_conflicts.h>
@@ -26,7 +26,7 @@ public:
   // The coordinates that a position has in the output.
   typedef std::function<Vector(const Vector&)> Output_coordinates;
 
-  Placement_faults(const Clustered_surface& surface, Input_oracle& reference, const Flippable_triangulation& coarse,
+  Placement_faults(const Clustered_faces& surface, Input_oracle& reference, const Flippable_triangulation& coarse,
                    const std::vector<Vector>& positions, const Output_coordinates& output, const Cancellation_point& cancellation)
     : cancellation_(cancellation), execution_(surface.execution()), surface_(surface), reference_(reference), coarse_(coarse),
       positions_(positions), output_(output), points_(positions.size())
@@ -156,7 +156,7 @@ private:
 
   const Cancellation_point cancellation_;
   const Execution execution_;
-  const Clustered_surface& surface_;
+  const Clustered_faces& surface_;
   Input_oracle& reference_;
   const Flippable_triangulation& coarse_;
   const std::vector<Vector>& positions_;

@@ -33,7 +33,7 @@ class Placement_repair
 public:
   typedef Placement_faults::Output_coordinates Output_coordinates;
 
-  Placement_repair(const Clustered_surface& surface, const Border_arcs& border, const Output_coordinates& output,
+  Placement_repair(const Clustered_faces& surface, const Border_arcs& border, const Output_coordinates& output,
                    std::vector<Triangle>& triangles, std::vector<Vector>& positions, const Cancellation_point& cancellation)
     : surface_(surface), border_(border), result_(triangles), positions_(positions),
       coarse_(triangles, positions.size(), surface.features()), reference_(surface),
@@ -317,7 +317,7 @@ private:
     }
   }
 
-  const Clustered_surface& surface_;
+  const Clustered_faces& surface_;
   const Border_arcs& border_;
   std::vector<Triangle>& result_;
   std::vector<Vector>& positions_;

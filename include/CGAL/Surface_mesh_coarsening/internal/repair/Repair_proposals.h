@@ -47,7 +47,7 @@ class Repair_proposals
 {
 public:
   // `at_input_vertices`: whether vertices may move only to input vertices of their clusters.
-  Repair_proposals(const Clustered_surface& surface, const Border_arcs& border, const Flippable_triangulation& coarse,
+  Repair_proposals(const Clustered_faces& surface, const Border_arcs& border, const Flippable_triangulation& coarse,
                    const Input_oracle& reference, const std::vector<Vector>& positions, bool at_input_vertices)
     : surface_(surface), border_(border), coarse_(coarse), reference_(reference), positions_(positions),
       at_input_vertices_(at_input_vertices)
@@ -127,7 +127,7 @@ private:
       }
   }
 
-  const Clustered_surface& surface_;
+  const Clustered_faces& surface_;
   const Border_arcs& border_;
   const Flippable_triangulation& coarse_;
   const Input_oracle& reference_;

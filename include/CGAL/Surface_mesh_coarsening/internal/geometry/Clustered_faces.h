@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_CLUSTERED_FACES_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_CLUSTERED_FACES_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/vertex_bounds.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Iterator_range.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The faces with their geometry, cluster by cluster: the data behind `Clustered_surface`, with points as `Vector`.
+class Clustered_faces
+{
+public:
+  typedef Iterator_range<const std::uint32_t*> Range;
+
+  Clustered_faces(const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters,
+                  Execution execution = Execution::SEQUENTIAL, const Coarse_features* features = nullptr,
+                  const Cancellation_point& cancellation = Cancellation_point())
+    : input_(input), labels_(labels), execution_(execution), features_(features), cancellation_(cancellation),
+      faces_(numbers_below(std::uint32_t(input.mesh.number_of_faces())), clusters, [&](std::uint32_t f) { return labels[f]; },
+             cancellation),
+      bounds_(clusters)
+  {
+    for_each_chunk(execution, clusters, 64, cancellation, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t x = begin; x < end; ++x)
+        bounds_[x] = internal::vertex_bounds(input.mesh, faces(x));
+    });
+  }
+
+  const Clustering_input& input() const { return input_; }
+  const Cluster_labels& labels() const { return labels_; }
+  Execution execution() const { return execution_; }
+  const Coarse_features* features() const { return features_; }
+  const Cancellation_point& cancellation() const { return cancellation_; }
+
+  std::size_t number_of_clusters() const { return faces_.size(); }
+  Range faces(std::size_t cluster) const { return faces_[cluster]; }
+  // The vertices around a face, counterclockwise.
+  Range vertices(std::size_t face) const
+  {
+    const Flat_mesh& m = input_.mesh;
+    return {m.corner_vertex.data() + m.first_corner[face], m.corner_vertex.data() + m.first_corner[face + 1]};
+  }
+  const Vector& point(std::size_t vertex) const { return input_.mesh.points[vertex]; }
+  Vector centroid(std::size_t face) const { return input_.centroid(Index(face)); }
+  double area(std::size_t face) const { return input_.area[face]; }
+  bool is_on_cluster_boundary(std::size_t vertex) const { return labels_.boundary_count(Index(vertex)) != 0; }
+
+  // The centroid (7) of a cluster: see `Clustered_surface::cluster_centroid()`.
+  Vector cluster_centroid(std::size_t cluster) const
+  {
+    Vector moment{{0, 0, 0}}, sum{{0, 0, 0}};
+    double mass = 0;
+    for (const Index f : faces(cluster)) {
+      const Vector center = input_.centroid(f);
+      moment = moment + input_.mass(f) * center;
+      mass += input_.mass(f);
+      sum = sum + center;
+    }
+    constexpr double least = (std::numeric_limits<double>::min)(); // its inverse is finite
+    return without_last_digits(mass >= least ? (1 / mass) * moment : (1 / double(faces(cluster).size())) * sum);
+  }
+
+  const Bbox_3& vertex_bounds(std::size_t cluster) const { return bounds_[cluster]; }
+
+  Vector within_bounds(std::size_t cluster, const Vector& p) const
+  {
+    const bool is_finite = std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+    return is_finite ? closest_in_box(p, bounds_[cluster]) : cluster_centroid(cluster);
+  }
+
+private:
+  const Clustering_input& input_;
+  const Cluster_labels& labels_;
+  const Execution execution_;
+  const Coarse_features* features_; // null without features
+  const Cancellation_point cancellation_;
+  Bucketed_items<std::uint32_t> faces_; // of each cluster
+  std::vector<Bbox_3> bounds_;          // of each cluster's vertex
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_CLUSTERED_FACES_H
