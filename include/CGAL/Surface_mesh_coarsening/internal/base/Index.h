@@ -15,7 +15,6 @@ typedef std::uint32_t Index;
 
 constexpr Index NONE = (std::numeric_limits<Index>::max)();
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

@@ -21,7 +21,6 @@ inline Number_range number_range(Index begin, Index end)
   return {boost::counting_iterator<Index>(begin), boost::counting_iterator<Index>(end)};
 }
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_SURFACE_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_walk.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/opposite_sides.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
 
@@ -200,18 +200,10 @@ private:
 
   void pair_edges()
   {
-    opposite_.assign(source_.size(), NONE);
-    Bucketed_items<Edge> from(numbers_below(Edge(source_.size())), edge_of_.size(), [this](Edge e) { return source_[e]; });
-    for (std::size_t x = 0; x < edge_of_.size(); ++x)
-      edge_of_[x] = *from[x].begin();
-    from.sort_groups([this](Edge a, Edge b) { return target(a) < target(b); });
-    for (Edge e = 0; e < source_.size(); ++e) {
-      const Bucketed_items<Edge>::Range back = from[target(e)];
-      const auto found =
-        std::lower_bound(back.begin(), back.end(), source_[e], [this](Edge a, Index x) { return target(a) < x; });
-      CGAL_assertion(found != back.end() && target(*found) == source_[e]);
-      opposite_[e] = *found;
-    }
+    for (Edge e = Edge(source_.size()); e-- > 0;)
+      edge_of_[source_[e]] = e;
+    opposite_ = opposite_sides(source_.size() / 3, edge_of_.size(), [this](Edge e) { return source_[e]; });
+    CGAL_assertion(std::find(opposite_.begin(), opposite_.end(), NONE) == opposite_.end());
   }
 
   Index clusters_;

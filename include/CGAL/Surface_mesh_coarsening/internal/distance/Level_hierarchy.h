@@ -56,7 +56,6 @@ private:
   Merge_history history_;
 };
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

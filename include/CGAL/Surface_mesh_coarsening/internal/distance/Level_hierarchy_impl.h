@@ -75,7 +75,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE double Level_hierarchy::estimate(const Place
   return Distance_estimate(placed.labels, placed.positions, placed.triangles, state_.cancellation()).distance(least);
 }
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

@@ -21,7 +21,6 @@ find_within_distance(Clustering_state& state, const Placement_model& placement, 
   return {search.triangles(), search.positions(), search.clusters_of_base_faces()};
 }
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

@@ -20,7 +20,6 @@ struct Featured_input
   std::shared_ptr<const Feature_cells> cells; // null without features
 };
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

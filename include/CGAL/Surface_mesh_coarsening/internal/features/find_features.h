@@ -37,7 +37,6 @@ std::vector<Index> corners_of(const Feature_edges& edges);
 // Replaces the items by cells that keep the features.
 void make_cells(Featured_input& input, const Feature_edges& edges, const Cancellation_point& cancellation);
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

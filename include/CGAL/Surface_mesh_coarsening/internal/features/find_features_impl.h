@@ -44,7 +44,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void make_cells(Featured_input& input, const
   input = Feature_cells::run(Clustering_input(std::move(input.items)), edges, cancellation);
 }
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

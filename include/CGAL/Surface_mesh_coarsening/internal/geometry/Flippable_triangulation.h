@@ -4,8 +4,8 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_FLIPPABLE_TRIANGULATION_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/opposite_sides.h>
 
 #include <algorithm>
 #include <array>
@@ -103,12 +103,15 @@ class Flippable_triangulation
 {
 public:
   Flippable_triangulation(const std::vector<Triangle>& triangles, std::size_t vertices, const Coarse_features* features = nullptr)
-    : triangles_(triangles), neighbors_(triangles.size(), {NONE, NONE, NONE}), around_(vertices), features_(features)
+    : triangles_(triangles), neighbors_(triangles.size()), around_(vertices), features_(features)
   {
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       for (const Index v : triangles_[t])
         around_[v].push_back(Index(t));
-    pair_sides();
+    const std::vector<Index> opposite =
+      opposite_sides(triangles_.size(), vertices, [this](Index s) { return triangles_[s / 3][s % 3]; });
+    for (std::size_t s = 0; s < opposite.size(); ++s)
+      neighbors_[s / 3][s % 3] = opposite[s] == NONE ? NONE : opposite[s] / 3;
   }
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
@@ -208,33 +211,12 @@ private:
   struct Side
   {
     Index low, high; // its ends
-    Index triangle;
-    int corner;
   };
 
   Side side(Index t, int i) const
   {
     const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3];
-    return {(std::min)(a, b), (std::max)(a, b), t, i};
-  }
-
-  void pair_sides()
-  {
-    std::vector<Side> sides;
-    sides.reserve(3 * triangles_.size());
-    for (std::size_t t = 0; t < triangles_.size(); ++t)
-      for (int i = 0; i < 3; ++i)
-        sides.push_back(side(Index(t), i));
-    const Bucketed_items<Side> from(sides, around_.size(), [](const Side& s) { return s.low; });
-    sides = std::vector<Side>();
-    const Bucketed_items<Side> paired(from.items(), around_.size(), [](const Side& s) { return s.high; });
-    for (std::size_t k = 1; k < paired.items().size(); ++k) {
-      const Side &s = paired.items()[k - 1], &r = paired.items()[k];
-      if (s.low != r.low || s.high != r.high)
-        continue;
-      neighbors_[s.triangle][s.corner] = r.triangle;
-      neighbors_[r.triangle][r.corner] = s.triangle;
-    }
+    return {(std::min)(a, b), (std::max)(a, b)};
   }
 
   // Replaces two neighbors by two others with the same four outer sides.

@@ -109,8 +109,8 @@ struct Flat_mesh
   }
   bool is_on_border(Index v) const { return loop[v] != NONE; }
   Index degree(Index f) const { return first_corner[f + 1] - first_corner[f]; }
-  Number_range corners(Index f) const { return number_range(first_corner[f], first_corner[f + 1]); }
-  Iterator_range<std::vector<Index>::const_iterator> faces_around(Index v) const
+  Number_range corners(std::size_t f) const { return number_range(first_corner[f], first_corner[f + 1]); }
+  Iterator_range<std::vector<Index>::const_iterator> faces_around(std::size_t v) const
   {
     return {star.begin() + first_in_star[v], star.begin() + first_in_star[v + 1]};
   }
@@ -142,7 +142,6 @@ struct Flat_mesh
     return i;
   }
 };
-
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

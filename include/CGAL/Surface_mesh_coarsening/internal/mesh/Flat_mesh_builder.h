@@ -57,7 +57,6 @@ private:
   Flat_mesh mesh_;
 };
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

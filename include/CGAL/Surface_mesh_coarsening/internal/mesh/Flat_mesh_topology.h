@@ -186,7 +186,6 @@ private:
   }
 };
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

@@ -103,7 +103,6 @@ inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector
   return frame;
 }
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

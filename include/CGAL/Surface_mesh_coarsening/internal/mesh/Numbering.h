@@ -185,7 +185,6 @@ Numbering<CGAL::Surface_mesh<Point> > number_elements(const CGAL::Surface_mesh<P
   return n;
 }
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

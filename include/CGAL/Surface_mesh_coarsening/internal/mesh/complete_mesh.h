@@ -22,7 +22,6 @@ void complete_topology(Flat_mesh& mesh, std::size_t number_of_vertices, const Ca
 std::vector<double> compute_densities(const Flat_mesh& mesh, double maximum, bool at_borders,
                                       const Cancellation_point& cancellation, Execution execution);
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

@@ -31,7 +31,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<double> compute_densities(const 
   return densities;
 }
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

@@ -69,7 +69,6 @@ void copy_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, Fla
   check_countable(m.corner_vertex.size(), "face corners");
 }
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

@@ -83,7 +83,6 @@ inline std::size_t drop_components_below(Clustering_input& input, double min_are
   return dropped;
 }
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

@@ -31,7 +31,6 @@ void flood_fill(const Flat_mesh& m, Index seed, std::vector<Index>& reached, con
   }
 }
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

@@ -64,7 +64,6 @@ extern template class Weighted_energy_model<Exact_maximum_density_weight>;
 extern template class Weighted_energy_model<Density_variance_weight>;
 #endif
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_FACE_GRAPH_FILLER_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/opposite_sides.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -74,21 +75,8 @@ private:
   void pair_sides(const std::vector<Triangle>& triangles, std::vector<Index>& side_halfedge,
                   const Cancellation_point& cancellation)
   {
-    // Sides are sorted by their ends; the two sides of an edge are adjacent, in the order of their triangles.
-    std::vector<std::pair<std::uint64_t, Index> > sides;
-    sides.reserve(3 * triangles.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Index a = triangles[t][i], b = triangles[t][(i + 1) % 3];
-        sides.push_back({(std::uint64_t((std::min)(a, b)) << 32) | (std::max)(a, b), Index(3 * t + i)});
-      }
-    std::sort(sides.begin(), sides.end());
-    std::vector<Index> twin(sides.size(), NONE);
-    for (std::size_t k = 1; k < sides.size(); ++k)
-      if (sides[k].first == sides[k - 1].first) {
-        twin[sides[k].second] = sides[k - 1].second;
-        twin[sides[k - 1].second] = sides[k].second;
-      }
+    const std::vector<Index> twin =
+      opposite_sides(triangles.size(), of_vertex.size(), [&](Index s) { return triangles[s / 3][s % 3]; });
     for (Index s = 0; s < Index(twin.size()); ++s) {
       cancellation.poll();
       if (side_halfedge[s] != NONE)

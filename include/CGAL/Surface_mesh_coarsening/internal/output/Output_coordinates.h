@@ -14,7 +14,6 @@ namespace internal {
 // Maps a position in the arrays to coordinates of the output, rounded to its number type.
 typedef std::function<Vector(const Vector&)> Output_coordinates;
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

@@ -20,7 +20,6 @@ struct Repair_counts
   std::vector<std::pair<Index, Index> > intersections_left; // pairs of triangles
 };
 
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL
