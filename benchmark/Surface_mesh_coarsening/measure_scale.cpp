@@ -31,17 +31,18 @@ using benchmark_support::bumpy_torus;
 using coarsening_support::Mesh;
 
 constexpr std::size_t vertices_per_cluster = 50;
-const std::array<const char*, 5> stages{{"preparation", "seeds", "growth", "minimization", "triangulation"}};
+const std::array<const char*, 8> stages{
+  {"preparation", "seeds", "growth", "minimization", "triangulation", "placement", "feedback", "repair"}};
 
 double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 // Processor seconds of each stage.
 struct Timing_visitor : SMC::Coarsening_visitor_base
 {
-  std::array<double, 5> seconds{{0, 0, 0, 0, 0}};
+  std::array<double, 8> seconds{};
   double begin = 0;
   void stage_begins(SMC::Coarsening_stage) { begin = processor_seconds(); }
-  void stage_ends(SMC::Coarsening_stage stage) { seconds[std::size_t(stage)] = processor_seconds() - begin; }
+  void stage_ends(SMC::Coarsening_stage stage) { seconds[std::size_t(stage)] += processor_seconds() - begin; }
 };
 
 void print_header()
@@ -75,7 +76,7 @@ struct Asking_visitor : SMC::Coarsening_visitor_base
 {
   std::size_t max_questions = 0, questions = 0, stage = 0;
   double last = 0;
-  std::array<double, 5> longest{{0, 0, 0, 0, 0}};
+  std::array<double, 8> longest{};
 
   void stage_begins(SMC::Coarsening_stage s)
   {

@@ -30,7 +30,7 @@ struct Asked_visitor : SMC::Coarsening_visitor_base
 {
   std::size_t refused;
   std::size_t total = 0, rounds = 0;
-  std::vector<std::size_t> in_stage = std::vector<std::size_t>(5, 0);
+  std::vector<std::size_t> in_stage = std::vector<std::size_t>(8, 0);
   Coarsening_stage stage = Coarsening_stage::PREPARATION;
 
   explicit Asked_visitor(std::size_t refused = never) : refused(refused) {}
@@ -94,13 +94,16 @@ void check_questions(const Mesh& mesh, std::size_t number)
   const auto asked = [&](Coarsening_stage stage) { return visitor.in_stage[std::size_t(stage)]; };
   BOOST_TEST_MESSAGE(faces << " faces: " << asked(Coarsening_stage::PREPARATION) << ", "
                            << asked(Coarsening_stage::SEEDING) << ", " << asked(Coarsening_stage::GROWTH) << ", "
-                           << asked(Coarsening_stage::MINIMIZATION) << ", " << asked(Coarsening_stage::TRIANGULATION)
-                           << " questions in the five stages");
+                           << asked(Coarsening_stage::MINIMIZATION) << ", " << asked(Coarsening_stage::TRIANGULATION) << ", "
+                           << asked(Coarsening_stage::PLACEMENT) << ", " << asked(Coarsening_stage::FEEDBACK) << ", "
+                           << asked(Coarsening_stage::REPAIR) << " questions in the stages");
   BOOST_CHECK_GE(asked(Coarsening_stage::PREPARATION), 10 * often); // it has many passes
   BOOST_CHECK_GE(asked(Coarsening_stage::SEEDING), often);
   BOOST_CHECK_GE(asked(Coarsening_stage::GROWTH), 2 * often);
   BOOST_CHECK_GE(asked(Coarsening_stage::MINIMIZATION), visitor.rounds * (1 + often / 5));
-  BOOST_CHECK_GE(asked(Coarsening_stage::TRIANGULATION), 2 * often);
+  BOOST_CHECK_GE(asked(Coarsening_stage::TRIANGULATION), often);
+  BOOST_CHECK_GE(asked(Coarsening_stage::PLACEMENT), 2 * often); // it has several rounds
+  BOOST_CHECK_GE(asked(Coarsening_stage::FEEDBACK), 2 * often);
 }
 
 } // namespace
@@ -119,7 +122,7 @@ BOOST_AUTO_TEST_CASE(asked_often_enough_among_many_components)
   Asked_visitor visitor;
   BOOST_REQUIRE(!is_cancelled(mesh, 200000, visitor, SMC::parameters::number_of_iterations(2)));
   for (const Coarsening_stage stage : {Coarsening_stage::PREPARATION, Coarsening_stage::SEEDING, Coarsening_stage::GROWTH,
-                                       Coarsening_stage::TRIANGULATION})
+                                       Coarsening_stage::TRIANGULATION, Coarsening_stage::PLACEMENT})
     BOOST_CHECK_GE(visitor.in_stage[std::size_t(stage)], 4u);
 }
 

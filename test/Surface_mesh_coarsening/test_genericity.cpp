@@ -185,6 +185,10 @@ struct Recorder
     events.push_back("round " + std::to_string(round) + (moves == 0 ? " without moves" : ""));
     energies.push_back(energy);
   }
+  void step_done(SMC::Coarsening_stage s, std::size_t done, std::size_t total)
+  {
+    events.push_back("step " + std::to_string(done) + "/" + std::to_string(total) + " of " + std::to_string(int(s)));
+  }
   bool go_further() { return ++asked < patience; }
 };
 
@@ -512,12 +516,16 @@ BOOST_AUTO_TEST_CASE(visitor_is_notified_in_order)
   const Mesh mesh = test::to_mesh(closed_soup());
   Mesh output;
   Recorder recorder;
-  const auto report = SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::visitor(std::ref(recorder)).convergence_tolerance(0));
+  const auto report = SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::visitor(std::ref(recorder))
+                                                            .convergence_tolerance(0)
+                                                            .error_feedback(0)
+                                                            .vertex_placement(SMC::Fitted_placement(3)));
   std::vector<std::string> expected{"begin 0", "end 0", "begin 1", "end 1", "begin 2", "end 2", "begin 3"};
   for (std::size_t i = 1; i < report.rounds; ++i)
     expected.push_back("round " + std::to_string(i));
   expected.push_back("round " + std::to_string(report.rounds) + " without moves");
-  expected.insert(expected.end(), {"end 3", "begin 4", "end 4"});
+  expected.insert(expected.end(), {"end 3", "begin 4", "end 4", "begin 5", "step 1/3 of 5", "step 2/3 of 5", "step 3/3 of 5",
+                                   "end 5", "begin 7", "end 7"});
   BOOST_CHECK_EQUAL_COLLECTIONS(recorder.events.begin(), recorder.events.end(), expected.begin(), expected.end());
   BOOST_CHECK(std::is_sorted(recorder.energies.rbegin(), recorder.energies.rend(),
                              [](double a, double b) { return a < b * (1 - 1e-12); }));
@@ -527,6 +535,27 @@ BOOST_AUTO_TEST_CASE(visitor_is_notified_in_order)
   Recorder untouched;
   SMC::coarsen_mesh(mesh, 50, output, CGAL::parameters::visitor(untouched));
   BOOST_CHECK(untouched.events.empty());
+}
+
+// The feedback may end early; then its last two rounds follow.
+BOOST_AUTO_TEST_CASE(visitor_is_notified_of_feedback)
+{
+  const Mesh mesh = test::to_mesh(closed_soup());
+  Mesh output;
+  Recorder recorder;
+  SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::visitor(std::ref(recorder)).error_feedback(4));
+  const auto at = [&](const std::string& event) {
+    return std::find(recorder.events.begin(), recorder.events.end(), event) - recorder.events.begin();
+  };
+  BOOST_CHECK_LT(at("end 4"), at("begin 5"));
+  BOOST_CHECK_LT(at("step 5/5 of 5"), at("end 5"));
+  BOOST_CHECK_LT(at("end 5"), at("begin 6"));
+  BOOST_CHECK_LT(at("begin 6"), at("step 1/6 of 6"));
+  BOOST_CHECK_LT(at("step 1/6 of 6"), at("step 5/6 of 6"));
+  BOOST_CHECK_LT(at("step 5/6 of 6"), at("step 6/6 of 6"));
+  BOOST_CHECK_LT(at("step 6/6 of 6"), at("end 6"));
+  BOOST_CHECK_LT(at("end 6"), at("begin 7"));
+  BOOST_CHECK_EQUAL(recorder.events.back(), "end 7");
 }
 
 BOOST_AUTO_TEST_CASE(cancelling)

@@ -26,8 +26,7 @@ public:
 
   void stage_begins(Stage stage)
   {
-    progress.say(stage == Stage::TRIANGULATION ? "triangulation, vertex placement and repair"
-                                               : coarsening_support::stage_name(stage));
+    progress.say(coarsening_support::stage_name(stage));
     Timing_visitor::stage_begins(stage);
   }
 
@@ -36,6 +35,12 @@ public:
   void round_done(std::size_t round, std::size_t moves, double)
   {
     progress.say("minimization: round " + std::to_string(round) + ", " + std::to_string(moves) + " moves");
+  }
+
+  void step_done(Stage stage, std::size_t done, std::size_t total)
+  {
+    progress.say(coarsening_support::stage_name(stage) + ": " + std::to_string(done) + " of " + std::to_string(total) +
+                 (stage == Stage::REPAIR ? " faults repaired" : " rounds"));
   }
 };
 

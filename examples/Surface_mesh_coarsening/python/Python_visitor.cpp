@@ -4,6 +4,8 @@
 
 #include "report/Timing_visitor.h"
 
+#include <pybind11/stl.h>
+
 namespace coarsening_python {
 
 namespace py = pybind11;
@@ -22,19 +24,17 @@ void Python_visitor::call_python(const Call& call)
   }
 }
 
-void Python_visitor::report(std::size_t round)
+void Python_visitor::report(Stage stage, std::size_t done, std::optional<std::size_t> total)
 {
   if (!progress_.is_none())
-    call_python([&] { progress_(stage_, round); });
+    call_python([&] { progress_(coarsening_support::stage_name(stage), done, total); });
 }
 
-void Python_visitor::stage_begins(CGAL::Surface_mesh_coarsening::Coarsening_stage stage)
-{
-  stage_ = coarsening_support::stage_name(stage);
-  report(0);
-}
+void Python_visitor::stage_begins(Stage stage) { report(stage, 0, std::nullopt); }
 
-void Python_visitor::round_done(std::size_t round, std::size_t, double) { report(round); }
+void Python_visitor::round_done(std::size_t round, std::size_t, double) { report(Stage::MINIMIZATION, round, std::nullopt); }
+
+void Python_visitor::step_done(Stage stage, std::size_t done, std::size_t total) { report(stage, done, total); }
 
 bool Python_visitor::go_further()
 {

@@ -10,7 +10,7 @@
 #include <chrono>
 #include <cstddef>
 #include <exception>
-#include <string>
+#include <optional>
 
 namespace coarsening_python {
 
@@ -19,11 +19,14 @@ namespace coarsening_python {
 class Python_visitor : public CGAL::Surface_mesh_coarsening::Coarsening_visitor_base
 {
 public:
+  using Stage = CGAL::Surface_mesh_coarsening::Coarsening_stage;
+
   // `progress` may be None.
   explicit Python_visitor(const pybind11::object& progress) : progress_(progress) {}
 
-  void stage_begins(CGAL::Surface_mesh_coarsening::Coarsening_stage stage);
+  void stage_begins(Stage stage);
   void round_done(std::size_t round, std::size_t moves, double energy);
+  void step_done(Stage stage, std::size_t done, std::size_t total);
   bool go_further();
 
   // Rethrows the exception of the Python function or of a signal handler.
@@ -32,10 +35,9 @@ public:
 private:
   template <class Call>
   void call_python(const Call& call);
-  void report(std::size_t round);
+  void report(Stage stage, std::size_t done, std::optional<std::size_t> total);
 
   const pybind11::object& progress_;
-  std::string stage_;
   std::exception_ptr failure_;
   std::chrono::steady_clock::time_point asked_ = std::chrono::steady_clock::now();
 };

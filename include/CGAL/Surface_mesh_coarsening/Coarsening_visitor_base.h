@@ -9,14 +9,18 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// The stages of a coarsening, in their order.
+/// The stages of a coarsening, in their order. Those from `SEEDING` on come again where the mesh is reclustered, `REPAIR` and
+/// `FEEDBACK` also by turns.
 enum class Coarsening_stage
 {
   PREPARATION,   ///< checks of the input, flat copies, face densities
   SEEDING,       ///< selection of the seeds
   GROWTH,        ///< growth of the clusters, and splits and merges to the requested number
   MINIMIZATION,  ///< rounds of moves that lower the energy
-  TRIANGULATION  ///< vertex placement and the dual mesh
+  TRIANGULATION, ///< the triangles of the dual mesh
+  PLACEMENT,     ///< vertex placement
+  FEEDBACK,      ///< error feedback: relocation of vertices to large distances, or to intersections that remain
+  REPAIR         ///< repair of triangles that intersect or are reversed
 };
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
@@ -32,6 +36,9 @@ struct Coarsening_visitor_base
   /// is called after each round of the minimization, or after some that are made together, where there are many clusters: with
   /// the number of rounds so far, the number of faces that changed cluster since the last call, and the energy.
   void round_done(std::size_t /* round */, std::size_t /* moves */, double /* energy */) {}
+  /// is called within `PLACEMENT`, `FEEDBACK` and `REPAIR`: `done` of at most `total` rounds of the fit, rounds of the feedback, or
+  /// faults to be repaired are done.
+  void step_done(Coarsening_stage /* stage */, std::size_t /* done */, std::size_t /* total */) {}
   /// is called when a stage begins, after each round, before the output changes, and within the stages about every 16,000
   /// elementary steps; `false` ends the coarsening with `Coarsening_cancelled`.
   bool go_further() { return true; }

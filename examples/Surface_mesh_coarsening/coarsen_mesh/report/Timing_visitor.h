@@ -8,7 +8,6 @@
 #include <CGAL/Surface_mesh_coarsening/Coarsening_visitor_base.h>
 
 #include <string>
-#include <vector>
 
 namespace coarsening_support {
 
@@ -26,15 +25,14 @@ inline std::string stage_name(CGAL::Surface_mesh_coarsening::Coarsening_stage st
     return "minimization";
   case Coarsening_stage::TRIANGULATION:
     return "triangulation";
+  case Coarsening_stage::PLACEMENT:
+    return "placement";
+  case Coarsening_stage::FEEDBACK:
+    return "error feedback";
+  case Coarsening_stage::REPAIR:
+    return "repair of the result";
   }
   return "other";
-}
-
-// The names of the stages of the coarsening itself, without reading, checking and writing.
-inline const std::vector<std::string>& coarsening_stages()
-{
-  static const std::vector<std::string> names = {"preparation", "seeding", "growth", "minimization", "triangulation"};
-  return names;
 }
 
 // Measures the stages of a coarsening. The library itself reads no clock.

@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Optional, Sequence
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, TypedDict
 
 import numpy as np
 
 from . import _core
 from .arrays import Arrays, Faces, integers, mesh_arrays
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 
 @dataclass(frozen=True)
@@ -38,25 +41,42 @@ def _per_face(values: Any, dtype: type, name: str, mesh: Arrays) -> Optional[np.
     return array
 
 
-def _run(
+class Settings(TypedDict, total=False):
+    """The keyword arguments that `coarsen()` and `coarsen_levels()` share."""
+
+    weight: str
+    placement: str
+    maximum_density: float
+    density: Any
+    error_feedback: Optional[int]
+    minimum_component_area: float
+    subdivide: bool
+    repair: bool
+    iterations: Optional[int]
+    convergence_tolerance: float
+    threads: Optional[int]
+    progress: Optional[Callable[[str, int, Optional[int]], Any]]
+
+
+def _coarsen(
     points: Any,
     faces: Faces,
     options: "_core.Options",
+    features: Optional[float] = None,
+    patches: Any = None,
     *,
-    weight: str,
-    placement: str,
-    maximum_density: float,
-    density: Any,
-    features: Optional[float],
-    patches: Any,
-    error_feedback: Optional[int],
-    minimum_component_area: float,
-    subdivide: bool,
-    repair: bool,
-    iterations: Optional[int],
-    convergence_tolerance: float,
-    threads: Optional[int],
-    progress: Optional[Callable[[str, int], Any]],
+    weight: str = "area",
+    placement: str = "fitted",
+    maximum_density: float = 10,
+    density: Any = None,
+    error_feedback: Optional[int] = None,
+    minimum_component_area: float = 0,
+    subdivide: bool = False,
+    repair: bool = True,
+    iterations: Optional[int] = None,
+    convergence_tolerance: float = 1e-3,
+    threads: Optional[int] = None,
+    progress: Optional[Callable[[str, int, Optional[int]], Any]] = None,
 ) -> List[Coarsening]:
     for name, number, least in (
         ("threads", threads, 1),
@@ -100,20 +120,9 @@ def coarsen(
     n: Optional[int] = None,
     *,
     maximum_distance: Optional[float] = None,
-    weight: str = "area",
-    placement: str = "fitted",
-    maximum_density: float = 10,
-    density: Any = None,
     features: Optional[float] = None,
     patches: Any = None,
-    error_feedback: Optional[int] = None,
-    minimum_component_area: float = 0,
-    subdivide: bool = False,
-    repair: bool = True,
-    iterations: Optional[int] = None,
-    convergence_tolerance: float = 1e-3,
-    threads: Optional[int] = None,
-    progress: Optional[Callable[[str, int], Any]] = None,
+    **settings: Unpack[Settings],
 ) -> Coarsening:
     """Coarsens a mesh to `n` vertices, or to as few as keep it within `maximum_distance`.
 
@@ -122,21 +131,23 @@ def coarsen(
         or one array in the layout of PyVista, in which the size of each polygon precedes its indices
     n: the number of vertices of the result
     maximum_distance: instead of `n`, a bound of the distance from the input, both ways, in its unit of length
-    weight: "uniform", "area", "maximum", "exact-maximum" or "variance"
-    placement: "centroid", "closest-vertex", "quadric" or "fitted"
-    maximum_density: densities run from 1 on flat parts to this on the sharpest
-    density: densities of the faces, in [1e-20, 1e20], instead of computed ones
     features: keeps edges whose normals differ by this angle in degrees or more
     patches: integers of the faces; edges between faces of different integers are kept
+    weight: "uniform", "area", the default, "maximum", "exact-maximum" or "variance"
+    placement: "centroid", "closest-vertex", "quadric" or "fitted", the default
+    maximum_density: densities run from 1 on flat parts to this, 10 by default, on the sharpest
+    density: densities of the faces, in [1e-20, 1e20], instead of computed ones
     error_feedback: with the placement "fitted", rounds that relocate vertices to places of large distance; 7 by
         default, 0 with `density`
     minimum_component_area: removes connected components of smaller area
-    subdivide: subdivides faces internally until there are 20 for each vertex of the result
-    repair: moves vertices and flips edges where triangles of the result intersect or are reversed
+    subdivide: whether to subdivide faces internally until there are 20 for each vertex of the result
+    repair: whether to move vertices and flip edges where triangles of the result intersect or are reversed; True by default
     iterations: the maximal number of rounds of the minimization
-    convergence_tolerance: the minimization ends with the round that lowers the energy by no more than this part of it
+    convergence_tolerance: the minimization ends with the round that lowers the energy by no more than this part of it, 0.001
+        by default
     threads: the maximal number of threads of this call; all by default. The result does not depend on it
-    progress: is called with the name of the stage and the number of the round
+    progress: is called with the name of the stage, the number of its rounds or repaired faults so far, and the largest number
+        of them, which is None in the minimization and in stages without rounds
 
     Raises UnreachableNumberOfVertices or UnreachableDistance, both with `nearest`, and ValueError for other input that cannot be
     coarsened; the message names the element. Ctrl-C ends it, and so does an exception of `progress`. Other threads of the
@@ -149,49 +160,19 @@ def coarsen(
         options.vertices = [_positive(n, "the number of vertices")]
     else:
         options.maximum_distance = maximum_distance
-    return _run(
-        points,
-        faces,
-        options,
-        weight=weight,
-        placement=placement,
-        maximum_density=maximum_density,
-        density=density,
-        features=features,
-        patches=patches,
-        error_feedback=error_feedback,
-        minimum_component_area=minimum_component_area,
-        subdivide=subdivide,
-        repair=repair,
-        iterations=iterations,
-        convergence_tolerance=convergence_tolerance,
-        threads=threads,
-        progress=progress,
-    )[0]
+    return _coarsen(points, faces, options, features, patches, **settings)[0]
 
 
 def coarsen_levels(
     points: Any,
     faces: Faces,
     numbers: Sequence[int],
-    *,
-    weight: str = "area",
-    placement: str = "fitted",
-    maximum_density: float = 10,
-    density: Any = None,
-    error_feedback: Optional[int] = None,
-    minimum_component_area: float = 0,
-    subdivide: bool = False,
-    repair: bool = True,
-    iterations: Optional[int] = None,
-    convergence_tolerance: float = 1e-3,
-    threads: Optional[int] = None,
-    progress: Optional[Callable[[str, int], Any]] = None,
+    **settings: Unpack[Settings],
 ) -> List[Coarsening]:
     """Coarsens a mesh to levels of detail with `numbers` of vertices, from fine to coarse.
 
     The first equals the result of `coarsen()`; each cluster of a level is a union of clusters of the previous level, so
-    `labels` nest. The other arguments are as in `coarsen()`.
+    `labels` nest. The settings are the keyword arguments of `coarsen()` but `features` and `patches`.
 
     Raises UnreachableNumberOfVertices if a level has too few vertices for the topology of the mesh.
     """
@@ -201,22 +182,4 @@ def coarsen_levels(
         raise ValueError("there are no numbers of vertices")
     if any(fine < coarse for fine, coarse in zip(options.vertices, options.vertices[1:])):
         raise ValueError("the numbers of vertices do not fall")
-    return _run(
-        points,
-        faces,
-        options,
-        weight=weight,
-        placement=placement,
-        maximum_density=maximum_density,
-        density=density,
-        features=None,
-        patches=None,
-        error_feedback=error_feedback,
-        minimum_component_area=minimum_component_area,
-        subdivide=subdivide,
-        repair=repair,
-        iterations=iterations,
-        convergence_tolerance=convergence_tolerance,
-        threads=threads,
-        progress=progress,
-    )
+    return _coarsen(points, faces, options, **settings)

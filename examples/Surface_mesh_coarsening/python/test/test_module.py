@@ -148,11 +148,13 @@ def test_levels_nest():
 def test_features_patches_and_progress():
     points, faces = folded_sheet()
     calls = []
-    result = smc.coarsen(points, faces, 60, features=30, progress=lambda stage, round: calls.append((stage, round)))
+    result = smc.coarsen(points, faces, 60, features=30, progress=lambda *call: calls.append(call))
     assert result.report["feature_lines"] == 1
-    stages = [stage for stage, _ in calls]
+    stages = [stage for stage, _, _ in calls]
     assert stages[0] == "preparation" and stages.index("seeding") < stages.index("growth") < stages.index("minimization")
-    assert ("minimization", 1) in calls
+    assert ("minimization", 1, None) in calls
+    assert [call for call in calls if call[0] == "placement"] == [("placement", 0, None)] + [("placement", i, 5) for i in range(1, 6)]
+    assert stages.index("placement") < stages.index("error feedback") < stages.index("repair of the result")
     flat = points * [1, 1, 0]
     assert smc.coarsen(flat, faces, 60, features=30).report["feature_lines"] == 0
     patches = (points[faces].mean(axis=1)[:, 0] < 0.5).astype(int)
@@ -244,7 +246,7 @@ def test_errors():
 
 
 def test_exception_of_the_callback_ends_the_call():
-    def fail(stage, round):
+    def fail(stage, done, total):
         raise RuntimeError("stop at " + stage)
 
     with pytest.raises(RuntimeError, match="stop at preparation"):

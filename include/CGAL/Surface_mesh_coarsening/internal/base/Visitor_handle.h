@@ -47,6 +47,11 @@ public:
       round_done_(round, moves, energy);
     throw_if_cancelled();
   }
+  void step_done(Coarsening_stage stage, std::size_t done, std::size_t total) const
+  {
+    if (step_done_)
+      step_done_(stage, done, total);
+  }
   void throw_if_cancelled() const
   {
     if (go_further_ && !go_further_())
@@ -74,17 +79,21 @@ private:
     round_done_ = [visitor](std::size_t round, std::size_t moves, double energy) {
       visitor->round_done(round, moves, energy);
     };
+    step_done_ = [visitor](Coarsening_stage stage, std::size_t done, std::size_t total) {
+      visitor->step_done(stage, done, total);
+    };
     go_further_ = [visitor]() { return visitor->go_further(); };
   }
 
   std::function<void(Coarsening_stage)> stage_begins_, stage_ends_;
   std::function<void(std::size_t, std::size_t, double)> round_done_;
+  std::function<void(Coarsening_stage, std::size_t, std::size_t)> step_done_;
   std::function<bool()> go_further_;
   mutable std::size_t steps_ = 0;
 };
 
 // Asks the visitor about once a millisecond whether to continue. Copies share the count of steps, so sequences of short
-// loops are covered, too. Loops on several threads have none.
+// loops are covered, too. Loops on several threads have none. It also notifies the visitor of stages and steps.
 class Cancellation_point
 {
 public:
@@ -95,6 +104,22 @@ public:
   {
     if (visitor_ != nullptr)
       visitor_->poll(steps);
+  }
+
+  void stage_begins(Coarsening_stage stage) const
+  {
+    if (visitor_ != nullptr)
+      visitor_->stage_begins(stage);
+  }
+  void stage_ends(Coarsening_stage stage) const
+  {
+    if (visitor_ != nullptr)
+      visitor_->stage_ends(stage);
+  }
+  void step_done(Coarsening_stage stage, std::size_t done, std::size_t total) const
+  {
+    if (visitor_ != nullptr)
+      visitor_->step_done(stage, done, total);
   }
 
 private:

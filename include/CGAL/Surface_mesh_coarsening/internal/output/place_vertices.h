@@ -35,6 +35,7 @@ inline std::vector<Vector> place_vertices(const Clustered_faces& surface, const 
                                           const Placement_model& placement, std::vector<Triangle>& triangles,
                                           const Cancellation_point& cancellation)
 {
+  cancellation.stage_begins(Coarsening_stage::PLACEMENT);
   std::vector<Vector> positions(surface.number_of_clusters());
   border.place(positions);
   if (placement.local) {
@@ -52,6 +53,7 @@ inline std::vector<Vector> place_vertices(const Clustered_faces& surface, const 
   }
   for (std::size_t x = 0; x < positions.size(); ++x)
     positions[x] = checked_position(surface, x, positions[x]);
+  cancellation.stage_ends(Coarsening_stage::PLACEMENT);
   return positions;
 }
 
@@ -61,10 +63,13 @@ inline Repair_counts repair_placement(const Clustered_faces& surface, const Bord
                                       std::vector<Triangle>& triangles, std::vector<Vector>& positions,
                                       const Cancellation_point& cancellation)
 {
+  cancellation.stage_begins(Coarsening_stage::REPAIR);
   Placement_repair repair(surface, border, output_coordinates, triangles, positions, cancellation);
   if (placement.is_at_input_vertices)
     repair.stay_at_input_vertices();
-  return repair.run();
+  const Repair_counts counts = repair.run();
+  cancellation.stage_ends(Coarsening_stage::REPAIR);
+  return counts;
 }
 
 // Places the vertices, and repairs the placement on request.

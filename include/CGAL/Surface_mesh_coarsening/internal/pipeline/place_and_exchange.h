@@ -44,6 +44,10 @@ inline Vertex_relocation vertex_relocation(const Clustering_state& state, const 
 {
   Vertex_relocation relocation;
   relocation.rounds = state.exchange_rounds;
+  relocation.begins = [&state] {
+    state.visitor.stage_ends(Coarsening_stage::PLACEMENT);
+    state.visitor.stage_begins(Coarsening_stage::FEEDBACK);
+  };
   relocation.relocate = [&](Index x, Index into, const std::vector<Index>& faces) { return clusters.relocate(x, into, faces); };
   relocation.undo = [&] { clusters.undo(); };
   relocation.within_bounds = [&](Index x, const Vector& p) {
@@ -79,7 +83,9 @@ inline bool repair_by_exchange(Clustering_state& state, const Placement_model& p
   for (const auto& pair : dual.counts.intersections_left)
     relocation.faulty.insert(relocation.faulty.end(), {pair.first, pair.second});
   sort_unique(relocation.faulty);
+  state.visitor.stage_begins(Coarsening_stage::FEEDBACK);
   placement.exchanging(*surface, Border_arcs(*surface, state.places_on_borders), next.triangles, next.positions, relocation);
+  state.visitor.stage_ends(Coarsening_stage::FEEDBACK);
   surface = clustered_faces(state, next);
   next.counts = repair_exchanged(state, *surface, placement, output_coordinates, next);
   next.counts.intersections_found = dual.counts.intersections_found;
@@ -105,11 +111,14 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
   Placed_dual dual;
   std::unique_ptr<Clustered_faces> surface = clustered_faces(state, dual);
   dual.triangles = dual_triangles(labels(state), state.cancellation(), state.execution);
+  state.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
+  state.visitor.stage_begins(Coarsening_stage::PLACEMENT);
   dual.positions.resize(state.number_of_clusters());
   const Border_arcs border(*surface, state.places_on_borders);
   border.place(dual.positions);
   plain_distance =
     placement.exchanging(*surface, border, dual.triangles, dual.positions, vertex_relocation(state, *surface, clusters));
+  state.visitor.stage_ends(Coarsening_stage::FEEDBACK);
   if (clusters.number() > 0)
     surface = clustered_faces(state, dual);
   dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual);
@@ -117,7 +126,6 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
   for (std::size_t i = 0; i < max_repairs && is_better && is_worth_repairing(state, dual); ++i)
     is_better = repair_by_exchange(state, placement, output_coordinates, clusters, surface, dual);
   state.visitor.throw_if_cancelled();
-  state.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
   return dual;
 }
 

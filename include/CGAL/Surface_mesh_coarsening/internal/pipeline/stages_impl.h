@@ -293,10 +293,10 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place(const Clustering_state& st
   const Clustered_faces surface(dual.pieces->input(), dual.pieces->labels(), state.number_of_clusters(), state.execution,
                                   dual.pieces->features(), cancellation);
   dual.triangles = dual_triangles(current, cancellation, state.execution);
+  state.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
   dual.positions = place_vertices(surface, Border_arcs(surface, state.places_on_borders), placement, state.repairs_output,
                                   output_coordinates, dual.triangles, dual.counts, cancellation);
   state.visitor.throw_if_cancelled();
-  state.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
   return dual;
 }
 

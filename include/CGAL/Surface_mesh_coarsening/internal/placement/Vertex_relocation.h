@@ -18,6 +18,8 @@ namespace internal {
 struct Vertex_relocation
 {
   std::size_t rounds = 0; // with exchanges
+  // Is called between the fit and the rounds with exchanges.
+  std::function<void()> begins;
   // Triangles that shall get a vertex each from elsewhere. With any, this is all that the placement does.
   std::vector<Index> faulty;
   // Moves cluster `x` into a neighbor, to `into` if possible, and back to one of some faces of the surface, the first that is

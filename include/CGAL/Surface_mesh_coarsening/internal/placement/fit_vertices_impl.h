@@ -120,10 +120,12 @@ CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_faces& s
   for (std::size_t left = rounds; left > 0; --left) {
     fit.find_feet(left > rounds_with_all ? step_before : 1);
     fit.advance(false);
+    surface.cancellation().step_done(Coarsening_stage::PLACEMENT, rounds + 1 - left, rounds);
   }
   triangles = fit.triangles();
   if (relocation.rounds == 0)
     return 0;
+  relocation.begins();
   fit.find_feet();
   Fitted_mesh best = fit.mesh();
   const double plain_distance = best.error;
@@ -133,6 +135,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_faces& s
   for (std::size_t i = 0; i < relocation.rounds && exchanged > 0; ++i) {
     exchanged = fit.advance(true);
     fit.find_feet();
+    surface.cancellation().step_done(Coarsening_stage::FEEDBACK, i + 1, relocation.rounds + last_rounds);
   }
   for (std::size_t i = 0; i <= last_rounds; ++i) {
     Fitted_mesh mesh = fit.mesh();
@@ -143,6 +146,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_faces& s
     if (i < last_rounds) {
       fit.advance(false);
       fit.find_feet();
+      surface.cancellation().step_done(Coarsening_stage::FEEDBACK, relocation.rounds + i + 1, relocation.rounds + last_rounds);
     }
   }
   if (is_plain)

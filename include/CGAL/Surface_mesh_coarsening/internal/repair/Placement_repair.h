@@ -37,7 +37,7 @@ public:
                    std::vector<Triangle>& triangles, std::vector<Vector>& positions, const Cancellation_point& cancellation)
     : surface_(surface), border_(border), result_(triangles), positions_(positions),
       coarse_(triangles, positions.size(), surface.features()), reference_(surface),
-      faults_(surface, reference_, coarse_, positions, output, cancellation)
+      faults_(surface, reference_, coarse_, positions, output, cancellation), cancellation_(cancellation)
   {}
 
   // Gives vertices no other positions than those of input vertices of their clusters.
@@ -75,7 +75,8 @@ private:
   // Ends with the fewest faults that were reached.
   void search()
   {
-    std::size_t least = faults_.number(), rounds_in_vain = 0;
+    const std::size_t found = faults_.number();
+    std::size_t least = found, rounds_in_vain = 0;
     std::vector<Triangle> best_triangles = coarse_.triangles();
     std::vector<Vector> best_positions = positions_;
     for (std::size_t round = 0; is_worth_trying(round, rounds_in_vain); ++round) {
@@ -91,6 +92,7 @@ private:
         best_positions = positions_;
         rounds_in_vain = 0;
       }
+      cancellation_.step_done(Coarsening_stage::REPAIR, found - least, found);
     }
     coarse_ = Flippable_triangulation(best_triangles, positions_.size(), surface_.features());
     positions_ = best_positions;
@@ -324,6 +326,7 @@ private:
   Flippable_triangulation coarse_;
   Input_oracle reference_;
   Placement_faults faults_;
+  Cancellation_point cancellation_;
   std::vector<Index> last_altered_; // the triangles whose faults were counted last before a change
   long last_faults_ = 0;
   double distance_before_ = 0; // of the surroundings of what is being repaired
