@@ -133,6 +133,7 @@ def coarsen(
     maximum_distance: instead of `n`, a bound of the distance from the input, both ways, in its unit of length
     features: keeps edges whose normals differ by this angle in degrees or more
     patches: integers of the faces; edges between faces of different integers are kept
+    settings: any of the following, which are settings of `coarsen_levels()`, too
     weight: "uniform", "area", the default, "maximum", "exact-maximum" or "variance"
     placement: "centroid", "closest-vertex", "quadric" or "fitted", the default
     maximum_density: densities run from 1 on flat parts to this, 10 by default, on the sharpest

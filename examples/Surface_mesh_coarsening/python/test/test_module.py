@@ -283,3 +283,11 @@ def test_every_argument_is_described():
         for name, parameter in inspect.signature(function).parameters.items():
             assert name in function.__doc__
             assert parameter.annotation is not inspect.Parameter.empty
+    for name in smc.coarsening.Settings.__annotations__:
+        assert name + ": " in smc.coarsen.__doc__
+
+
+def test_unknown_arguments_are_refused():
+    for function in (smc.coarsen, smc.coarsen_levels):
+        with pytest.raises(TypeError, match="'wieght'"):
+            function(*torus(), [50] if function is smc.coarsen_levels else 50, wieght="area")
