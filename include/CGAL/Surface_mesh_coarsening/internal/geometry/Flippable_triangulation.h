@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -32,17 +33,9 @@ inline double closest_on_segment(const Vector& p, const Vector& a, const Vector&
   return length > 0 ? (std::max)(0., (std::min)(1., dot(p - a, ab) / length)) : 0;
 }
 
-inline Foot_point closest_on_triangle(const Vector& p, const Vector& a, const Vector& b, const Vector& c)
+// Returns the closest point on the sides of a triangle.
+inline Foot_point closest_on_sides(const Vector& p, const Vector& a, const Vector& b, const Vector& c)
 {
-  const Vector ab = b - a, ac = c - a, ap = p - a;
-  const double uu = dot(ab, ab), uv = dot(ab, ac), vv = dot(ac, ac), pu = dot(ap, ab), pv = dot(ap, ac);
-  const double determinant = uu * vv - uv * uv;
-  const double s = vv * pu - uv * pv, t = uu * pv - uv * pu;
-  if (determinant > 0 && s >= 0 && t >= 0 && s + t <= determinant) {
-    const double u = s / determinant, v = t / determinant;
-    const Vector d = ap - u * ab - v * ac;
-    return {{{1 - u - v, u, v}}, dot(d, d)};
-  }
   const Vector* corner[3] = {&a, &b, &c};
   Foot_point best{{{1, 0, 0}}, -1};
   for (int i = 0; i < 3; ++i) {
@@ -57,6 +50,30 @@ inline Foot_point closest_on_triangle(const Vector& p, const Vector& a, const Ve
     }
   }
   return best;
+}
+
+// A triangle whose closest point is farther than the square root of `limit` may count as infinitely far. Beside a triangle, the
+// lines through its sides bound the distance from below.
+inline Foot_point closest_on_triangle(const Vector& p, const Vector& a, const Vector& b, const Vector& c,
+                                      double limit = std::numeric_limits<double>::infinity())
+{
+  const Vector ab = b - a, ac = c - a, ap = p - a;
+  const double uu = dot(ab, ab), uv = dot(ab, ac), vv = dot(ac, ac), pu = dot(ap, ab), pv = dot(ap, ac);
+  const double determinant = uu * vv - uv * uv;
+  const double s = vv * pu - uv * pv, t = uu * pv - uv * pu;
+  if (determinant > 0 && s >= 0 && t >= 0 && s + t <= determinant) {
+    const double u = s / determinant, v = t / determinant;
+    const Vector d = ap - u * ab - v * ac;
+    return {{{1 - u - v, u, v}}, dot(d, d)};
+  }
+  // With a margin for rounding errors, which are bounded unless the triangle is a needle.
+  constexpr double needle = 1e-4, margin = 1e-6, least = 1e-18;
+  if (determinant > needle * uu * vv) {
+    const double far = determinant * ((1 + margin) * limit + least * (dot(a, a) + uu + vv)), r = determinant - s - t;
+    if ((s < 0 && s * s > far * vv) || (t < 0 && t * t > far * uu) || (r < 0 && r * r > far * (uu - 2 * uv + vv)))
+      return {{{1, 0, 0}}, std::numeric_limits<double>::infinity()};
+  }
+  return closest_on_sides(p, a, b, c);
 }
 
 // Returns the cross product of two sides of a triangle.

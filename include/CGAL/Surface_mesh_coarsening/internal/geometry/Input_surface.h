@@ -174,7 +174,8 @@ private:
   {
     const Fan corners = fan(f);
     const auto visit = [&](Index i) {
-      const Foot_point foot = closest_on_triangle(p, corners.point(0), corners.point(i - 1), corners.point(i));
+      const Foot_point foot =
+        closest_on_triangle(p, corners.point(0), corners.point(i - 1), corners.point(i), candidate.foot.squared_distance);
       if (!(foot.squared_distance < candidate.foot.squared_distance))
         return false;
       candidate = {f, i, foot};

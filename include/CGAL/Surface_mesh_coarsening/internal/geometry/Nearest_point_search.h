@@ -31,7 +31,7 @@ inline void improve(const Flat_mesh& m, const Vector& p, Index f, Nearest_point&
   const Vector& a = m.points[m.corner_vertex[m.first_corner[f]]];
   for (Index c = m.first_corner[f] + 2; c != m.first_corner[f + 1]; ++c) {
     const Foot_point foot =
-      closest_on_triangle(p, a, m.points[m.corner_vertex[c - 1]], m.points[m.corner_vertex[c]]);
+      closest_on_triangle(p, a, m.points[m.corner_vertex[c - 1]], m.points[m.corner_vertex[c]], nearest.squared_distance);
     if (foot.squared_distance < nearest.squared_distance ||
         (foot.squared_distance == nearest.squared_distance && f < nearest.face))
       nearest = {f, c - 1, foot.barycentric, foot.squared_distance};

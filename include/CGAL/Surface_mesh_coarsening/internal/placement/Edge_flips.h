@@ -33,6 +33,7 @@ public:
   {
     sharpest_allowed_ = std::cos(min_angle);
     const std::vector<Triangle>& triangles = coarse_.triangles();
+    measure_triangles();
     std::vector<Flip> flips;
     double budget = 0, total = 0;
     for_each_part<Trials>(
@@ -61,18 +62,32 @@ private:
   {
     Index triangle = NONE;
     int corner = 0;
-    bool is_possible = false;
+    bool may_pay = false;
     double gain = 0; // in squared distance
     double loss = 0; // of angle
     bool pays(double rate) const { return gain > rate * loss; }
   };
 
-  // The flips that are possible at some triangles, and the angles and costs of these.
+  // The flips that may pay at some triangles, and the angles and costs of these.
   struct Trials
   {
     std::vector<Flip> flips;
     std::vector<double> angles, costs;
   };
+
+  struct Measures
+  {
+    double sharpest = 0, angle = 0, cost = 0;
+  };
+
+  void measure_triangles()
+  {
+    measures_.resize(coarse_.triangles().size());
+    for_each_number(execution_, measures_.size(), cancellation_, [this](Index t) {
+      const double sharpest = sharpest_of(positions_, coarse_.triangles()[t]);
+      measures_[t] = {sharpest, angle(sharpest), samples_.cost(t)};
+    });
+  }
 
   void try_flips(std::size_t begin, std::size_t end, Trials& trials) const
   {
@@ -80,17 +95,17 @@ private:
     trials.angles.clear();
     trials.costs.clear();
     for (std::size_t t = begin; t != end; ++t) {
-      trials.angles.push_back(angle(coarse_.triangles()[t]));
-      trials.costs.push_back(samples_.cost(Index(t)));
+      trials.angles.push_back(measures_[t].angle);
+      trials.costs.push_back(measures_[t].cost);
       for (int i = 0; i < 3; ++i) {
         const Flip flip = flip_at(Index(t), i);
-        if (flip.is_possible)
+        if (flip.may_pay)
           trials.flips.push_back(flip);
       }
     }
   }
 
-  double angle(const Triangle& t) const { return std::acos((std::min)(1., sharpest_of(positions_, t))); }
+  static double angle(double cosine) { return std::acos((std::min)(1., cosine)); }
 
   Flip flip_at(Index t, int i) const
   {
@@ -100,20 +115,20 @@ private:
     const Index u = coarse_.across(t, i);
     if (u == NONE || u < t)
       return flip;
-    const Triangle old_t = coarse_.triangles()[t], old_u = coarse_.triangles()[u];
-    const Index a = old_t[i], b = old_t[(i + 1) % 3], c = coarse_.opposite(t, i);
-    if (!coarse_.may_flip(t, i, u))
-      return flip;
-    const Index d = coarse_.opposite(u, coarse_.corner(u, b));
+    const Triangle &old_t = coarse_.triangles()[t], &old_u = coarse_.triangles()[u];
+    const Measures &of_t = measures_[t], &of_u = measures_[u];
+    const Index a = old_t[i], b = old_t[(i + 1) % 3], c = coarse_.opposite(t, i), d = coarse_.opposite(u, coarse_.corner(u, b));
     const Triangle new_t{c, a, d}, new_u{c, d, b};
-    const double before = (std::max)(sharpest_of(positions_, old_t), sharpest_of(positions_, old_u));
-    const double after = (std::max)(sharpest_of(positions_, new_t), sharpest_of(positions_, new_u));
-    if (after > (std::max)(sharpest_allowed_, before) || folds_over(old_t, old_u, new_t, new_u))
+    const double sharpest_t = sharpest_of(positions_, new_t), sharpest_u = sharpest_of(positions_, new_u);
+    if ((std::max)(sharpest_t, sharpest_u) > (std::max)({sharpest_allowed_, of_t.sharpest, of_u.sharpest}) ||
+        !coarse_.may_flip(t, i, u) || folds_over(old_t, old_u, new_t, new_u))
       return flip;
-    flip.is_possible = true;
-    flip.loss = angle(old_t) + angle(old_u) - angle(new_t) - angle(new_u);
-    const double now = samples_.cost(t) + samples_.cost(u);
-    flip.gain = now - samples_.cost_instead(t, u, new_t, new_u, max_growth * now);
+    flip.loss = of_t.angle + of_u.angle - angle(sharpest_t) - angle(sharpest_u);
+    const double now = of_t.cost + of_u.cost;
+    // If angles get worse, it may pay only if the distance gets smaller.
+    const bool is_closer = flip.loss >= 0;
+    flip.gain = now - samples_.cost_instead(t, u, new_t, new_u, is_closer ? now : max_growth * now, is_closer);
+    flip.may_pay = !is_closer || flip.gain > 0;
     return flip;
   }
 
@@ -164,7 +179,7 @@ private:
   // The largest factor between the exchange rates of steady runs. With larger ones the rates oscillate.
   static constexpr double max_change = 3;
   static constexpr std::size_t steps_of_flip = 64, triangles_of_part = 16;
-  // Flips that increase the distance by a larger factor are not evaluated exactly.
+  // Flips for better angles that increase the distance by a larger factor are not evaluated exactly.
   static constexpr double max_growth = 1.2;
 
   Flippable_triangulation& coarse_;
@@ -173,6 +188,7 @@ private:
   const Cancellation_point cancellation_;
   const Execution execution_;
   double sharpest_allowed_ = 1, rate_ = 0;
+  std::vector<Measures> measures_; // of each triangle
 };
 
 } // namespace internal

@@ -49,8 +49,9 @@ class Exchange_candidates
 {
 public:
   Exchange_candidates(const Border_arcs& border, const Flippable_triangulation& coarse, const std::vector<Vector>& positions,
-                      const Fit_samples& samples, const Cancellation_point& cancellation)
-    : border_(border), coarse_(coarse), positions_(positions), samples_(samples), cancellation_(cancellation) {}
+                      const Fit_samples& samples, const Cancellation_point& cancellation, Execution execution)
+    : border_(border), coarse_(coarse), positions_(positions), samples_(samples), cancellation_(cancellation),
+      execution_(execution) {}
 
   // Of the triangles as they are now. `rate` is the squared distance that a radian is worth.
   void measure_triangles(double rate)
@@ -59,25 +60,30 @@ public:
     const std::size_t n = coarse_.triangles().size();
     cost_.resize(n);
     angle_.resize(n);
-    for (std::size_t t = 0; t < n; ++t) {
-      cancellation_.poll();
-      cost_[t] = 2 * samples_.cost_of_input(Index(t));
-      angle_[t] = smallest_angle(positions_, triangle(Index(t)));
-    }
+    for_each_number(execution_, n, cancellation_, [this](Index t) {
+      cost_[t] = 2 * samples_.cost_of_input(t);
+      angle_[t] = smallest_angle(positions_, triangle(t));
+    });
   }
 
   // Calls `visit` for a removal at each vertex that may go, with an estimate of the loss.
   template <class Visit>
   void for_each_removal(const Visit& visit) const
   {
-    for (std::size_t v = 0; v < positions_.size(); ++v) {
-      cancellation_.poll();
-      if (!is_free(Index(v)))
-        continue;
-      const Vertex_removal r = estimated_removal(Index(v));
-      if (r.into != NONE)
-        visit(r);
-    }
+    for_each_part<std::vector<Vertex_removal> >(
+      execution_, positions_.size(), vertices_of_part, cancellation_,
+      [this](std::vector<Vertex_removal>& removals, std::size_t begin, std::size_t end) {
+        removals.clear();
+        for (std::size_t v = begin; v != end; ++v)
+          if (is_free(Index(v)))
+            removals.push_back(estimated_removal(Index(v)));
+      },
+      [&](const std::vector<Vertex_removal>& removals) {
+        cancellation_.poll(steps_of_removal * vertices_of_part);
+        for (const Vertex_removal& r : removals)
+          if (r.into != NONE)
+            visit(r);
+      });
   }
 
   // Calls `visit` for an insertion on each edge that is on no feature, with an estimate of the gain.
@@ -161,6 +167,7 @@ private:
   static constexpr double pyramid_part = 0.18, insertion_part = 0.65;
   static constexpr double min_angle = 10 / 57.29577951308232;
   static constexpr std::size_t max_valence = 32;
+  static constexpr std::size_t vertices_of_part = 16, steps_of_removal = 32;
   static constexpr int max_steps = 3;
 
   const Triangle& triangle(Index t) const { return coarse_.triangles()[t]; }
@@ -219,8 +226,8 @@ private:
       if (!(dot(m, n) > Trial_fan::max_turn * std::sqrt(dot(m, m) * dot(n, n))) || new_angle < least_angle)
         return false;
       angles += new_angle;
-      height = (std::min)(height, closest_on_triangle(positions_[v], positions_[now[0]], positions_[now[1]],
-                                                      positions_[now[2]]).squared_distance);
+      height = (std::min)(height, closest_on_triangle(positions_[v], positions_[now[0]], positions_[now[1]], positions_[now[2]],
+                                                      height).squared_distance);
     }
     return true;
   }
@@ -272,6 +279,7 @@ private:
   const std::vector<Vector>& positions_;
   const Fit_samples& samples_;
   Cancellation_point cancellation_;
+  const Execution execution_;
   double rate_ = 0;
   std::vector<double> cost_, angle_; // of each triangle
   Trial_fan fan_;

@@ -176,7 +176,7 @@ private:
   std::vector<Element> of_triangle_;
   std::vector<Symmetric_block> of_vertex_;
   std::vector<Vector> right_;
-  std::vector<bool> is_fixed_;
+  std::vector<char> is_fixed_; // bytes, which threads can set apart
 };
 
 } // namespace internal

@@ -8,11 +8,13 @@
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Input_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Prepared_triangle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Search_starts.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -128,29 +130,33 @@ public:
   }
 
   // Returns the contribution of two other triangles that replace `t` and `u`; or a value above `limit` if it is found
-  // early to exceed it.
-  double cost_instead(Index t, Index u, const Triangle& first, const Triangle& second, double limit) const
+  // early to exceed it: after a triangle, or with `at_once` after each sample.
+  double cost_instead(Index t, Index u, const Triangle& first, const Triangle& second, double limit, bool at_once) const
   {
+    const double limit_at_once = at_once ? limit : std::numeric_limits<double>::infinity(), each = weight();
     const Prepared_triangle to_first(positions_, first), to_second(positions_, second);
     double sum = 0;
     for (const Index old : {t, u})
-      for_each_on(old, [&](const Sample& s) {
-        const double one = to_first.closest(s.position).squared_distance;
-        const bool may_be_second = to_second.may_be_nearer(s.position, one);
-        sum += may_be_second ? (std::min)(one, to_second.closest(s.position).squared_distance) : one;
-      });
-    sum *= weight();
+      for (Index i = first_on_[old]; i != NONE; i = next_on_[i]) {
+        const Vector& p = samples_[i].position;
+        const double one = to_first.closest(p).squared_distance;
+        const bool may_be_second = to_second.may_be_nearer(p, one);
+        sum += may_be_second ? (std::min)(one, to_second.closest(p).squared_distance) : one;
+        if (each * sum > limit_at_once)
+          return each * sum;
+      }
+    sum *= each;
     if (sum > limit)
       return sum;
-    const Starts starts = starts_between(t, u);
-    sum += cost_of(feet_of(first, starts));
-    return sum > limit ? sum : sum + cost_of(feet_of(second, starts));
+    const Search_starts starts = starts_between(t, u);
+    sum += cost_of_feet(first, starts, limit_at_once - sum);
+    return sum > limit ? sum : sum + cost_of_feet(second, starts, limit_at_once - sum);
   }
 
   // Updates the feet on two changed triangles, and the feet of their samples.
   void redistribute(Index t, Index u)
   {
-    const Starts starts = starts_between(t, u);
+    const Search_starts starts = starts_between(t, u);
     std::vector<Index> samples;
     for (const Index old : {t, u}) {
       for (Index i = first_on_[old]; i != NONE; i = next_on_[i])
@@ -207,37 +213,6 @@ private:
   static constexpr int max_steps_on_triangles = 64; // of a search on the coarse mesh
   // If more triangles surround a vertex, not all are tested.
   static constexpr std::size_t max_around = 16;
-
-  // Initial points of searches on the input.
-  class Starts
-  {
-  public:
-    void add(const Vector& p, Index face) { points_[number_++] = {&p, face}; }
-
-    Index face_of_nearest(const Vector& p) const
-    {
-      Index face = NONE;
-      double nearest = 0;
-      for (std::size_t i = 0; i < number_; ++i) {
-        const Vector d = *points_[i].position - p;
-        if (face == NONE || dot(d, d) < nearest) {
-          nearest = dot(d, d);
-          face = points_[i].face;
-        }
-      }
-      return face;
-    }
-
-  private:
-    struct Start
-    {
-      const Vector* position;
-      Index face;
-    };
-
-    std::array<Start, 32> points_;
-    std::size_t number_ = 0;
-  };
 
   std::size_t number_of_used() const { return (samples_.size() + step_ - 1) / step_; }
 
@@ -307,9 +282,9 @@ private:
   }
 
   // The last feet of the triangle, and some of the samples on it and on its neighbors.
-  Starts starts_around(Index t) const
+  Search_starts starts_around(Index t) const
   {
-    Starts starts;
+    Search_starts starts;
     add_feet(t, starts);
     add_samples(t, 8, starts);
     for (int i = 0; i < 3; ++i)
@@ -318,9 +293,9 @@ private:
     return starts;
   }
 
-  Starts starts_between(Index t, Index u) const
+  Search_starts starts_between(Index t, Index u) const
   {
-    Starts starts;
+    Search_starts starts;
     for (const Index old : {t, u}) {
       add_feet(old, starts);
       add_samples(old, 8, starts);
@@ -328,40 +303,64 @@ private:
     return starts;
   }
 
-  void add_feet(Index t, Starts& starts) const
+  void add_feet(Index t, Search_starts& starts) const
   {
     for (const Back_sample& s : back_[t])
       if (s.foot.face != NONE)
         starts.add(s.foot.position, s.foot.face);
   }
 
-  void add_samples(Index t, std::size_t max_samples, Starts& starts) const
+  void add_samples(Index t, std::size_t max_samples, Search_starts& starts) const
   {
     for (Index i = first_on_[t]; i != NONE && max_samples > 0; i = next_on_[i], --max_samples)
       starts.add(samples_[i].position, samples_[i].face);
   }
 
-  // The points of the quadrature of degree 4 on a triangle.
-  Back_samples feet_of(const Triangle& t, const Starts& starts) const
+  // Of the quadrature of degree 4 on a triangle.
+  static constexpr std::size_t quadrature_points = 6;
+
+  Back_samples feet_of(const Triangle& t, const Search_starts& starts) const
+  {
+    const double area = area_of(t);
+    Back_samples back;
+    for (std::size_t i = 0; i < quadrature_points; ++i)
+      back[i] = back_sample(t, area, i, starts);
+    return back;
+  }
+
+  // Returns the cost of the samples of a triangle, or of so many that it exceeds `limit`.
+  double cost_of_feet(const Triangle& t, const Search_starts& starts, double limit) const
+  {
+    const double area = area_of(t);
+    double sum = 0;
+    for (std::size_t i = 0; i < quadrature_points && !(sum > limit); ++i) {
+      const Back_sample s = back_sample(t, area, i, starts);
+      sum += s.weight * s.squared_distance;
+    }
+    return sum;
+  }
+
+  double area_of(const Triangle& t) const
+  {
+    const Vector n = normal_of(positions_, t);
+    return 0.5 * std::sqrt(dot(n, n));
+  }
+
+  Back_sample back_sample(const Triangle& t, double area, std::size_t i, const Search_starts& starts) const
   {
     constexpr double near[2] = {0.445948490915965, 0.091576213509771}, part[2] = {0.223381589678011, 0.109951743655322};
-    const Vector n = normal_of(positions_, t);
-    const double area = 0.5 * std::sqrt(dot(n, n));
-    Back_samples back;
-    for (std::size_t i = 0; i < 6; ++i) {
-      Back_sample& s = back[i];
-      s.barycentric = {{near[i / 3], near[i / 3], near[i / 3]}};
-      s.barycentric[i % 3] = 1 - 2 * near[i / 3];
-      const Vector p = point_in(positions_, t, s.barycentric);
-      const Index start = starts.face_of_nearest(p);
-      if (start == NONE)
-        continue;
-      const Input_surface::Closest closest = input_.closest_from(p, start, max_steps);
-      s.foot = closest.point;
-      s.squared_distance = closest.squared_distance;
-      s.weight = area * part[i / 3];
-    }
-    return back;
+    Back_sample s;
+    s.barycentric = {{near[i / 3], near[i / 3], near[i / 3]}};
+    s.barycentric[i % 3] = 1 - 2 * near[i / 3];
+    const Vector p = point_in(positions_, t, s.barycentric);
+    const Index start = starts.face_of_nearest(p);
+    if (start == NONE)
+      return s;
+    const Input_surface::Closest closest = input_.closest_from(p, start, max_steps);
+    s.foot = closest.point;
+    s.squared_distance = closest.squared_distance;
+    s.weight = area * part[i / 3];
+    return s;
   }
 
   static double cost_of(const Back_samples& back)

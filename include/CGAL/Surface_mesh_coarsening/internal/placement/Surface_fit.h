@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_equations.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
@@ -53,25 +54,22 @@ public:
     const double area = samples_.area();
     Fit_equations equations(triangles, positions_.size());
     std::vector<Hold> holds(positions_.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      surface_.cancellation().poll(steps_of_triangle);
-      add_triangle(Index(t), equations, holds);
-    }
+    add_triangles(equations, holds);
     lines_.add_to(equations, coarse_, line_width * std::sqrt(area / double(positions_.size())), damping);
     const double mean_size = 2 * area / double(triangles.size());
     const double shape = area > 0 ? shape_part * samples_.sum_of_squared_distances() / area / mean_size : 0;
     const double inertia = min_inertia * area / double(positions_.size());
-    for (std::size_t v = 0; v < positions_.size(); ++v) {
-      equations.add_vertex(Index(v), {{0, 0, 0}}, inertia);
+    for_each_number(surface_.execution(), positions_.size(), surface_.cancellation(), [&](Index v) {
+      equations.add_vertex(v, {{0, 0, 0}}, inertia);
       if (border_.is_on_border(v)) {
-        if (!lines_.is_on_line(Index(v)))
-          equations.fix(Index(v));
-        continue;
+        if (!lines_.is_on_line(v))
+          equations.fix(v);
+        return;
       }
-      const Vector d = way_to_middle(Index(v));
-      equations.add_vertex(Index(v), d, shape * holds[v].weight);
-      equations.add_force(Index(v), free_part(holds[v].normals.matrix(), d), damping * holds[v].squared_weight);
-    }
+      const Vector d = way_to_middle(v);
+      equations.add_vertex(v, d, shape * holds[v].weight);
+      equations.add_force(v, free_part(holds[v].normals.matrix(), d), damping * holds[v].squared_weight);
+    });
     std::vector<Vector> moves = equations.solve(100, 1e-3, surface_.cancellation());
     for (Vector& move : moves)
       move = over_relaxation * move;
@@ -82,7 +80,7 @@ private:
   static constexpr int max_halvings = 5;
   // Closest points follow the triangles, so movements fall short: 5 rounds with this factor come as close as 7 without.
   static constexpr double over_relaxation = 1.5;
-  static constexpr std::size_t steps_of_triangle = 16;
+  static constexpr std::size_t steps_of_triangle = 16, triangles_of_part = 64;
   // The weight of sideways movements of samples. They do not change the distance as long as they are small.
   static constexpr double damping = 0.02;
   // The weight of the movement to the mean of the neighbors if the error of the coarse mesh equals its edge length.
@@ -98,13 +96,50 @@ private:
   {
     double weight = 0, squared_weight = 0;
     Symmetric_block normals;
-
-    void add(double square, const Vector& normal)
-    {
-      squared_weight += square;
-      normals.add(square, Symmetric_block::square(normal));
-    }
   };
+
+  // A term of a constraint.
+  struct Hold_term
+  {
+    Index vertex;
+    double square;
+    Vector normal;
+  };
+
+  // What the samples of some triangles add at their corners.
+  struct Terms
+  {
+    std::vector<std::array<Vector, 3> > forces;
+    std::vector<Vector> weights;
+    std::vector<Hold_term> holds;
+  };
+
+  void add_triangles(Fit_equations& equations, std::vector<Hold>& holds) const
+  {
+    const std::vector<Triangle>& triangles = coarse_.triangles();
+    std::size_t next = 0;
+    for_each_part<Terms>(
+      surface_.execution(), triangles.size(), triangles_of_part, surface_.cancellation(),
+      [&](Terms& terms, std::size_t begin, std::size_t end) {
+        terms.forces.clear();
+        terms.weights.clear();
+        terms.holds.clear();
+        for (std::size_t t = begin; t != end; ++t)
+          add_triangle(Index(t), equations, terms);
+      },
+      [&](const Terms& terms) {
+        surface_.cancellation().poll(steps_of_triangle * terms.forces.size());
+        for (std::size_t i = 0; i < terms.forces.size(); ++i, ++next)
+          for (std::size_t k = 0; k < 3; ++k) {
+            equations.add_force(triangles[next][k], terms.forces[i][k], 1);
+            holds[triangles[next][k]].weight += terms.weights[i][k];
+          }
+        for (const Hold_term& h : terms.holds) {
+          holds[h.vertex].squared_weight += h.square;
+          holds[h.vertex].normals.add(h.square, Symmetric_block::square(h.normal));
+        }
+      });
+  }
 
   // Triangles must not turn by more than a right angle: otherwise, the movements of their vertices are halved.
   void move_by(std::vector<Vector> moves)
@@ -130,7 +165,7 @@ private:
   // Samples whose foot is inside the triangle constrain movements across it, others along the vector to their foot. Only
   // samples of the input determine the constraint of a vertex: vectors from chords of sharp edges back to the input have
   // other directions.
-  void add_triangle(Index t, Fit_equations& equations, std::vector<Hold>& holds) const
+  void add_triangle(Index t, Fit_equations& equations, Terms& terms) const
   {
     const Triangle& corner = coarse_.triangles()[t];
     const Vector doubled = normal_of(positions_, corner);
@@ -163,7 +198,7 @@ private:
       const Vector n = hold_across(b, d, sample_weight);
       for (std::size_t k = 0; k < 3; ++k)
         if (b[k] > 0)
-          holds[corner[k]].add(sample_weight * b[k] * b[k], n);
+          terms.holds.push_back({corner[k], sample_weight * b[k] * b[k], n});
     });
     for (const Fit_samples::Back_sample& s : samples_.of_triangle(t))
       if (s.weight > 0) {
@@ -173,11 +208,10 @@ private:
       }
     equations.add_stiffness(t, inside, Symmetric_block::metric(normal, damping));
     const Vector squares{{inside.xx, inside.yy, inside.zz}};
-    for (std::size_t k = 0; k < 3; ++k) {
-      equations.add_force(corner[k], forces[k], 1);
-      holds[corner[k]].weight += weights[k];
-      holds[corner[k]].add(squares[k], normal);
-    }
+    terms.forces.push_back(forces);
+    terms.weights.push_back(weights);
+    for (std::size_t k = 0; k < 3; ++k)
+      terms.holds.push_back({corner[k], squares[k], normal});
   }
 
   // Returns the vector from a vertex to the mean of its neighbors, along the surface.

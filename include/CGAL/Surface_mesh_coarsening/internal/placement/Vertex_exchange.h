@@ -25,13 +25,14 @@ class Vertex_exchange
 {
 public:
   Vertex_exchange(const Border_arcs& border, Flippable_triangulation& coarse, std::vector<Vector>& positions,
-                  Fit_samples& samples, const Vertex_relocation& relocation, const Cancellation_point& cancellation)
+                  Fit_samples& samples, const Vertex_relocation& relocation, const Cancellation_point& cancellation,
+                  Execution execution)
     : coarse_(coarse),
       positions_(positions),
       samples_(samples),
       relocation_(relocation),
       cancellation_(cancellation),
-      candidates_(border, coarse, positions, samples, cancellation)
+      candidates_(border, coarse, positions, samples, cancellation, execution)
   {}
 
   // Exchanges vertices as long as an exchange between two untouched places is profitable. `rate` is the squared distance per

@@ -39,7 +39,7 @@ public:
     : surface_(surface), mean_angle_(mean_angle), positions_(positions), relocation_(relocation),
       coarse_(triangles, positions.size(), surface.features()), fit_(surface, border, coarse_, positions),
       flips_(coarse_, positions, fit_.samples(), surface.cancellation(), surface.execution()),
-      exchange_(border, coarse_, positions, fit_.samples(), relocation, surface.cancellation())
+      exchange_(border, coarse_, positions, fit_.samples(), relocation, surface.cancellation(), surface.execution())
   {}
 
   const std::vector<Triangle>& triangles() const { return coarse_.triangles(); }
