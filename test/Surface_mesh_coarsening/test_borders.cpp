@@ -200,7 +200,13 @@ BOOST_AUTO_TEST_CASE(parallel_grids)
   BOOST_CHECK_CLOSE(q.border_rms_distance, 0.25, 1e-9);
   BOOST_CHECK_CLOSE(q.border_mean_distance, 0.25, 1e-9);
   BOOST_CHECK_CLOSE(q.border_maximum_distance, 0.25, 1e-9);
-  BOOST_CHECK_SMALL(q.mean_normal_deviation, 1e-6);
+  for (const SMC::Surface_error& e : {q.from_mesh, q.from_coarse}) {
+    BOOST_CHECK_CLOSE(e.rms_distance, 0.25, 1e-9);
+    BOOST_CHECK_CLOSE(e.mean_distance, 0.25, 1e-9);
+    BOOST_CHECK_CLOSE(e.maximum_distance, 0.25, 1e-9);
+    BOOST_CHECK_SMALL(e.maximum_normal_deviation, 1e-6);
+  }
+  BOOST_CHECK_SMALL(q.maximum_normal_deviation, 1e-6);
   BOOST_CHECK_CLOSE(q.mean_smallest_angle, 45, 1e-9);
   BOOST_CHECK_CLOSE(q.smallest_angle, 45, 1e-9);
   BOOST_CHECK_EQUAL(q.part_below_30_degrees, 0);
@@ -229,11 +235,25 @@ BOOST_AUTO_TEST_CASE(directions_and_angles)
   BOOST_CHECK_CLOSE(q.maximum_distance, 1, 1);
   BOOST_CHECK_CLOSE(q.mean_distance, 0.25, 1);
   BOOST_CHECK_CLOSE(q.rms_distance, std::sqrt(1 / 6.), 1);
+  BOOST_CHECK_CLOSE(q.from_mesh.rms_distance, q.rms_distance, 1e-9);
+  BOOST_CHECK_SMALL(q.from_coarse.maximum_distance, 1e-9);
   // A roof of 30 degrees over a plane.
   const double h = std::tan(generated::pi / 6);
   const Soup roof{{{0, 0, 0}, {1, 0, h}, {2, 0, 0}, {0, 4, 0}, {1, 4, h}, {2, 4, 0}}, {{0, 1, 4, 3}, {1, 2, 5, 4}}};
   const SMC::Coarsening_quality r = quality(generated::scaled(generated::grid(2, 4), 1), roof);
   BOOST_CHECK_CLOSE(r.mean_normal_deviation, 30, 1e-6);
+  BOOST_CHECK_CLOSE(r.rms_normal_deviation, 30, 1e-6);
+  // Half a roof, over the plane, ends at a side: a quarter of its samples deviates by 30 degrees, and three quarters by none.
+  const Soup bent{{{0, 0, 0}, {3, 0, 0}, {3 + std::cos(generated::pi / 6), 0, 0.5}, {0, 4, 0}, {3, 4, 0},
+                   {3 + std::cos(generated::pi / 6), 4, 0.5}},
+                  {{0, 1, 4, 3}, {1, 2, 5, 4}}};
+  const SMC::Coarsening_quality b = quality(generated::grid(3, 4), bent);
+  BOOST_CHECK_CLOSE(b.from_coarse.mean_normal_deviation, 7.5, 1e-2);
+  BOOST_CHECK_CLOSE(b.from_coarse.rms_normal_deviation, 15, 1e-2);
+  BOOST_CHECK_CLOSE(b.from_coarse.maximum_normal_deviation, 30, 1e-6);
+  BOOST_CHECK_SMALL(b.from_mesh.mean_normal_deviation, 1e-6);
+  BOOST_CHECK_EQUAL(b.mean_normal_deviation, b.from_coarse.mean_normal_deviation);
+  BOOST_CHECK_EQUAL(b.rms_normal_deviation, b.from_coarse.rms_normal_deviation);
   // A triangle with angles of 30, 60 and 90 degrees beside one with 45, 45 and 90.
   const Soup two{{{0, 0, 0}, {std::sqrt(3.), 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}}};
   const SMC::Coarsening_quality a = quality(two, two);

@@ -69,10 +69,19 @@ py::dict measure_arrays(const Number_array& points, const Index_array& sizes, co
     const py::gil_scoped_release unlock;
     q = SMC::measure_coarsening(mesh, coarse, samples);
   }
+  const auto error = [](const SMC::Surface_error& e) {
+    return py::dict("rms_distance"_a = e.rms_distance, "mean_distance"_a = e.mean_distance,
+                    "maximum_distance"_a = e.maximum_distance, "rms_normal_deviation"_a = e.rms_normal_deviation,
+                    "mean_normal_deviation"_a = e.mean_normal_deviation,
+                    "maximum_normal_deviation"_a = e.maximum_normal_deviation);
+  };
   return py::dict("rms_distance"_a = q.rms_distance, "mean_distance"_a = q.mean_distance,
-                  "maximum_distance"_a = q.maximum_distance, "mean_normal_deviation"_a = q.mean_normal_deviation,
-                  "mean_smallest_angle"_a = q.mean_smallest_angle, "smallest_angle"_a = q.smallest_angle,
-                  "part_below_30_degrees"_a = q.part_below_30_degrees, "self_intersections"_a = q.self_intersections,
+                  "maximum_distance"_a = q.maximum_distance, "rms_normal_deviation"_a = q.rms_normal_deviation,
+                  "mean_normal_deviation"_a = q.mean_normal_deviation,
+                  "maximum_normal_deviation"_a = q.maximum_normal_deviation, "from_mesh"_a = error(q.from_mesh),
+                  "from_coarse"_a = error(q.from_coarse), "mean_smallest_angle"_a = q.mean_smallest_angle,
+                  "smallest_angle"_a = q.smallest_angle, "part_below_30_degrees"_a = q.part_below_30_degrees,
+                  "self_intersections"_a = q.self_intersections,
                   "border_rms_distance"_a = q.border_rms_distance, "border_mean_distance"_a = q.border_mean_distance,
                   "border_maximum_distance"_a = q.border_maximum_distance, "diagonal"_a = q.diagonal);
 }

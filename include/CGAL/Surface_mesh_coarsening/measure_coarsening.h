@@ -20,8 +20,27 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// The distance of two meshes, and the shape of the triangles of the second. Lengths are in the units of the meshes,
-/// angles in degrees.
+/// The error of a surface, at samples of it, with regard to another: distances to the closest points there, and the angles in
+/// degrees between the normals here and there.
+struct Surface_error
+{
+  /// The root of the mean squared distance.
+  double rms_distance = 0;
+  /// The mean distance.
+  double mean_distance = 0;
+  /// The largest distance.
+  double maximum_distance = 0;
+  /// The root of the mean squared angle between the normals.
+  double rms_normal_deviation = 0;
+  /// The mean angle between the normals.
+  double mean_normal_deviation = 0;
+  /// The largest angle between the normals.
+  double maximum_normal_deviation = 0;
+};
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// The distance of two meshes, the deviation of their normals, and the shape of the triangles of the second. Lengths are in
+/// the units of the meshes, angles in degrees.
 struct Coarsening_quality
 {
   /// The root of the mean squared distance, the larger of the two directions.
@@ -30,8 +49,17 @@ struct Coarsening_quality
   double mean_distance = 0;
   /// The largest distance of a sample, the larger of the two directions.
   double maximum_distance = 0;
-  /// The mean angle between the normals of the second mesh and the normals at the closest points of the first.
+  /// The root of the mean squared angle between the normals of a mesh and the normals at the closest points of the other, the
+  /// larger of the two directions.
+  double rms_normal_deviation = 0;
+  /// The mean angle between the normals, likewise.
   double mean_normal_deviation = 0;
+  /// The largest angle between the normals at a sample, likewise.
+  double maximum_normal_deviation = 0;
+  /// The error at samples of the first mesh, with regard to the second.
+  Surface_error from_mesh;
+  /// The error at samples of the second mesh, with regard to the first.
+  Surface_error from_coarse;
   /// The mean over the triangles of the second mesh of their smallest angle.
   double mean_smallest_angle = 0;
   /// The smallest angle of all triangles of the second mesh.
@@ -54,6 +82,24 @@ struct Coarsening_quality
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
+inline Surface_error surface_error(const Triangle_mesh& from, const Triangle_mesh& to, std::size_t samples)
+{
+  const Distance_statistics s = distances(from, to, samples);
+  return {s.rms(),         s.mean(), s.maximum, s.rms_normal_deviation(), s.mean_normal_deviation(), s.maximum_normal_deviation};
+}
+
+inline void measure_surfaces(const Triangle_mesh& a, const Triangle_mesh& b, std::size_t samples, Coarsening_quality& quality)
+{
+  const Surface_error &forth = quality.from_mesh = surface_error(a, b, samples),
+                      &back = quality.from_coarse = surface_error(b, a, samples);
+  quality.rms_distance = (std::max)(forth.rms_distance, back.rms_distance);
+  quality.mean_distance = (std::max)(forth.mean_distance, back.mean_distance);
+  quality.maximum_distance = (std::max)(forth.maximum_distance, back.maximum_distance);
+  quality.rms_normal_deviation = (std::max)(forth.rms_normal_deviation, back.rms_normal_deviation);
+  quality.mean_normal_deviation = (std::max)(forth.mean_normal_deviation, back.mean_normal_deviation);
+  quality.maximum_normal_deviation = (std::max)(forth.maximum_normal_deviation, back.maximum_normal_deviation);
+}
+
 inline void measure_borders(const Triangle_mesh& a, const Triangle_mesh& b, std::size_t samples, Coarsening_quality& quality)
 {
   if (is_closed(a) != is_closed(b)) {
@@ -73,7 +119,8 @@ inline void measure_borders(const Triangle_mesh& a, const Triangle_mesh& b, std:
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// measures how well a mesh approximates another.
 ///
-/// Distances are measured from samples on each mesh to the other, and likewise along the borders. The samples are
+/// Distances, and angles between normals, are measured from samples on each mesh to the other, and distances likewise along the
+/// borders. The samples are
 /// distributed over the faces by area, at points that depend on the mesh only. Polygons are triangulated as fans.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
@@ -99,16 +146,10 @@ Coarsening_quality measure_coarsening(const FaceGraph& mesh, const CoarseFaceGra
                                       const NamedParameters1& np1 = parameters::default_values(),
                                       const NamedParameters2& np2 = parameters::default_values())
 {
-  using internal::Distance_statistics;
   const internal::Triangle_mesh a = internal::triangulated_copy(mesh, np1), b = internal::triangulated_copy(coarse, np2);
   Coarsening_quality quality;
   quality.diagonal = internal::diagonal(a);
-  const Distance_statistics forth = internal::distances(a, b, number_of_samples);
-  const Distance_statistics back = internal::distances(b, a, number_of_samples);
-  quality.rms_distance = (std::max)(forth.rms(), back.rms());
-  quality.mean_distance = (std::max)(forth.mean(), back.mean());
-  quality.maximum_distance = (std::max)(forth.maximum, back.maximum);
-  quality.mean_normal_deviation = back.mean_normal_deviation();
+  internal::measure_surfaces(a, b, number_of_samples, quality);
   internal::measure_borders(a, b, number_of_samples, quality);
   quality.smallest_angle = 180;
   for (const auto f : faces(b)) {

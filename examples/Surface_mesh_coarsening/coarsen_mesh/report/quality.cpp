@@ -66,7 +66,13 @@ std::string quality_text(const Mesh& result, const Measured_quality& q)
   else if (!CGAL::is_closed(result))
     text += line("border distance:  ", distances, part(q.border_rms_distance), part(q.border_mean_distance),
                  part(q.border_maximum_distance));
-  text += line("normal deviation: ", "mean %.2f degrees", q.mean_normal_deviation, 0, 0);
+  const char* angles = "RMS %.2f, mean %.2f, maximum %.2f degrees";
+  text += line("normal deviation: ", angles, q.rms_normal_deviation, q.mean_normal_deviation, q.maximum_normal_deviation);
+  const char* one_way = "RMS %.4f, maximum %.4f %% of the diagonal, normals RMS %.2f degrees";
+  const auto error = [&](const SMC::Surface_error& e, const char* name) {
+    return line(name, one_way, part(e.rms_distance), part(e.maximum_distance), e.rms_normal_deviation);
+  };
+  text += error(q.from_mesh, "input to result:  ") + error(q.from_coarse, "result to input:  ");
   text += line("smallest angles:  ", "mean %.1f, least %.1f degrees, %.1f %% of the triangles below 30",
                q.mean_smallest_angle, q.smallest_angle, 100 * q.part_below_30_degrees);
   text += "  self-intersections: " + std::to_string(q.self_intersections);

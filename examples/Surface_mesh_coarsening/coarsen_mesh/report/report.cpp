@@ -144,13 +144,21 @@ Json quality_of(const Mesh& result, const std::optional<Measured_quality>& quali
   const auto distances = [&q](double rms, double mean, double maximum) {
     return Json{{"rms", percent(q, rms)}, {"mean", percent(q, mean)}, {"maximum", percent(q, maximum)}};
   };
+  const auto error_of = [&](const CGAL::Surface_mesh_coarsening::Surface_error& e) {
+    return Json{{"distance_percent", distances(e.rms_distance, e.mean_distance, e.maximum_distance)},
+                {"normal_deviation_degrees",
+                 {{"rms", e.rms_normal_deviation}, {"mean", e.mean_normal_deviation}, {"maximum", e.maximum_normal_deviation}}}};
+  };
   const bool has_border = !CGAL::is_closed(result) && std::isfinite(q.border_rms_distance);
   return {{"diagonal", q.diagonal},
           {"distance_percent", distances(q.rms_distance, q.mean_distance, q.maximum_distance)},
           {"border_distance_percent", has_border ? distances(q.border_rms_distance, q.border_mean_distance,
                                                              q.border_maximum_distance)
                                                  : Json()},
-          {"mean_normal_deviation_degrees", q.mean_normal_deviation},
+          {"normal_deviation_degrees",
+           {{"rms", q.rms_normal_deviation}, {"mean", q.mean_normal_deviation}, {"maximum", q.maximum_normal_deviation}}},
+          {"from_input", error_of(q.from_mesh)},
+          {"from_output", error_of(q.from_coarse)},
           {"smallest_angle_degrees",
            {{"mean", q.mean_smallest_angle}, {"least", q.smallest_angle}, {"part_below_30", q.part_below_30_degrees}}},
           {"self_intersections", q.self_intersections},

@@ -11,13 +11,14 @@ from .arrays import Faces, mesh_arrays
 
 def measure(
     points: Any, faces: Faces, coarse_points: Any, coarse_faces: Faces, *, samples: int = 100000
-) -> Dict[str, Union[float, int]]:
+) -> Dict[str, Union[float, int, Dict[str, float]]]:
     """Measures how well the second mesh approximates the first.
 
-    Distances are the larger of both ways, from `samples` samples each, in the unit of the meshes, for surfaces and for borders;
-    angles are in degrees. Keys: rms_distance, mean_distance, maximum_distance, border_rms_distance, border_mean_distance,
-    border_maximum_distance, mean_normal_deviation, mean_smallest_angle, smallest_angle, part_below_30_degrees,
-    self_intersections (pairs of faces of the second mesh), diagonal (of the bounding box of the first).
+    Distances and deviations of normals are the larger of both ways, from `samples` samples each, in the unit of the meshes, for
+    surfaces and for borders; angles are in degrees. Keys: rms_distance, mean_distance, maximum_distance, border_rms_distance,
+    border_mean_distance, border_maximum_distance, rms_normal_deviation, mean_normal_deviation, maximum_normal_deviation,
+    from_mesh and from_coarse (dictionaries of the surface's distances and deviations one way), mean_smallest_angle,
+    smallest_angle, part_below_30_degrees, self_intersections (pairs of faces of the second mesh), diagonal (of the bounding box of the first).
     """
     if samples < 1:
         raise ValueError(f"the number of samples is {samples}")

@@ -101,7 +101,8 @@ inline double smallest_angle(const Triangle_mesh& mesh, Triangle_mesh::Face_inde
 
 struct Distance_statistics
 {
-  double sum = 0, sum_of_squares = 0, maximum = 0, sum_of_normal_deviations = 0;
+  double sum = 0, sum_of_squares = 0, maximum = 0;
+  double sum_of_normal_deviations = 0, sum_of_squared_normal_deviations = 0, maximum_normal_deviation = 0;
   std::size_t samples = 0;
 
   void add(double squared_distance, double normal_deviation)
@@ -110,11 +111,17 @@ struct Distance_statistics
     sum_of_squares += squared_distance;
     maximum = (std::max)(maximum, std::sqrt(squared_distance));
     sum_of_normal_deviations += normal_deviation;
+    sum_of_squared_normal_deviations += square(normal_deviation);
+    maximum_normal_deviation = (std::max)(maximum_normal_deviation, normal_deviation);
     ++samples;
   }
-  double rms() const { return samples == 0 ? 0 : std::sqrt(sum_of_squares / double(samples)); }
-  double mean() const { return samples == 0 ? 0 : sum / double(samples); }
-  double mean_normal_deviation() const { return samples == 0 ? 0 : sum_of_normal_deviations / double(samples); }
+  double rms() const { return std::sqrt(mean_of(sum_of_squares)); }
+  double mean() const { return mean_of(sum); }
+  double rms_normal_deviation() const { return std::sqrt(mean_of(sum_of_squared_normal_deviations)); }
+  double mean_normal_deviation() const { return mean_of(sum_of_normal_deviations); }
+
+private:
+  double mean_of(double total) const { return samples == 0 ? 0 : total / double(samples); }
 };
 
 // Calls `visit(i, u, v)` for `samples` samples distributed over elements by size: the element, and a point of the unit
