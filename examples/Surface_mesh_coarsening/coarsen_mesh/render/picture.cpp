@@ -3,10 +3,10 @@
 #include "render/picture.h"
 
 #include "render/Bitmap_text.h"
+#include "render/error_scene.h"
 #include "render/face_distances.h"
 #include "render/png_bytes.h"
 #include "render/render.h"
-#include "render/scale_color.h"
 
 #include <CGAL/Bbox_3.h>
 
@@ -53,17 +53,9 @@ Image captioned(const Image& image, const std::string& caption)
 // The input, each face in the color of its distance from the result, with the scale of the colors.
 Image error_panel(const Mesh& input, const Mesh& result, const Camera& camera, const std::function<void()>& poll)
 {
-  std::vector<std::size_t> face_of_triangle; // faces of more sides are cut for the picture
-  for (Face f : input.faces())
-    face_of_triangle.push_back(f);
   const std::vector<double> distances = face_distances(input, result, poll);
-  const Mesh mesh = CGAL::is_triangle_mesh(input) ? input : triangulated(input, face_of_triangle);
-  const double diagonal = diagonal_of(input);
-  double largest = 0;
-  for (const double d : distances)
-    largest = (std::max)(largest, d);
-  const auto color = [&](Face f) { return scale_color(largest > 0 ? distances[face_of_triangle[f]] / largest : 0); };
-  Image image = render(make_scene(mesh, true, color, [](Edge) { return false; }, 1, 0), camera);
+  const double diagonal = diagonal_of(input), largest = *std::max_element(distances.begin(), distances.end());
+  Image image = render(error_scene(input, distances), camera);
   if (image.width > 8 * line_height && image.height > line_height)
     draw_scale(image, image.width / 4, image.width - image.width / 4, image.height - line_height / 2,
                image.height - line_height / 4);
