@@ -7,7 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/find_features_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh_impl.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Weighted_energy_model.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Typed_energy_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/quadric_position_impl.h>
@@ -16,11 +16,13 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-template class Weighted_energy_model<Uniform_weight>;
-template class Weighted_energy_model<Weighted_area_weight>;
-template class Weighted_energy_model<Maximum_density_weight>;
-template class Weighted_energy_model<Exact_maximum_density_weight>;
-template class Weighted_energy_model<Density_variance_weight>;
+template class Typed_energy_model<Weighted_inertia_energy<Uniform_weight> >;
+template class Typed_energy_model<Weighted_inertia_energy<Weighted_area_weight> >;
+template class Typed_energy_model<Weighted_inertia_energy<Maximum_density_weight> >;
+template class Typed_energy_model<Weighted_inertia_energy<Exact_maximum_density_weight> >;
+template class Typed_energy_model<Weighted_inertia_energy<Density_variance_weight> >;
+template class Typed_energy_model<Quadric_energy>;
+template class Typed_energy_model<Normal_deviation_energy>;
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

@@ -15,6 +15,7 @@ _coarsen_mesh()
   local endings= values=
   case $before in
     -w | --weight) values="uniform area maximum exact-maximum variance" ;;
+    --energy) values="weighted quadric normals" ;;
     --fill-holes) values=all ;;
     --format) values="off obj ply stl" ;;
     --patches) values="material group" ;;
@@ -27,7 +28,7 @@ _coarsen_mesh()
     --minimum-component-area | --threads) return ;;
     *)
       if [[ $word == -* ]]; then
-        values="--vertices --range --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --weight --maximum-density --placement --error-feedback --paper --features --patches --clusters --picture
+        values="--vertices --range --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --energy --weight --maximum-density --placement --error-feedback --paper --features --patches --clusters --picture
           --view --up --report --format --repair --fill-holes --minimum-component-area --subdivide --measure --threads --quiet
           --version --help -n -k -w -h"
       else

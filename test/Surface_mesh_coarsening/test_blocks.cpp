@@ -7,6 +7,9 @@
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Normal_deviation_energy.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Quadric_energy.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Weighted_inertia_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
@@ -40,7 +43,11 @@ namespace {
 
 constexpr std::size_t number_of_clusters = 1100, number_of_blocks = 7;
 
-typedef boost::mpl::list<SMC::Uniform_weight, SMC::Maximum_density_weight, SMC::Density_variance_weight> Weights;
+typedef boost::mpl::list<SMC::Weighted_inertia_energy<SMC::Uniform_weight>,
+                         SMC::Weighted_inertia_energy<SMC::Maximum_density_weight>,
+                         SMC::Weighted_inertia_energy<SMC::Density_variance_weight>, SMC::Quadric_energy,
+                         SMC::Normal_deviation_energy>
+  Energies;
 
 // A mesh with clusters that have grown.
 struct Grown
@@ -81,15 +88,16 @@ std::string fault(const Cluster_labels& labels)
 }
 
 // The blocks of a division, ready to make their moves.
-template <class Weight>
+template <class Energy>
 class Divided
 {
 public:
-  typedef Block_minimization<Weight> Block;
+  typedef Block_minimization<Energy> Block;
 
   explicit Divided(const Grown& grown)
-    : labels(*grown.labels), state{grown.working_input().items, labels, Cluster_energy<Weight>(Weight()),
-                                   std::vector<Cluster_sums<Weight> >(number_of_clusters),
+    : labels(*grown.labels), state{grown.working_input().items, labels,
+                                   Energy_evaluation<Energy>(Energy(), grown.working_input().items, number_of_clusters),
+                                   std::vector<Cluster_sums<Energy> >(number_of_clusters),
                                    std::vector<Move_time>(number_of_clusters, 1),
                                    Listed_edges(grown.working_input().items.mesh.corner_vertex.size()), nullptr, {}},
       cancellation_(Cancellation_point())
@@ -98,8 +106,10 @@ public:
     state.energy.add_up(state.input, labels, state.clusters, Cancellation_point());
     Boundary_edges edges;
     list_boundary_edges(labels, edges, state.listed, Cancellation_point(), Execution::SEQUENTIAL);
+    std::vector<Moments> moments(number_of_clusters);
+    add_up_centroids(state.input, labels, moments, Cancellation_point(), Execution::SEQUENTIAL);
     std::vector<Vector> points;
-    for (const auto& x : state.clusters)
+    for (const Moments& x : moments)
       points.push_back(x.centroid);
     division = Cluster_blocks(points, number_of_blocks, Execution::SEQUENTIAL);
     distributed = distribute(edges, division, Execution::SEQUENTIAL);
@@ -120,7 +130,7 @@ public:
   }
 
   Cluster_labels labels; // a copy
-  Minimization_state<Weight> state;
+  Minimization_state<Energy> state;
   Cluster_blocks division;
   Distributed_edges distributed;
   std::deque<Block> blocks;
@@ -136,7 +146,7 @@ BOOST_AUTO_TEST_CASE(edges_are_distributed)
 {
   for (const auto& [name, soup] : soups()) {
     const Grown grown(soup);
-    const Divided<SMC::Uniform_weight> divided(grown);
+    const Divided<SMC::Weighted_inertia_energy<> > divided(grown);
     std::vector<std::size_t> size(number_of_blocks, 0);
     for (Index x = 0; x < number_of_clusters; ++x)
       ++size[divided.division[x]];
@@ -173,7 +183,7 @@ BOOST_AUTO_TEST_CASE(edges_are_distributed)
 }
 
 // Rounds of the blocks in several orders, interleaved and not.
-BOOST_AUTO_TEST_CASE_TEMPLATE(blocks_commute, Weight, Weights)
+BOOST_AUTO_TEST_CASE_TEMPLATE(blocks_commute, Energy, Energies)
 {
   constexpr std::size_t rounds = 6;
   for (const auto& [name, soup] : soups()) {
@@ -185,7 +195,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(blocks_commute, Weight, Weights)
     std::vector<double> energies;
     std::mt19937 engine;
     for (int replay = 0; replay < 5; ++replay) {
-      Divided<Weight> divided(grown);
+      Divided<Energy> divided(grown);
       double energy = divided.energy();
       for (const std::size_t b : order) {
         divided.blocks[b].round();
@@ -218,13 +228,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(blocks_commute, Weight, Weights)
 }
 
 // The whole minimization, run by run, on one thread and on many.
-BOOST_AUTO_TEST_CASE_TEMPLATE(threads_agree, Weight, Weights)
+BOOST_AUTO_TEST_CASE_TEMPLATE(threads_agree, Energy, Energies)
 {
   for (const auto& [name, soup] : soups()) {
     const Grown grown(soup);
     const auto minimized = [&grown](double tolerance, Execution execution) {
       Cluster_labels labels(*grown.labels);
-      Energy_minimization<Weight> minimization(grown.working_input(), labels, number_of_clusters, Weight(), false,
+      Energy_minimization<Energy> minimization(grown.working_input(), labels, number_of_clusters, Energy(), false,
                                                Cancellation_point(), execution);
       BOOST_CHECK_GT(minimization.rounds_at_a_time(), 1u);
       std::vector<double> energies{minimization.energy()};
@@ -256,17 +266,17 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(threads_agree, Weight, Weights)
 }
 
 // At the end no allowed move of a face lowers the energy, in whichever block.
-BOOST_AUTO_TEST_CASE_TEMPLATE(ends_in_a_local_minimum, Weight, Weights)
+BOOST_AUTO_TEST_CASE_TEMPLATE(ends_in_a_local_minimum, Energy, Energies)
 {
   const Grown grown(soups().front().second);
   Cluster_labels labels(*grown.labels);
   const Clustering_input& input = grown.working_input().items;
-  Energy_minimization<Weight> minimization(grown.working_input(), labels, number_of_clusters, Weight(), false,
+  Energy_minimization<Energy> minimization(grown.working_input(), labels, number_of_clusters, Energy(), false,
                                            Cancellation_point(), Execution::SEQUENTIAL);
   while (minimization.run({3, 0}).moves > 0)
     ;
-  const Cluster_energy<Weight> energy{Weight()};
-  std::vector<Cluster_sums<Weight> > sums(number_of_clusters);
+  const Energy_evaluation<Energy> energy(Energy(), input, number_of_clusters);
+  std::vector<Cluster_sums<Energy> > sums(number_of_clusters);
   energy.add_up(input, labels, sums, Cancellation_point());
   Valid_moves moves(labels, nullptr);
   const Flat_mesh& m = input.mesh;
@@ -277,8 +287,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(ends_in_a_local_minimum, Weight, Weights)
       if (m.face_across[c] == NONE || from == to || sums[from].faces == 1)
         continue;
       const auto face = energy.terms_of(input, f);
-      const double lost = sums[from].energy - energy.outcome_without(sums[from], face).energy,
-                   won = energy.outcome_with(sums[to], face).energy - sums[to].energy;
+      const double lost = sums[from].energy - double(energy.outcome_without(sums[from], face)),
+                   won = double(energy.outcome_with(sums[to], face)) - sums[to].energy;
       if (lost - won > 1e-6 * (lost + won) && moves.move(f, to)) {
         ++gains;
         labels.move(f, from);
@@ -327,8 +337,9 @@ BOOST_AUTO_TEST_CASE(cancelling)
     visitor.left = (std::numeric_limits<std::size_t>::max)();
     const Visitor_handle handle{std::ref(visitor)};
     Cluster_labels labels(*grown.labels);
-    Energy_minimization<SMC::Uniform_weight> minimization(grown.working_input(), labels, number_of_clusters,
-                                                          SMC::Uniform_weight(), false, Cancellation_point(handle), execution);
+    Energy_minimization<SMC::Weighted_inertia_energy<> > minimization(grown.working_input(), labels, number_of_clusters,
+                                                                      SMC::Weighted_inertia_energy<>(), false,
+                                                                      Cancellation_point(handle), execution);
     visitor.left = questions;
     try {
       for (int i = 0; i < 5; ++i)

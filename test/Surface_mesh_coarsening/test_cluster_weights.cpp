@@ -8,7 +8,7 @@
 #include "support/reference_energy.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_evaluation.h>
 
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 
@@ -256,10 +256,10 @@ BOOST_AUTO_TEST_CASE(values_by_hand)
 BOOST_AUTO_TEST_CASE_TEMPLATE(moves_that_cannot_gain, Weight, Weights_and_own)
 {
   namespace internal = SMC::internal;
-  typedef internal::Cluster_energy<Weight> Energy;
+  typedef internal::Energy_evaluation<SMC::Weighted_inertia_energy<Weight> > Energy;
   constexpr bool is_exact = internal::judges_moves<Weight>;
   const Weight weight{};
-  const Energy energy(weight);
+  const Energy energy(SMC::Weighted_inertia_energy<Weight>(weight), {}, 1);
   std::mt19937 engine(2);
   std::size_t losses = 0, gains = 0, rejected = 0;
   for (const double highest : {1., 3., 20., 50.})

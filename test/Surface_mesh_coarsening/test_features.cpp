@@ -232,8 +232,9 @@ void check_rules(const Model& model, std::size_t number)
   Initial_clustering initial(p.input, false, report, Cancellation_point(), Execution::SEQUENTIAL);
   initial.seed(number);
   Cluster_labels labels = initial.grow();
-  Energy_minimization<SMC::Maximum_density_weight> minimization(
-    initial.input(), labels, report.clusters, SMC::Maximum_density_weight(), false, Cancellation_point(), Execution());
+  typedef SMC::Weighted_inertia_energy<SMC::Maximum_density_weight> Energy;
+  Energy_minimization<Energy> minimization(initial.input(), labels, report.clusters, Energy(), false, Cancellation_point(),
+                                           Execution());
   for (int round = 0; round < 3; ++round) {
     BOOST_TEST(Clustering_check(labels, report.clusters).fault([](std::size_t x) { return std::to_string(x); }) == "");
     const Labelled_pieces pieces(initial.input(), labels, report.clusters);

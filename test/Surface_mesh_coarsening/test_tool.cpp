@@ -164,6 +164,7 @@ BOOST_AUTO_TEST_CASE(questions)
                              "--neighborhood-level",
                              "--rounds",
                              "--convergence-tolerance",
+                             "--energy",
                              "--weight",
                              "--maximum-density",
                              "--placement",
@@ -183,6 +184,8 @@ BOOST_AUTO_TEST_CASE(questions)
                              "--version",
                              "--help"})
     BOOST_TEST(help.out.find(option) != std::string::npos, option);
+  for (const std::string energy : {"weighted", "quadric", "normals"})
+    BOOST_TEST(help.out.find(energy) != std::string::npos, energy);
   for (const std::string& weight : weights)
     BOOST_TEST(help.out.find(weight) != std::string::npos, weight);
 }
@@ -218,6 +221,8 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
                                 "in.off out.off -n 6 --convergence-tolerance x",
                                 "in.off out.off -n 6 --convergence-tolerance -1",
                                 "in.off out.off -n 6 -w heavy",
+                                "in.off out.off -n 6 --energy heavy",
+                                "in.off out.off -n 6 --energy quadric -w area",
                                 "in.off out.off -n 6 -w ''",
                                 "in.off out.off -n 6 --maximum-density 0.5",
                                 "in.off out.off -n 6 --maximum-density nan",
@@ -361,6 +366,15 @@ BOOST_AUTO_TEST_CASE(choices)
       BOOST_TEST(report["clustering"]["converged"] == true);
       BOOST_TEST(report["clustering"]["final_energy"] <= report["clustering"]["initial_energy"]);
     }
+  for (const std::string energy : {"weighted", "quadric", "normals"}) {
+    shop.run_well("in.off out.off -n 50 --energy " + energy + " --report r.json");
+    const Json report = shop.report("r.json");
+    BOOST_TEST(report["parameters"]["energy"] == energy);
+    BOOST_TEST(report["parameters"]["weight"].is_null() == (energy != "weighted"));
+    BOOST_TEST(report["output"]["vertices"] == 50);
+    BOOST_TEST(report["clustering"]["final_energy"] <= report["clustering"]["initial_energy"]);
+  }
+
   shop.run_well("in.off out.off -k 3 --rounds 0 --report r.json");
   const Json rough = shop.report("r.json");
   BOOST_TEST(rough["parameters"]["neighborhood_level"] == 3);

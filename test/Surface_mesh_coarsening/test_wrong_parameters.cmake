@@ -11,6 +11,8 @@ if(status EQUAL 0)
 endif()
 foreach(text IN ITEMS "this named parameter cannot be used in this pack of this function"
     "how many vertices\\? Give a number"
+    "cluster_energy and cluster_weight cannot both be given"
+    "the class has an energy where a cluster_weight is given, or a weight where a cluster_energy is given"
     "the parameters vertex_ratio and neighborhood_level exclude each other"
     vertex_source_t vertex_ratio_t repair_output_t number_of_iterations_t neighborhood_level_t error_feedback_t vertex_placement_t
     face_density_t)

@@ -25,6 +25,8 @@ void call(const Mesh& input, Mesh& output, Mesh::Property_map<Mesh::Vertex_index
   SMC::compute_face_densities(input, densities, p::error_feedback(3));
   SMC::Mwcvd_clustering<Mesh> clustering(input, p::vertex_placement(SMC::Fitted_placement()));
   clustering.extract_dual_mesh(output, SMC::Fitted_placement(), p::face_density_map(densities));
+  SMC::coarsen_mesh(input, 9, output, p::cluster_weight(SMC::Weighted_area_weight()).cluster_energy(SMC::Quadric_energy()));
+  SMC::Mwcvd_clustering<Mesh> of_weight(input, p::cluster_energy(SMC::Quadric_energy()));
   SMC::coarsen_mesh(input, output);
   SMC::coarsen_mesh(input, output, p::neighborhood_level(3).vertex_ratio(0.1));
 }

@@ -4,6 +4,7 @@
 /// \cgalConcept
 ///
 /// The concept `ClusterWeight` describes the factor \f$ w_i \f$ by which the energy (8) of a cluster is multiplied.
+/// It is part of `CGAL::Surface_mesh_coarsening::Weighted_inertia_energy`; to replace the whole energy, see `ClusterEnergy`.
 ///
 /// A weight is a function of the faces of a cluster, of their densities and areas. It is asked for once or twice per trial
 /// move of the minimization, which is why it does not get to see the faces: it keeps what it needs of each face in a

@@ -174,6 +174,9 @@ po::options_description described_options()
     ("convergence-tolerance", text()->value_name("T")->default_value(number_text(Defaults::convergence_tolerance)),
      "stop after the round of minimization that lowers the energy by no more than this part of it; 0: after a round without "
      "changes")
+    ("energy", text()->value_name("E")->default_value(default_energy()),
+     (joined(energy_names()) + ": what the minimization lowers, the weighted inertia of the clusters, the residuals of their "
+                               "quadrics, or the deviation of their normals").c_str())
     ("weight,w", text()->value_name("W")->default_value(default_weight()), joined(weight_names()).c_str())
     ("maximum-density", text()->value_name("R")->default_value(number_text(Defaults::maximum_density)),
      "densities run from 1 on flat parts to R on the sharpest ones, and to 4 R on borders; the weight variance does well with 3")
@@ -349,6 +352,10 @@ Options checked_options(const po::variables_map& values)
     options.rounds = to_count("rounds", *text, 0, any);
   options.convergence_tolerance = to_size("convergence-tolerance", *given(values, "convergence-tolerance"));
   options.paper = values.count("paper") > 0;
+  options.energy = *given(values, "energy");
+  check_choice("energy", options.energy, energy_names());
+  if (options.energy != default_energy() && !values["weight"].defaulted())
+    throw Wrong_usage("--weight goes with --energy " + default_energy() + ", not with --energy " + options.energy);
   options.weight = *given(values, "weight");
   check_choice("weight", options.weight, weight_names());
   options.placement = *given(values, "placement");

@@ -38,7 +38,7 @@ struct Options
   std::size_t levels = 0;                 // coarser ones to be written beside the result
   std::optional<std::size_t> rounds; // as many as it takes when not given
   double convergence_tolerance = Defaults::convergence_tolerance; // the relative gain of the last round
-  std::string weight, placement;     // names out of the lists in Choices.h
+  std::string energy, weight, placement; // names out of the lists in Choices.h
   double maximum_density = Defaults::maximum_density;
   bool paper = false; // in what no other option names
   std::size_t error_feedback = Defaults::error_feedback; // rounds of it

@@ -6,6 +6,9 @@
 #include "io/Number_property.h"
 #include "patches.h"
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Normal_deviation_energy.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Quadric_energy.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Weighted_inertia_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Exact_maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
@@ -156,16 +159,16 @@ void make_levels(const Mesh& input, const Options& options, const Clustering& cl
   }
 }
 
-template <class Weight>
+template <class Energy>
 Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_visitor& visitor)
 {
   Coarsening_result result;
-  typedef SMC::Mwcvd_clustering<Mesh, Weight, CGAL::Parallel_if_available_tag> Clustering;
+  typedef SMC::Mwcvd_clustering<Mesh, Energy, CGAL::Parallel_if_available_tag> Clustering;
   const std::size_t rounds = options.rounds.value_or(Defaults::number_of_iterations);
   const std::vector<std::int64_t> patch_of = wanted_patches(input, options);
   const auto np = SMC::parameters::maximum_density(options.maximum_density)
-                    .cluster_weight(Weight())
-                                        .minimum_component_area(options.minimum_component_area)
+                    .cluster_energy(Energy())
+                    .minimum_component_area(options.minimum_component_area)
                     .subdivide_input(options.subdivide)
                     .border_densities(!options.paper)
                     .merge_by_area(options.paper)
@@ -214,32 +217,64 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
   return result;
 }
 
-struct Named_weight
+template <class Weight>
+Coarsening_result coarsen_with_weight(const Mesh& input, const Options& options, Tool_visitor& visitor)
+{
+  return coarsen_with<SMC::Weighted_inertia_energy<Weight> >(input, options, visitor);
+}
+
+struct Named_energy
 {
   std::string name;
   Coarsening_result (*coarsen)(const Mesh&, const Options&, Tool_visitor&);
 };
 
-const std::vector<Named_weight>& weights()
+const std::vector<Named_energy>& weights()
 {
-  static const std::vector<Named_weight> all = {{"uniform", coarsen_with<SMC::Uniform_weight>},
-                                                {"area", coarsen_with<SMC::Weighted_area_weight>},
-                                                {"maximum", coarsen_with<SMC::Maximum_density_weight>},
-                                                {"exact-maximum", coarsen_with<SMC::Exact_maximum_density_weight>},
-                                                {"variance", coarsen_with<SMC::Density_variance_weight>}};
+  static const std::vector<Named_energy> all = {{"uniform", coarsen_with_weight<SMC::Uniform_weight>},
+                                                {"area", coarsen_with_weight<SMC::Weighted_area_weight>},
+                                                {"maximum", coarsen_with_weight<SMC::Maximum_density_weight>},
+                                                {"exact-maximum", coarsen_with_weight<SMC::Exact_maximum_density_weight>},
+                                                {"variance", coarsen_with_weight<SMC::Density_variance_weight>}};
   return all;
+}
+
+// Coarsens with the weight in the options.
+Coarsening_result coarsen_weighted(const Mesh& input, const Options& options, Tool_visitor& visitor)
+{
+  for (const Named_energy& weight : weights())
+    if (weight.name == options.weight)
+      return weight.coarsen(input, options, visitor);
+  throw Wrong_usage("there is no weight '" + options.weight + "'");
+}
+
+const std::vector<Named_energy>& energies()
+{
+  static const std::vector<Named_energy> all = {{"weighted", coarsen_weighted},
+                                                {"quadric", coarsen_with<SMC::Quadric_energy>},
+                                                {"normals", coarsen_with<SMC::Normal_deviation_energy>}};
+  return all;
+}
+
+std::vector<std::string> names_of(const std::vector<Named_energy>& energies)
+{
+  std::vector<std::string> names;
+  for (const Named_energy& energy : energies)
+    names.push_back(energy.name);
+  return names;
 }
 
 } // namespace
 
+const std::vector<std::string>& energy_names()
+{
+  static const std::vector<std::string> names = names_of(energies());
+  return names;
+}
+
 const std::vector<std::string>& weight_names()
 {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> result;
-    for (const Named_weight& weight : weights())
-      result.push_back(weight.name);
-    return result;
-  }();
+  static const std::vector<std::string> names = names_of(weights());
   return names;
 }
 
@@ -266,6 +301,8 @@ unsigned max_threads()
 #endif
 }
 
+std::string default_energy() { return "weighted"; }
+
 std::string default_weight() { return "area"; }
 
 std::string default_placement() { return "fitted"; }
@@ -287,10 +324,10 @@ SMC::Vertex_number_range range_of(const Mesh& input, const Options& options, Too
 
 Coarsening_result coarsen(const Mesh& input, const Options& options, Tool_visitor& visitor)
 {
-  for (const Named_weight& weight : weights())
-    if (weight.name == options.weight)
-      return weight.coarsen(input, options, visitor);
-  throw Wrong_usage("there is no weight '" + options.weight + "'");
+  for (const Named_energy& energy : energies())
+    if (energy.name == options.energy)
+      return energy.coarsen(input, options, visitor);
+  throw Wrong_usage("there is no energy '" + options.energy + "'");
 }
 
 } // namespace coarsen_mesh_tool

@@ -37,8 +37,10 @@ struct Coarsening_result
 std::string level_file(const std::string& output, std::size_t level);
 
 // The names for the command line.
+const std::vector<std::string>& energy_names();
 const std::vector<std::string>& weight_names();
 const std::vector<std::string>& placement_names();
+std::string default_energy();
 std::string default_weight();
 std::string default_placement();
 
@@ -51,7 +53,7 @@ double diagonal(const Mesh& mesh);
 // The numbers of vertices that the input can be coarsened to.
 CGAL::Surface_mesh_coarsening::Vertex_number_range range_of(const Mesh& input, const Options& options, Tool_visitor& visitor);
 
-// Coarsens with the weight, the placement and the numbers in the options.
+// Coarsens with the energy, the weight, the placement and the numbers in the options.
 Coarsening_result coarsen(const Mesh& input, const Options& options, Tool_visitor& visitor);
 
 } // namespace coarsen_mesh_tool

@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/defaults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/accepted_parameters.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Weighted_energy_model.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/chosen_energy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/emit.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/prepare.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
@@ -34,7 +34,8 @@ namespace Surface_mesh_coarsening {
 /// reading.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
-/// \tparam ClusterWeight a model of `ClusterWeight`
+/// \tparam ClusterWeight a model of `ClusterWeight`, which multiplies the inertia of a cluster, or of `ClusterEnergy`, which
+/// replaces both
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the clusters do
 /// not depend on it
 template <class FaceGraph, class ClusterWeight = Weighted_area_weight, class ConcurrencyTag = Sequential_tag>
@@ -54,7 +55,7 @@ public:
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \param mesh a 2-manifold polygon mesh
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `face_density_map`, `maximum_density`,
-  /// `border_densities`, `cluster_weight`, `minimum_component_area`, `subdivide_input`, `merge_by_area`,
+  /// `border_densities`, `cluster_weight`, `cluster_energy`, `minimum_component_area`, `subdivide_input`, `merge_by_area`,
   /// `boundary_count_check`, `place_on_borders`, `repair_output`, `error_feedback`,
   /// `feature_angle`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `face_patch_map`, `vertex_point_map`,
   /// `face_index_map`, `geom_traits` and `visitor`, as in `coarsen_mesh()`
@@ -76,8 +77,7 @@ public:
   Mwcvd_clustering(Accepted, const FaceGraph& mesh, const NamedParameters& np)
   {
     internal::prepare(mesh, np, internal::execution<ConcurrencyTag>(), numbering_, state_);
-    state_.energy = std::make_shared<internal::Weighted_energy_model<ClusterWeight> >(
-      internal::choose_parameter<ClusterWeight>(internal::get_parameter(np, internal_np::cluster_weight_p)));
+    state_.energy = internal::energy_model(internal::chosen_energy<ClusterWeight>(np));
   }
 
   Mwcvd_clustering(const Mwcvd_clustering&) = delete; // its parts refer to each other
@@ -170,7 +170,8 @@ public:
     internal::minimize(state_, {number_of_iterations, convergence_tolerance});
   }
 
-  /// returns the energy (8) of the clustering, in the sixth (weighted area) or fourth power of the unit of length.
+  /// returns the energy of the clustering: formula (8), in the sixth (weighted area) or fourth power of the unit of length, or
+  /// the sum of the energies of a `ClusterEnergy`.
   double energy() const { return internal::energy(state_); }
   /// @}
 

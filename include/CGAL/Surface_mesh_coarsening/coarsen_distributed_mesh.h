@@ -7,7 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_coarsening.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Piece_reader.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Weighted_energy_model.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/chosen_energy.h>
 
 #include <boost/mpi/communicator.hpp>
 
@@ -66,19 +66,6 @@ void refuse_unavailable(const NPIn& np_in, const NPOut& np_out)
   refuse_across_ranks(np_out, CGAL::internal_np::face_patch, "face_patch_map");
 }
 
-template <class Weight>
-Cluster_energies cluster_energies(const Weight& weight)
-{
-  return [weight](const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters) {
-    std::vector<Cluster_sums<Weight> > sums(clusters);
-    Cluster_energy<Weight>(weight).add_up(input, labels, sums, Cancellation_point());
-    std::vector<double> energies;
-    for (const Cluster_sums<Weight>& x : sums)
-      energies.push_back(x.energy);
-    return energies;
-  };
-}
-
 template <class NamedParameters>
 Minimization_end distributed_minimization_end(const NamedParameters& np)
 {
@@ -129,6 +116,12 @@ Minimization_end distributed_minimization_end(const NamedParameters& np)
 ///     \cgalParamDescription{the weight of a cluster in the energy}
 ///     \cgalParamType{a model of `ClusterWeight`}
 ///     \cgalParamDefault{`Weighted_area_weight()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{cluster_energy}
+///     \cgalParamDescription{the energy that the minimization lowers, instead of a weight}
+///     \cgalParamType{a model of `ClusterEnergy`}
+///     \cgalParamDefault{`Weighted_inertia_energy`, with the weight}
+///     \cgalParamExtra{Only one of `cluster_weight` and `cluster_energy` can be given.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_density}
 ///     \cgalParamDescription{the density of the face whose normal deviates most from those around it, in \f$ [1, 10^{20}] \f$}
@@ -221,9 +214,8 @@ Coarsening_report coarsen_distributed_mesh(const boost::mpi::communicator& commu
                                            const NamedParametersOut& np_out = parameters::default_values())
 {
   using namespace internal;
-  typedef Parameter_type<internal_np::cluster_weight_t, NamedParametersIn, Weighted_area_weight> Weight;
   typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Centroid_placement> Placement;
-  const auto weight = choose_parameter<Weight>(get_parameter(np_in, internal_np::cluster_weight_p));
+  const auto energy = chosen_energy<Energy_choice<NamedParametersIn> >(np_in);
   const auto placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
   const auto cluster_map = get_parameter(np_in, internal_np::face_cluster);
   Distributed_choice choice;
@@ -241,8 +233,10 @@ Coarsening_report coarsen_distributed_mesh(const boost::mpi::communicator& commu
     choice.maximum_density = density_choice(np_in).maximum;
     choice.execution = execution<ConcurrencyTag>();
     choice.visitor = Visitor_handle(get_parameter(np_in, CGAL::internal_np::visitor));
-    choice.energy = std::make_shared<Weighted_energy_model<Weight> >(weight);
-    choice.energies = cluster_energies(weight);
+    choice.energy = energy_model(energy);
+    choice.energies = [energy](const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters) {
+      return cluster_energies(energy, input, labels, clusters);
+    };
     choice.placement = placement_model(placement);
     if (!choice.placement.local)
       throw Invalid_input("a placement of all vertices together, as Fitted_placement is, is not available for distributed "

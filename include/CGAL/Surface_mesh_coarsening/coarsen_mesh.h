@@ -39,9 +39,9 @@ template <class ConcurrencyTag, class FaceGraph, class Output, class NPIn, class
 Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
                                std::size_t number, const Seed& seed)
 {
-  typedef Parameter_type<internal_np::cluster_weight_t, NPIn, Weighted_area_weight> Weight;
+  typedef Energy_choice<NPIn> Energy;
   typedef Parameter_type<internal_np::vertex_placement_t, NPIn, Fitted_placement> Placement;
-  typedef Mwcvd_clustering<FaceGraph, Weight, ConcurrencyTag> Clustering;
+  typedef Mwcvd_clustering<FaceGraph, Energy, ConcurrencyTag> Clustering;
   const auto source_map = get_parameter(np_out, internal_np::vertex_source);
   check_input_stays<std::decay_t<decltype(source_map)> >(input, output);
   Clustering clustering(typename Clustering::Accepted(), input, np_in);
@@ -108,6 +108,12 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDescription{the weight of a cluster in the energy}
 ///     \cgalParamType{a model of `ClusterWeight`}
 ///     \cgalParamDefault{`Weighted_area_weight()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{cluster_energy}
+///     \cgalParamDescription{the energy that the minimization lowers, instead of a weight}
+///     \cgalParamType{a model of `ClusterEnergy`}
+///     \cgalParamDefault{`Weighted_inertia_energy`, with the weight}
+///     \cgalParamExtra{Only one of `cluster_weight` and `cluster_energy` can be given.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_density}
 ///     \cgalParamDescription{the density of the face whose normal deviates most from the normals around it, the

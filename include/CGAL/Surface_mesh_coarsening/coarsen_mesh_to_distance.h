@@ -87,9 +87,9 @@ Distance_report coarsen_mesh_to_distance(const FaceGraph& input, double maximum_
   using namespace internal;
   accept_parameters<NamedParametersIn, Coarsening_parameters>();
   accept_parameters<NamedParametersOut, Geometry_parameters, Parameter_list<internal_np::vertex_source_t> >();
-  typedef Parameter_type<internal_np::cluster_weight_t, NamedParametersIn, Weighted_area_weight> Weight;
+  typedef Energy_choice<NamedParametersIn> Energy;
   typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Fitted_placement> Placement;
-  typedef Mwcvd_clustering<FaceGraph, Weight, ConcurrencyTag> Clustering;
+  typedef Mwcvd_clustering<FaceGraph, Energy, ConcurrencyTag> Clustering;
   typedef typename GetGeomTraits<OutputFaceGraph, NamedParametersOut>::type Traits;
   if (!(maximum_distance > 0 && std::isfinite(maximum_distance)))
     throw Invalid_input("the maximum distance is " + number_text(maximum_distance));

@@ -59,7 +59,8 @@ Json parameters_of(const Options& options)
   result["levels"] = options.levels;
   result["rounds"] = options.rounds ? Json(*options.rounds) : Json();
   result["convergence_tolerance"] = options.convergence_tolerance;
-  result["weight"] = options.weight;
+  result["energy"] = options.energy;
+  result["weight"] = options.energy == default_energy() ? Json(options.weight) : Json();
   result["maximum_density"] = options.maximum_density;
   result["placement"] = options.placement;
   result["paper"] = options.paper;

@@ -10,6 +10,7 @@ CGAL_add_named_parameter(vertex_boundary_count_t, vertex_boundary_count, vertex_
 CGAL_add_named_parameter(vertex_to_cluster_t, vertex_to_cluster, vertex_to_cluster_map)
 CGAL_add_named_parameter(vertex_source_t, vertex_source, vertex_source_map)
 CGAL_add_named_parameter(cluster_weight_t, cluster_weight_p, cluster_weight)
+CGAL_add_named_parameter(cluster_energy_t, cluster_energy_p, cluster_energy)
 CGAL_add_named_parameter(maximum_density_t, maximum_density_p, maximum_density)
 CGAL_add_named_parameter(border_densities_t, border_densities_p, border_densities)
 CGAL_add_named_parameter(vertex_ratio_t, vertex_ratio_p, vertex_ratio)

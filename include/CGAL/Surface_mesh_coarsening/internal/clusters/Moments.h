@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -13,12 +14,58 @@ namespace Surface_mesh_coarsening {
 namespace internal {
 
 // The mass of a set of faces, their centroid (7), and the inertia about it; the energy (8) is a multiple of the
-// inertia.
+// inertia. Faces join and leave by the parallel axis theorem. From scratch, two passes over the faces are more accurate.
 struct Moments
 {
   double mass = 0;            // sum r A
   Vector centroid{{0, 0, 0}}; // sum r A g / mass
   double inertia = 0;         // sum r A |g - centroid|^2
+
+  // The first pass, its end, and the second pass.
+  void add_to_centroid(double m, const Vector& p)
+  {
+    mass += m;
+    centroid = centroid + m * p;
+  }
+  void end_centroid()
+  {
+    if (mass > 0)
+      centroid = (1 / mass) * centroid;
+  }
+  void add_to_inertia(double m, const Vector& p) { inertia += m * squared_distance(p); }
+
+  double squared_distance(const Vector& p) const
+  {
+    const Vector d = p - centroid;
+    return dot(d, d);
+  }
+
+  // Return the inertia after mass `m` has joined or left; `sum` and `rest` are the masses then.
+  double inertia_with(double m, double sum, double squared_distance) const
+  {
+    return inertia + (sum > 0 ? m * mass / sum * squared_distance : 0);
+  }
+  double inertia_without(double m, double rest, double squared_distance) const
+  {
+    return (std::max)(0., inertia - (rest > 0 ? m * mass / rest * squared_distance : 0));
+  }
+
+  void join(double m, const Vector& p)
+  {
+    const double sum = mass + m;
+    inertia = inertia_with(m, sum, squared_distance(p));
+    if (sum > 0)
+      centroid = centroid + (m / sum) * (p - centroid);
+    mass = sum;
+  }
+  void leave(double m, const Vector& p)
+  {
+    const double rest = mass - m;
+    inertia = inertia_without(m, rest, squared_distance(p));
+    if (rest > 0)
+      centroid = centroid - (m / rest) * (p - centroid);
+    mass = rest;
+  }
 };
 
 // Returns the inertia of the union of two sets minus their own inertias (parallel axis theorem).
@@ -29,27 +76,25 @@ inline double inertia_between(const Moments& a, const Moments& b)
   return mass > 0 ? a.mass * b.mass / mass * dot(d, d) : 0;
 }
 
-// Computes the moments of the clusters; `moments` begin with zero. `also(x, f)` is called once for each face `f` and
-// the sums `x` of its cluster.
-template <class Derived, class Also>
-void add_up_moments(const Clustering_input& input, const Cluster_labels& labels, std::vector<Derived>& moments,
-                    const Cancellation_point& cancellation, Execution execution, const Also& also)
+// Computes the masses and centroids of the clusters; `moments` begin with zero.
+inline void add_up_centroids(const Clustering_input& input, const Cluster_labels& labels, std::vector<Moments>& moments,
+                             const Cancellation_point& cancellation, Execution execution)
 {
   const std::vector<Index>& clusters = labels.labels();
-  for_each_in_groups(execution, clusters, moments.size(), cancellation, [&](Index f) {
-    Moments& x = moments[clusters[f]];
-    x.mass += input.mass(f);
-    x.centroid = x.centroid + input.mass(f) * input.centroid(f);
-  });
+  for_each_in_groups(execution, clusters, moments.size(), cancellation,
+                     [&](Index f) { moments[clusters[f]].add_to_centroid(input.mass(f), input.centroid(f)); });
   for (Moments& x : moments)
-    if (x.mass > 0)
-      x.centroid = (1 / x.mass) * x.centroid;
-  for_each_in_groups(execution, clusters, moments.size(), cancellation, [&](Index f) {
-    Derived& x = moments[clusters[f]];
-    const Vector d = input.centroid(f) - x.centroid;
-    x.inertia += input.mass(f) * dot(d, d);
-    also(x, f);
-  });
+    x.end_centroid();
+}
+
+// The same with inertias.
+inline void add_up_moments(const Clustering_input& input, const Cluster_labels& labels, std::vector<Moments>& moments,
+                           const Cancellation_point& cancellation, Execution execution)
+{
+  const std::vector<Index>& clusters = labels.labels();
+  add_up_centroids(input, labels, moments, cancellation, execution);
+  for_each_in_groups(execution, clusters, moments.size(), cancellation,
+                     [&](Index f) { moments[clusters[f]].add_to_inertia(input.mass(f), input.centroid(f)); });
 }
 
 } // namespace internal

@@ -28,13 +28,13 @@ namespace internal {
 //
 // A face moves only if none of its vertices is shared with another block, and if it is not part of a feature. Section
 // smc_blocks of the manual proves that the moves of a block then read and write nothing that those of another block write.
-template <class Weight>
+template <class Energy>
 class Block_minimization
 {
-  typedef Face_terms<Weight> Face;
-  typedef Cluster_sums<Weight> Sums;
-  typedef typename Cluster_energy<Weight>::Outcome Outcome;
-  typedef Minimization_state<Weight> State;
+  typedef typename Energy::Face_data Face;
+  typedef Cluster_sums<Energy> Sums;
+  typedef typename Energy_evaluation<Energy>::Outcome Outcome;
+  typedef Minimization_state<Energy> State;
 
 public:
   // `edges`: those between clusters of the block. `now`: a time after all changes and tests so far.
@@ -153,9 +153,8 @@ private:
     if (source.faces == 1 || state_.energy.cannot_gain(source, target, face))
       return {no_gain, 0, 0, {}, {}};
     const Outcome without = state_.energy.outcome_without(source, face), with = state_.energy.outcome_with(target, face);
-    const double lost = source.energy - without.energy, won = with.energy - target.energy;
-    return {lost - won, std::abs(lost) + std::abs(won), source.energy + target.energy + without.energy + with.energy, without,
-            with};
+    const double less = without, more = with, lost = source.energy - less, won = more - target.energy;
+    return {lost - won, std::abs(lost) + std::abs(won), source.energy + target.energy + less + more, without, with};
   }
 
   // Gains this small, relative to what they are the difference of, are taken for none. So moves between equal

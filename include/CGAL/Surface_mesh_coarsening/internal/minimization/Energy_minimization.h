@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Featured_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
@@ -29,25 +30,25 @@ namespace internal {
 
 // Sections 5.1 and 8.2 of the paper: in rounds over the edges between clusters, the face on one side or on the other
 // joins the cluster across, whichever lowers the energy more, as long as the clusters remain discs whose dual is a
-// simplicial surface. All weights are those of the current sums, so the energy is a function of the clustering and
+// simplicial surface. All energies are those of the current sums, so the energy is a function of the clustering and
 // falls with each move.
 //
 // Many clusters are divided into blocks, which make some rounds on their own, in parallel. Edges at which a face had to wait for
 // another block are in blocks of a second division next, and the few that had to wait again are gone through in order. The
 // divisions take turns.
-template <class Weight>
+template <class Energy>
 class Energy_minimization : public Minimization
 {
-  typedef Cluster_sums<Weight> Sums;
-  typedef Block_minimization<Weight> Block;
+  typedef Cluster_sums<Energy> Sums;
+  typedef Block_minimization<Energy> Block;
 
 public:
   Energy_minimization(const Featured_input& input, Cluster_labels& labels, std::size_t number_of_clusters,
-                      const Weight& weight, bool checks_boundary_counts, const Cancellation_point& cancellation,
+                      const Energy& energy, bool checks_boundary_counts, const Cancellation_point& cancellation,
                       Execution execution)
     : labels_(labels), cancellation_(cancellation), shared_cancellation_(cancellation), execution_(execution),
-      state_{input.items, labels, Cluster_energy<Weight>(weight), std::vector<Sums>(number_of_clusters), {},
-             Listed_edges(input.items.mesh.corner_vertex.size()), nullptr, {}}
+      state_{input.items, labels, Energy_evaluation<Energy>(energy, input.items, number_of_clusters),
+             std::vector<Sums>(number_of_clusters), {}, Listed_edges(input.items.mesh.corner_vertex.size()), nullptr, {}}
   {
     state_.checks_boundary_counts = checks_boundary_counts;
     if (input.cells) {
@@ -87,16 +88,12 @@ public:
       return false;
     std::vector<Sums> fresh(state_.clusters.size());
     state_.energy.add_up(state_.input, labels_, fresh, Cancellation_point());
-    Sums mean;
-    for (const Sums& x : fresh) {
-      mean.inertia += x.inertia / double(fresh.size());
-      mean.energy += x.energy / double(fresh.size());
-    }
-    const auto agree = [](double a, double b, double scale) { return std::abs(a - b) <= 1e-9 * (std::abs(b) + scale); };
+    double mean = 0;
+    for (const Sums& x : fresh)
+      mean += x.energy / double(fresh.size());
     for (std::size_t i = 0; i < fresh.size(); ++i) {
       const Sums &x = state_.clusters[i], &y = fresh[i];
-      if (x.faces != y.faces || !agree(x.mass, y.mass, 0) || !agree(x.inertia, y.inertia, mean.inertia) ||
-          !agree(x.energy, y.energy, mean.energy))
+      if (x.faces != y.faces || !(std::abs(x.energy - y.energy) <= 1e-9 * (y.energy + mean)))
         return false;
     }
     return true;
@@ -146,8 +143,10 @@ private:
   // a block in the other, nearly always. What roundings of fused operations tell apart is taken for equal.
   void divide(std::size_t blocks)
   {
+    std::vector<Moments> clusters(state_.clusters.size());
+    add_up_centroids(state_.input, labels_, clusters, cancellation_, execution_);
     std::vector<Vector> straight, oblique;
-    for (const Sums& x : state_.clusters) {
+    for (const Moments& x : clusters) {
       const Vector p = without_last_digits(x.centroid);
       straight.push_back(p);
       oblique.push_back({p[0] + 2 * p[1] + 2 * p[2], 2 * p[0] + p[1] - 2 * p[2], 2 * p[0] - 2 * p[1] + p[2]});
@@ -322,7 +321,7 @@ private:
   Shared_cancellation_point shared_cancellation_;
   Execution execution_;
   std::optional<Feature_rules> rules_;
-  Minimization_state<Weight> state_;
+  Minimization_state<Energy> state_;
   std::array<Cluster_blocks, 2> divisions_;
   Boundary_edges edges_;
   bool is_complete_ = false;

@@ -15,8 +15,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The energy of a clustering with the weight's type erased: the stages of the pipeline are compiled once for all
-// weights.
+// The energy of a clustering with its type erased: the stages of the pipeline are compiled once for all energies.
 class Energy_model
 {
 public:

@@ -24,7 +24,7 @@ struct Refusals
   std::size_t by_boundary_counts = 0, by_guarantee = 0;
 };
 
-// A minimization in progress, for any weight.
+// A minimization in progress, of any energy.
 class Minimization
 {
 public:

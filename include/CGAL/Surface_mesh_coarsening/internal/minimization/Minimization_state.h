@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_rules.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Cluster_energy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_evaluation.h>
 
 #include <vector>
 
@@ -14,13 +14,13 @@ namespace Surface_mesh_coarsening {
 namespace internal {
 
 // What the blocks of a minimization share. Each block reads and writes the parts that belong to its own clusters.
-template <class Weight>
+template <class Energy>
 struct Minimization_state
 {
   const Clustering_input& input;
   Cluster_labels& labels;
-  Cluster_energy<Weight> energy;
-  std::vector<Cluster_sums<Weight> > clusters;
+  Energy_evaluation<Energy> energy;
+  std::vector<Cluster_sums<Energy> > clusters;
   std::vector<Move_time> last_change; // of each cluster, and of none
   Listed_edges listed;
   Feature_rules* rules; // none without features

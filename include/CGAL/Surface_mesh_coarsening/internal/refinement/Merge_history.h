@@ -38,7 +38,7 @@ public:
       sums_(clusters),
       version_(clusters, 0)
   {
-    add_up_moments(input, labels, sums_, cancellation, Execution::SEQUENTIAL, [](const Moments&, Index) {});
+    add_up_moments(input, labels, sums_, cancellation, Execution::SEQUENTIAL);
     merge_all();
     number_clusters();
     list_triangles();

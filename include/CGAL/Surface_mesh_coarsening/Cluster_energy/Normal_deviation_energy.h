@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_NORMAL_DEVIATION_ENERGY_H
+#define CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_NORMAL_DEVIATION_ENERGY_H
+
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Clustered_face.h>
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningEnergies
+/// \cgalModels `ClusterEnergy`
+///
+/// The deviation of normals: with unit normals \f$ n_j \f$ and masses \f$ m_j = \rho_j A_j \f$ of the faces of the cluster,
+/// \f[ \sum_j m_j - \left| \sum_j m_j n_j \right| + \frac{\lambda}{a} \sum_j m_j |g_j - z|^2. \f]
+/// The first two terms are half the distance \f$ L^{2,1} \f$ of \cgalCite{CAD04},
+/// \f$ \sum_j m_j |n_j - N|^2 \f$ for the best unit vector \f$ N \f$. The last term is the inertia about the centroid \f$ z \f$
+/// in units of the mean area \f$ a \f$ of a cluster: it decides in flat regions, where normals do not deviate. Both balance where
+/// normals turn by about \f$ \sqrt{\lambda} \f$ within a cluster.
+class Normal_deviation_energy
+{
+public:
+  /// The default of \f$ \lambda \f$.
+  static constexpr double default_regularization = 0.1;
+
+  /// \param regularization the factor \f$ \lambda \f$ of the inertia, positive and finite
+  /// \throws Invalid_input if it is not.
+  explicit Normal_deviation_energy(double regularization = default_regularization) : regularization_(regularization)
+  {
+    if (!(regularization > 0) || std::isinf(regularization))
+      throw Invalid_input("the regularization of the energy of normals is " + internal::number_text(regularization));
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  struct Face_data
+  {
+    double mass;
+    internal::Vector centroid, normal;
+  };
+
+  // Moments of the centroids and of the unit normals. The difference of the first two terms of the formula would consist of
+  // roundings where normals deviate little. The inertia of the normals about their mean does not, and gives the same.
+  struct Cluster_data
+  {
+    internal::Moments centroids, normals;
+  };
+
+  void set_mean_area(double area) { mean_area_ = area; }
+
+  Face_data face_data(const Clustered_face& face) const { return {face.mass(), face.plain_centroid(), face.plain_normal()}; }
+
+  void add(Cluster_data& x, const Face_data& face) const
+  {
+    x.centroids.join(face.mass, face.centroid);
+    x.normals.join(face.mass, face.normal);
+  }
+  void remove(Cluster_data& x, const Face_data& face) const
+  {
+    x.centroids.leave(face.mass, face.centroid);
+    x.normals.leave(face.mass, face.normal);
+  }
+
+  double energy(const Cluster_data& x, std::size_t /* faces */) const
+  {
+    const double mass = x.normals.mass, inertia = x.normals.inertia;
+    if (!(mass > 0 && mean_area_ > 0))
+      return 0;
+    // M - |sum m n| with |sum m n|^2 = M (M - D), where D is the inertia of the normals.
+    const double deviation = inertia / (1 + std::sqrt((std::max)(0., 1 - inertia / mass)));
+    return deviation + regularization_ / mean_area_ * x.centroids.inertia;
+  }
+  /// \endcond
+
+private:
+  double regularization_, mean_area_ = 1;
+};
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_NORMAL_DEVIATION_ENERGY_H

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_QUADRIC_ENERGY_H
+#define CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_QUADRIC_ENERGY_H
+
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Clustered_face.h>
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningEnergies
+/// \cgalModels `ClusterEnergy`
+///
+/// The residual of the quadric of the cluster: with unit normals \f$ n_j \f$ and masses \f$ m_j = \rho_j A_j \f$ of its faces,
+/// \f[ \min_x \sum_j m_j \left( (n_j \cdot (x - g_j))^2 + \lambda |x - g_j|^2 \right). \f]
+/// The first term sums the squared distances of a point from the planes of the faces, as the quadrics of \cgalCite{GH97} do;
+/// \cgalCite{VCP08} take such quadrics into a clustering of faces. Where the surface bends in one direction, clusters are
+/// longer in the other. The second term is the inertia, \f$ \lambda \f$ times: it decides in flat regions, where all quadrics
+/// vanish, so that clusters are well shaped there. Both balance where normals turn by about \f$ 2 \sqrt{\lambda} \f$ within a
+/// cluster.
+class Quadric_energy
+{
+public:
+  /// The default of \f$ \lambda \f$.
+  static constexpr double default_regularization = 0.1;
+
+  /// \param regularization the factor \f$ \lambda \f$ of the inertia, positive and finite
+  /// \throws Invalid_input if it is not.
+  explicit Quadric_energy(double regularization = default_regularization) : regularization_(regularization)
+  {
+    if (!(regularization > 0) || std::isinf(regularization))
+      throw Invalid_input("the regularization of the quadric energy is " + internal::number_text(regularization));
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  struct Face_data
+  {
+    double mass;
+    internal::Vector centroid, normal;
+  };
+
+  // The sums of m n n^T (upper triangle), m d n and m d^2, with the distance d of a plane from an origin in the cluster. Sums
+  // about an origin far away would lose the digits that the residual consists of.
+  struct Cluster_data : internal::Moments
+  {
+    std::array<double, 6> matrix{};
+    internal::Vector vector{{0, 0, 0}}, origin{{0, 0, 0}};
+    double constant = 0;
+    bool has_origin = false;
+  };
+
+  Face_data face_data(const Clustered_face& face) const { return {face.mass(), face.plain_centroid(), face.plain_normal()}; }
+
+  void add(Cluster_data& x, const Face_data& face) const
+  {
+    if (!x.has_origin) {
+      x.origin = face.centroid;
+      x.has_origin = true;
+    }
+    x.join(face.mass, face.centroid);
+    accumulate(x, face, face.mass);
+  }
+  void remove(Cluster_data& x, const Face_data& face) const
+  {
+    x.leave(face.mass, face.centroid);
+    accumulate(x, face, -face.mass);
+  }
+
+  double energy(const Cluster_data& x, std::size_t /* faces */) const
+  {
+    const double pull = regularization_ * x.mass;
+    if (!(pull > 0))
+      return 0;
+    using namespace internal;
+    // The quadric about the centroid: its value there is decreased by what the step to the optimum gains.
+    const Vector center = x.centroid - x.origin;
+    const std::array<double, 6>& a = x.matrix;
+    const Vector slope{{x.vector[0] - a[0] * center[0] - a[1] * center[1] - a[2] * center[2],
+                        x.vector[1] - a[1] * center[0] - a[3] * center[1] - a[4] * center[2],
+                        x.vector[2] - a[2] * center[0] - a[4] * center[1] - a[5] * center[2]}};
+    const double at_center = x.constant - dot(x.vector, center) - dot(slope, center);
+    return regularization_ * x.inertia + (std::max)(0., at_center - gain(a, pull, slope));
+  }
+  /// \endcond
+
+private:
+  static void accumulate(Cluster_data& x, const Face_data& face, double mass)
+  {
+    using namespace internal;
+    const Vector &n = face.normal, s = mass * n;
+    const double d = dot(n, face.centroid - x.origin);
+    std::array<double, 6>& a = x.matrix;
+    a[0] += s[0] * n[0];
+    a[1] += s[0] * n[1];
+    a[2] += s[0] * n[2];
+    a[3] += s[1] * n[1];
+    a[4] += s[1] * n[2];
+    a[5] += s[2] * n[2];
+    x.vector = x.vector + d * s;
+    x.constant += mass * d * d;
+  }
+
+  // Returns s^T (A + pull I)^-1 s by the Cholesky factors, whose pivots are no less than `pull` but for roundings.
+  static double gain(const std::array<double, 6>& a, double pull, const internal::Vector& s)
+  {
+    const auto pivot = [pull](double x) { return std::sqrt((std::max)(x, pull)); };
+    const double p0 = pivot(a[0] + pull), l10 = a[1] / p0, l20 = a[2] / p0;
+    const double p1 = pivot(a[3] + pull - l10 * l10), l21 = (a[4] - l20 * l10) / p1;
+    const double p2 = pivot(a[5] + pull - l20 * l20 - l21 * l21);
+    const double y0 = s[0] / p0, y1 = (s[1] - l10 * y0) / p1, y2 = (s[2] - l20 * y0 - l21 * y1) / p2;
+    return y0 * y0 + y1 * y1 + y2 * y2;
+  }
+
+  double regularization_;
+};
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_QUADRIC_ENERGY_H
