@@ -7,8 +7,8 @@
 // machine.
 
 #include "support/Surface_certificate.h"
+#include "support/all_methods.h"
 #include "support/models.h"
-#include "support/peers.h"
 
 #include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
 

@@ -9,9 +9,9 @@
 //
 // MODEL: a file, or a number, which stands for a bumpy torus of so many faces.
 
+#include "support/all_methods.h"
 #include "support/bumpy_torus.h"
 #include "support/models.h"
-#include "support/peers.h"
 
 #include <boost/config.hpp>
 

@@ -7,6 +7,9 @@
 
 #include "io/Mesh.h"
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Normal_deviation_energy.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Quadric_energy.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Weighted_inertia_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
@@ -23,6 +26,10 @@
 #if __has_include(<CGAL/Polygon_mesh_processing/approximated_centroidal_Voronoi_diagram_remeshing.h>)
 #  include <CGAL/Polygon_mesh_processing/approximated_centroidal_Voronoi_diagram_remeshing.h>
 #  define COARSENING_HAS_ACVD
+#endif
+#if __has_include(<CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_and_line_policies.h>)
+#  include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_and_line_policies.h>
+#  define COARSENING_HAS_LINE_QUADRICS
 #endif
 #ifdef COARSENING_HAS_MESHOPTIMIZER
 #  include <meshoptimizer.h>
@@ -147,28 +154,36 @@ inline Seconds run_lindstrom_turk(const Mesh& mesh, std::size_t number, Result& 
   });
 }
 
-// With the quadrics of the planes of triangles.
-inline Seconds run_garland_heckbert(const Mesh& mesh, std::size_t number, Result& result)
+// With quadrics.
+template <class Policies>
+Seconds run_garland_heckbert(const Mesh& mesh, std::size_t number, Result& result)
 {
-  typedef CGAL::Simple_cartesian<double> Kernel;
   return run_edge_collapse(mesh, number, result, [](Mesh& copy, const Few_edges_left& stop) {
-    typedef CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies<Mesh, Kernel> Policies;
     const Policies policies(copy);
     CGAL::Surface_mesh_simplification::edge_collapse(
       copy, stop, CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
   });
 }
 
+typedef CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies<Mesh, CGAL::Simple_cartesian<double> > Plane_quadrics;
+#ifdef COARSENING_HAS_LINE_QUADRICS
+typedef CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_and_line_policies<Mesh, CGAL::Simple_cartesian<double> >
+  Plane_and_line_quadrics;
+#endif
+
 #ifdef COARSENING_HAS_ACVD
 // Works in place.
-inline Seconds run_acvd(const Mesh& mesh, std::size_t number, Result& result)
+template <class NamedParameters>
+Method acvd(const std::string& name, const NamedParameters& np)
 {
-  Mesh copy = mesh;
-  const Stopwatch watch;
-  CGAL::Polygon_mesh_processing::approximated_centroidal_Voronoi_diagram_remeshing(copy, number);
-  const Seconds seconds = watch.seconds();
-  result = result_of(copy);
-  return seconds;
+  return {name, [np](const Mesh& mesh, std::size_t number, Result& result) {
+            Mesh copy = mesh;
+            const Stopwatch watch;
+            CGAL::Polygon_mesh_processing::approximated_centroidal_Voronoi_diagram_remeshing(copy, number, np);
+            const Seconds seconds = watch.seconds();
+            result = result_of(copy);
+            return seconds;
+          }};
 }
 #endif
 
@@ -241,28 +256,18 @@ inline Seconds run_openmesh(const Mesh& mesh, std::size_t number, Result& result
 }
 #endif
 
-inline std::vector<Method> all_methods()
+// This package by default, with an energy.
+template <class Energy>
+Method our_method_with_energy(const std::string& name)
 {
-  std::vector<Method> methods{
-    our_method<SMC::Uniform_weight>("ours uniform", 1),
-    our_method<SMC::Weighted_area_weight>("ours area", 50),
-    our_method<SMC::Maximum_density_weight>("ours maximum", 50),
-    our_method<SMC::Density_variance_weight>("ours variance", 3),
-    our_method<SMC::Maximum_density_weight, SMC::Quadric_placement>("ours maximum quadric", 50),
-    our_method<SMC::Maximum_density_weight, SMC::Quadric_placement>("ours maximum quadric without repair", 50, false),
-    our_method<SMC::Weighted_area_weight, SMC::Fitted_placement>("ours area fitted", 10),
-    {"CGAL edge collapse", run_lindstrom_turk},
-    {"CGAL edge collapse by planes", run_garland_heckbert}};
-#ifdef COARSENING_HAS_ACVD
-  methods.push_back({"CGAL ACVD", run_acvd});
-#endif
-#ifdef COARSENING_HAS_MESHOPTIMIZER
-  methods.push_back({"meshoptimizer", run_meshoptimizer});
-#endif
-#ifdef COARSENING_HAS_OPENMESH
-  methods.push_back({"OpenMesh decimation", run_openmesh});
-#endif
-  return methods;
+  return {name, [](const Mesh& mesh, std::size_t number, Result& result) {
+            Mesh output;
+            const Stopwatch watch;
+            SMC::coarsen_mesh(mesh, number, output, SMC::parameters::cluster_energy(Energy()));
+            const Seconds seconds = watch.seconds();
+            result = result_of(output);
+            return seconds;
+          }};
 }
 
 } // namespace benchmark_support
