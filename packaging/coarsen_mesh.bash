@@ -29,10 +29,10 @@ _coarsen_mesh()
     *)
       if [[ $word == -* ]]; then
         values="--vertices --range --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --energy --weight --maximum-density --placement --error-feedback --paper --features --patches --clusters --picture
-          --view --up --report --format --repair --fill-holes --minimum-component-area --subdivide --measure --threads --quiet
+          --view --up --report --format --repair --fill-holes --minimum-component-area --subdivide --measure --distances --threads --quiet
           --version --help -n -k -w -h"
       else
-        endings="off obj ply stl"
+        endings="off obj ply stl glb gltf dae"
       fi ;;
   esac
 

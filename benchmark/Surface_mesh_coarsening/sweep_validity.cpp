@@ -318,7 +318,7 @@ std::vector<std::string> files_in(const std::vector<std::string>& inputs)
     }
     std::vector<std::string> found;
     for (const auto& entry : std::filesystem::directory_iterator(input))
-      if (coarsening_support::is_mesh_file_type(coarsening_support::file_type(entry.path().string())))
+      if (coarsening_support::is_own_file_type(coarsening_support::file_type(entry.path().string())))
         found.push_back(entry.path().string());
     std::sort(found.begin(), found.end());
     files.insert(files.end(), found.begin(), found.end());

@@ -254,6 +254,25 @@ BOOST_AUTO_TEST_CASE(strips_of_triangles)
   BOOST_CHECK_THROW(parse_soup(header + "9 0 1 4 2\n", "ply"), coarsening_support::Format_fault);
 }
 
+BOOST_AUTO_TEST_CASE(distances_become_numbers_of_vertices)
+{
+  const Tool_directory shop;
+  shop.write("sphere.off", mesh_files::off(generated::triangle_sphere(4)));
+  const Tool_outcome outcome = shop.run("sphere.off out.ply -n 40 --distances --measure --report report.json");
+  check_done(outcome);
+  const Soup soup = parse_soup(test::content_of(shop / "out.ply"), "ply");
+  BOOST_REQUIRE_EQUAL(soup.of_points.size(), 1u);
+  BOOST_CHECK_EQUAL(soup.of_points[0].name, "distance");
+  const auto& distances = soup.of_points[0].values;
+  const auto range = std::minmax_element(distances.begin(), distances.end());
+  BOOST_CHECK_GT(*range.first, 0.001); // of a sphere of radius 1 and clusters of a radius of about 0.3
+  BOOST_CHECK_LT(*range.second, 0.1);
+  check_done(shop.run("out.ply again.ply -n 20 --distances")); // the numbers are not carried over
+  const Soup again = parse_soup(test::content_of(shop / "again.ply"), "ply");
+  BOOST_REQUIRE_EQUAL(again.of_points.size(), 1u);
+  BOOST_CHECK(shop.run("sphere.off out.off -n 40 --distances").names("the distances of vertices are left out"));
+}
+
 BOOST_AUTO_TEST_CASE(borders_of_materials_are_kept_on_request)
 {
   const Tool_directory shop;

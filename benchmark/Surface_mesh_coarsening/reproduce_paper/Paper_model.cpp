@@ -65,7 +65,7 @@ std::optional<std::string> find_model(const Paper_model& model, const std::vecto
 {
   namespace fs = std::filesystem;
   const auto is_it = [&model](const fs::path& file) {
-    return is_mesh_file_type(file_type(file.string())) &&
+    return is_own_file_type(file_type(file.string())) &&
            std::count(model.files.begin(), model.files.end(), lower_case(file.stem().string())) > 0;
   };
   for (const std::string& place : places) {

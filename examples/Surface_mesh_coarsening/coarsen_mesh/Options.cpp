@@ -3,6 +3,7 @@
 #include "Options.h"
 
 #include "io/Descriptor.h"
+#include "io/assimp_formats.h"
 #include "io/file_type.h"
 #include "io/same_file.h"
 #include "coarsening.h"
@@ -202,7 +203,8 @@ po::options_description described_options()
     ("up", text()->value_name("X,Y,Z"), "direction that points up in the picture (default 0,1,0)")
     ("report", text()->value_name("FILE"), "write parameters, counts, topology and times (JSON)")
     ("format", text()->value_name("F"),
-      "the format, off, obj, ply or stl, of INPUT or OUTPUT where they are -, standard input and output")
+      "the format, off, obj, ply, stl or the ending of another one, of INPUT or OUTPUT where they are -, standard input "
+      "and output")
     ("repair",
      "repair the input first: merge coincident points, remove useless faces, orient, duplicate non-manifold vertices, "
      "stitch borders, remove degenerate triangles and unused points")
@@ -220,6 +222,9 @@ po::options_description described_options()
      "measure the result and print, and put into --report: distance from the input both ways (RMS, mean, maximum) and of the "
      "borders, in % of the diagonal of the input's bounding box; deviation of normals; smallest angles of the triangles; "
      "self-intersections")
+    ("distances",
+     "give each vertex of OUTPUT the number 'distance' (.ply): the largest distance from the result of the faces that it "
+     "stands for, in the mesh's unit of length")
     ("threads", text()->value_name("T")->default_value("1"),
      "upper bound for the number of threads; the result does not depend on it. More than one need oneTBB")
     ("quiet", "print nothing but errors")
@@ -235,7 +240,8 @@ void print_help(const po::options_description& described)
                "       coarsen_mesh --range [options] INPUT\n\n"
                "Coarsens a polygon mesh to a triangle mesh with few vertices that keeps the features of the surface,\n"
                "by multiplicatively weighted centroidal Voronoi diagrams. INPUT is an oriented 2-manifold mesh; INPUT\n"
-               "and OUTPUT are .off, .obj, .ply or .stl files, or - with --format. With several inputs, OUTPUT is a directory\n"
+               "and OUTPUT are .off, .obj, .ply or .stl files, or - with --format; where the program is built with the library\n"
+               "Assimp, .glb, .gltf, .dae and other files, too. With several inputs, OUTPUT is a directory\n"
                "or a pattern such as coarse/%.ply, in which % is the input's name without its ending (%% is a %).\n"
                "Messages number faces and vertices from 0.\n\n"
             << described
@@ -252,9 +258,12 @@ void check_types(const Options& options)
       continue;
     if (file == standard_stream && options.format.empty())
       throw Wrong_usage(place + " is -, which needs --format");
-    if (!is_mesh_file_type(type_of(options, file)))
-      throw Wrong_usage(file == standard_stream ? "--format is one of off, obj, ply, stl, not '" + options.format + "'"
-                                                : place + " must be an .off, .obj, .ply or .stl file, not '" + file + "'");
+    const std::string type = type_of(options, file);
+    if (!is_own_file_type(type) && !(place == "INPUT" ? assimp_reads(type) : assimp_writes(type)))
+      throw Wrong_usage((file == standard_stream
+                           ? "--format is one of off, obj, ply, stl, not '" + options.format + "'"
+                           : place + " must be an .off, .obj, .ply or .stl file, not '" + file + "'") +
+                        assimp_hint(type));
   }
   if (!options.clusters.empty() && file_type(options.clusters) != "ply")
     throw Wrong_usage("--clusters takes a .ply file, not '" + options.clusters + "'");
@@ -385,6 +394,7 @@ Options checked_options(const po::variables_map& values)
   options.subdivide = values.count("subdivide") > 0;
   options.measure = values.count("measure") > 0;
   options.quiet = values.count("quiet") > 0;
+  options.distances = values.count("distances") > 0;
   options.threads = static_cast<unsigned>(to_count("threads", *given(values, "threads"), 1, 1000000));
   for (const char* option : {"features", "patches"})
     if (values.count(option) && (options.levels > 0 || options.maximum_distance))
@@ -422,7 +432,8 @@ std::vector<Options> options_of_inputs(Options options, const std::vector<std::s
     throw Wrong_usage("INPUT and OUTPUT are needed");
   const std::string& output = files.back();
   std::error_code error;
-  const bool is_directory = std::filesystem::is_directory(output, error) && !is_mesh_file_type(file_type(output));
+  const bool is_directory = std::filesystem::is_directory(output, error) && !is_own_file_type(file_type(output)) &&
+                            !assimp_writes(file_type(output));
   const auto has_room = [&](const std::string& pattern) { return matched(pattern, "a") != matched(pattern, "b"); };
   if (files.size() > 2 && !is_directory && !has_room(output))
     throw Wrong_usage("several inputs need a directory or a pattern such as coarse/%.ply for OUTPUT, not '" + output + "'");

@@ -50,6 +50,7 @@ struct Options
   double fill_holes = 0;             // length of the border up to which holes are filled; 0 fills none, infinity all
   bool hole_length_is_relative = false; // to the diagonal
   bool repair = false, subdivide = false, measure = false, quiet = false;
+  bool distances = false; // numbers of the result's vertices
   unsigned threads = 1;
 };
 

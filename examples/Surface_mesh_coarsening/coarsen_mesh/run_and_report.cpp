@@ -6,11 +6,13 @@
 #include "check/soup_fault.h"
 #include "io/Descriptor.h"
 #include "io/Failure.h"
+#include "io/Number_property.h"
 #include "io/Output_files.h"
 #include "io/file_type.h"
 #include "io/read_soup.h"
 #include "io/write_mesh.h"
 #include "render/cluster_bytes.h"
+#include "render/face_distances.h"
 #include "render/picture.h"
 #include "repair/fill_holes.h"
 #include "report/Stage_times.h"
@@ -30,6 +32,7 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <exception>
@@ -95,7 +98,12 @@ auto explained(const Input& input, const Options& options, Stage_times& times, P
 // Reads back what a file is to hold: rounding to the numbers of its format may have changed the mesh.
 void check_written(const std::string& file, const std::string& type, const std::string& bytes, const Mesh& mesh)
 {
-  const Soup soup = parse_soup(bytes, type, Interruption::throw_if_requested);
+  Soup soup;
+  try {
+    soup = parse_soup(bytes, type, Interruption::throw_if_requested);
+  } catch (const Format_fault& e) { // of another library
+    throw Failure(file, std::string("cannot be written: it cannot be read back: ") + e.what());
+  }
   std::optional<std::string> fault = soup_fault(soup);
   if (soup.points.size() != mesh.number_of_vertices() || soup.polygons.size() != mesh.number_of_faces())
     fault = "its " + std::to_string(mesh.number_of_vertices()) + " vertices are at " + std::to_string(soup.points.size()) +
@@ -152,6 +160,9 @@ std::vector<std::string> warnings_of(const Options& options, const Input& input)
   const std::string type = type_of(options, options.output);
   for (const std::string& field : fields_without_room(input.mesh, type, input.notes))
     warnings.push_back(options.output + ": " + field + " are left out, the format " + upper_case(type) + " cannot hold them");
+  if (options.distances && type != "ply")
+    warnings.push_back(options.output + ": the distances of vertices are left out, the format " + upper_case(type) +
+                       " cannot hold them");
   return warnings;
 }
 
@@ -222,6 +233,19 @@ void check_result(const Options& options, const Input& input, const Coarsening_r
   }
 }
 
+// Gives the vertices of the result the largest distance of the faces that they stand for.
+void add_distances(const Mesh& input, Coarsening_result& result)
+{
+  use_numbers<Vertex>(result.mesh, "v:distance", [&](auto map) { result.mesh.remove_property_map(map); }); // of the input
+  const auto largest = result.mesh.add_property_map<Vertex, float>("v:distance", 0).first;
+  const std::vector<double> distances = face_distances(input, result.mesh, Interruption::throw_if_requested);
+  for (std::size_t f = 0; f < distances.size(); ++f)
+    if (result.labels[f] < result.mesh.number_of_vertices()) { // the component is not left out
+      const Vertex v{Mesh::size_type(result.labels[f])};
+      largest[v] = (std::max)(largest[v], float(distances[f]));
+    }
+}
+
 // Computes everything, and only then commits the files.
 void run(const Options& options)
 {
@@ -245,10 +269,15 @@ void run(const Options& options)
     print_range(input, options, times, progress);
     return;
   }
-  const Coarsening_result result = explained(
+  Coarsening_result result = explained(
     input, options, times, progress, [&](Tool_visitor& visitor) { return coarsen(input.mesh, options, visitor); });
 
   check_result(options, input, result, times, progress, findings);
+  if (options.distances) {
+    times.begin("distances");
+    progress.say("measuring the distances of faces");
+    add_distances(input.mesh, result);
+  }
 
   Files files;
   if (!options.picture.empty()) {

@@ -78,6 +78,18 @@ public:
   }
 };
 
+// The bytes behind the line of a header that has been read.
+inline Byte_scanner bytes_behind_line(const Text_scanner& header, const std::string& content, bool big_endian)
+{
+  const char* at = header.position();
+  const char* const end = content.data() + content.size();
+  if (at != end && *at == '\r')
+    ++at;
+  if (at != end && *at == '\n')
+    ++at;
+  return Byte_scanner(content.data(), at, end, big_endian);
+}
+
 } // namespace coarsening_support
 
 #endif // COARSENING_SUPPORT_BYTE_SCANNER_H

@@ -29,7 +29,8 @@ inline std::string file_type(const std::string& file)
   return extension.empty() ? "" : lower_case(extension.substr(1));
 }
 
-inline bool is_mesh_file_type(const std::string& type)
+// Of the formats that the program reads and writes by itself.
+inline bool is_own_file_type(const std::string& type)
 {
   return type == "off" || type == "obj" || type == "ply" || type == "stl";
 }

@@ -157,20 +157,13 @@ void read_binary_off(Byte_scanner& bytes, const Off_header& header, Soup& soup, 
 
 void read_off(const std::string& content, Soup& soup, const Stop& stop)
 {
-  const char* const begin = content.data();
-  const char* const end = begin + content.size();
-  Text_scanner text(begin, end, '#');
+  Text_scanner text(content.data(), content.data() + content.size(), '#');
   const Off_header header = read_off_header(text);
   if (!header.binary) {
     read_text_off(text, header, soup, stop);
     return;
   }
-  const char* at = text.position();
-  if (at != end && *at == '\r')
-    ++at;
-  if (at != end && *at == '\n')
-    ++at;
-  Byte_scanner bytes(begin, at, end, true);
+  Byte_scanner bytes = bytes_behind_line(text, content, true);
   read_binary_off(bytes, header, soup, stop);
 }
 

@@ -405,21 +405,14 @@ void read_ply_elements(Source source, const Ply_header& header, std::size_t byte
 
 void read_ply(const std::string& content, Soup& soup, const Stop& stop)
 {
-  const char* const begin = content.data();
-  const char* const end = begin + content.size();
-  Text_scanner text(begin, end);
+  Text_scanner text(content.data(), content.data() + content.size());
   const Ply_header header = read_ply_header(text, soup);
   if (!header.binary) {
     text.end_line("'end_header'");
     read_ply_elements(Ply_text(text), header, text.bytes_left(), soup, stop);
     return;
   }
-  const char* at = text.position();
-  if (at != end && *at == '\r')
-    ++at;
-  if (at != end && *at == '\n')
-    ++at;
-  Byte_scanner bytes(begin, at, end, header.big_endian);
+  Byte_scanner bytes = bytes_behind_line(text, content, header.big_endian);
   read_ply_elements(Ply_bytes(bytes), header, bytes.bytes_left(), soup, stop);
 }
 

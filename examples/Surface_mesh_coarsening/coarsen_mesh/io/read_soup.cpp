@@ -4,6 +4,7 @@
 
 #include "io/Descriptor.h"
 #include "io/Failure.h"
+#include "io/assimp_formats.h"
 #include "io/file_bytes.h"
 #include "io/file_type.h"
 #include "io/read_obj.h"
@@ -12,6 +13,8 @@
 #include "io/read_stl.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <vector>
 
 namespace coarsening_support {
@@ -34,9 +37,16 @@ std::string look_alike(const std::string& content, const std::string& type)
   return other.empty() || other == type ? "" : " (it looks like " + upper_case(other) + ")";
 }
 
+// Not a pipe, which can be read once only.
+bool is_in_directory(const std::string& file)
+{
+  std::error_code error;
+  return file != standard_stream && std::filesystem::is_regular_file(file, error);
+}
+
 } // namespace
 
-Soup parse_soup(const std::string& content, const std::string& type, const Stop& stop)
+Soup parse_soup(const std::string& content, const std::string& type, const Stop& stop, const std::string& file)
 {
   Soup soup;
   if (type == "off")
@@ -45,20 +55,22 @@ Soup parse_soup(const std::string& content, const std::string& type, const Stop&
     read_obj(content, soup, stop);
   else if (type == "ply")
     read_ply(content, soup, stop);
-  else
+  else if (type == "stl")
     read_stl(content, soup, stop);
+  else
+    read_with_assimp(content, file, type, soup, stop);
   return soup;
 }
 
 Soup read_soup(const std::string& file, const Stop& stop, const std::string& type_of_stream)
 {
   const std::string type = file == standard_stream ? type_of_stream : file_type(file);
-  if (!is_mesh_file_type(type))
-    throw Failure(file, "has no known mesh file type (.off, .obj, .ply, .stl)");
+  if (!is_own_file_type(type) && !assimp_reads(type))
+    throw Failure(file, "has no known mesh file type (.off, .obj, .ply, .stl)" + assimp_hint(type));
   const std::string content = file_bytes(file, stop);
   Soup soup;
   try {
-    soup = parse_soup(content, type, stop);
+    soup = parse_soup(content, type, stop, is_in_directory(file) ? file : "");
   } catch (const Format_fault& e) {
     throw Failure(file, "cannot be read as " + upper_case(type) + ": " + e.what() + look_alike(content, type));
   }

@@ -14,8 +14,9 @@
 namespace coarsening_support {
 
 // Parses the content of a file of the type to a soup, without checking the meaning of numbers. Memory is bounded by a small
-// multiple of the content's size for any content. Throws Format_fault.
-Soup parse_soup(const std::string& content, const std::string& type, const Stop& stop = nullptr);
+// multiple of the content's size for any content, but with Assimp (assimp_formats.h), which also looks for other files beside
+// `file`. Throws Format_fault.
+Soup parse_soup(const std::string& content, const std::string& type, const Stop& stop = nullptr, const std::string& file = "");
 
 // Reads the soup as it stands in the file, whose ending tells the type, or from standard input, for which the type stands. Throws
 // Failure.

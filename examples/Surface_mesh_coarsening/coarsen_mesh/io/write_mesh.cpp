@@ -4,6 +4,9 @@
 
 #include "io/Failure.h"
 #include "io/Number_property.h"
+#include "io/assimp_formats.h"
+#include "io/file_type.h"
+#include "io/read_soup.h"
 #include "io/write_obj.h"
 #include "io/write_off.h"
 #include "io/write_ply.h"
@@ -86,6 +89,30 @@ std::vector<Field> fields(const Mesh& mesh, const File_notes& notes)
   return result;
 }
 
+// The fields, in words, that are read back from a file that Assimp has written, found by writing a triangle.
+std::vector<std::string> fields_that_return(const std::string& type)
+{
+  Mesh mesh;
+  mesh.add_face(mesh.add_vertex(Point(0, 0, 0)), mesh.add_vertex(Point(1, 0, 0)), mesh.add_vertex(Point(0, 1, 0)));
+  for (const char* name : {"v:red", "v:green", "v:blue"})
+    mesh.add_property_map<Vertex, double>(name, 0.5);
+  for (const char* name : {"v:nx", "v:ny", "v:nz"})
+    mesh.add_property_map<Vertex, double>(name, name[3] == 'z');
+  mesh.add_property_map<Halfedge, Texture_point>(texture_property, Texture_point{{0.25, 0.75}});
+  const Soup soup = parse_soup(assimp_bytes(mesh, type), type);
+  const auto has = [&](const char* name) {
+    return std::any_of(soup.of_points.begin(), soup.of_points.end(), [&](const Soup_property& p) { return p.name == name; });
+  };
+  std::vector<std::string> result;
+  if (has("red"))
+    result.push_back("the colors of vertices");
+  if (has("nx"))
+    result.insert(result.end(), {"the normals of vertices", "the normals of corners"});
+  if (!soup.texture_points.empty())
+    result.insert(result.end(), {"the texture coordinates of vertices", "the texture coordinates of corners"});
+  return result;
+}
+
 } // namespace
 
 std::string mesh_bytes(const Mesh& mesh, const std::string& type, const File_notes& notes)
@@ -93,14 +120,16 @@ std::string mesh_bytes(const Mesh& mesh, const std::string& type, const File_not
   return type == "off"   ? off_bytes(mesh, notes)
          : type == "obj" ? obj_bytes(mesh, notes)
          : type == "ply" ? ply_bytes(mesh, notes)
-                         : stl_bytes(mesh);
+         : type == "stl" ? stl_bytes(mesh)
+                         : assimp_bytes(mesh, type);
 }
 
 std::vector<std::string> fields_without_room(const Mesh& mesh, const std::string& type, const File_notes& notes)
 {
   std::vector<std::string> result;
+  const std::vector<std::string> kept_by_assimp = is_own_file_type(type) ? std::vector<std::string>() : fields_that_return(type);
   for (const Field& field : fields(mesh, notes))
-    if (!is_one_of(type, field.types) && !is_one_of(field.words, result))
+    if (!is_one_of(type, field.types) && !is_one_of(field.words, kept_by_assimp) && !is_one_of(field.words, result))
       result.push_back(field.words);
   return result;
 }

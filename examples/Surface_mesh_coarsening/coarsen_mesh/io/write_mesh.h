@@ -12,8 +12,8 @@ namespace coarsen_mesh_tool {
 
 using namespace coarsening_support;
 
-// Returns what a file of this type (off, obj, ply, stl) holds for the mesh, with all of its fields that the format has. OFF and
-// OBJ have as many digits as read back the same; PLY and STL are binary.
+// Returns what a file of this type (off, obj, ply, stl, or what Assimp writes) holds for the mesh, with all of its fields that
+// the format has. OFF and OBJ have as many digits as read back the same; PLY and STL are binary.
 std::string mesh_bytes(const Mesh& mesh, const std::string& type, const File_notes& notes = File_notes());
 
 // The fields of the mesh, in words, that a file of this type cannot hold.

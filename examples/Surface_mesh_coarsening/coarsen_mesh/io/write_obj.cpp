@@ -2,7 +2,7 @@
 
 #include "io/write_obj.h"
 
-#include "io/Number_property.h"
+#include "io/Corner_fields.h"
 #include "io/Text_writer.h"
 
 #include <array>
@@ -47,42 +47,6 @@ public:
   std::size_t operator[](const Value& value) const { return numbers_.at(value); }
 };
 
-// What corners have: their own, or the vertex's.
-class Corner_fields
-{
-  typedef std::array<double, 3> Normal;
-
-  const Mesh& mesh_;
-  Found_property<Halfedge, Texture_point> texture_;
-  Found_property<Halfedge, Vector> normal_;
-  Texture_properties vertex_texture_;
-  Normal_properties vertex_normal_;
-
-public:
-  explicit Corner_fields(const Mesh& mesh)
-    : mesh_(mesh),
-      texture_(mesh, texture_property),
-      normal_(mesh, normal_property),
-      vertex_texture_(mesh),
-      vertex_normal_(mesh)
-  {}
-
-  bool has_texture() const { return texture_ || vertex_texture_; }
-  bool has_normal() const { return normal_ || vertex_normal_; }
-
-  Texture_point texture(Halfedge h) const
-  {
-    const Vertex v = mesh_.target(h);
-    return texture_ ? texture_.map[h] : Texture_point{{vertex_texture_.u(v), vertex_texture_.v(v)}};
-  }
-  Normal normal(Halfedge h) const
-  {
-    const Vertex v = mesh_.target(h);
-    return normal_ ? Normal{{normal_.map[h].x(), normal_.map[h].y(), normal_.map[h].z()}}
-                   : Normal{{vertex_normal_.x(v), vertex_normal_.y(v), vertex_normal_.z(v)}};
-  }
-};
-
 void write_vertices(const Mesh& mesh, Text_writer& text)
 {
   const Color_properties<Vertex> color(mesh);
@@ -101,7 +65,7 @@ void write_faces(const Mesh& mesh, Text_writer& text)
   const auto texture = [&](Halfedge h) { return fields.texture(h); };
   const auto normal = [&](Halfedge h) { return fields.normal(h); };
   std::optional<Numbered_values<Texture_point> > textures;
-  std::optional<Numbered_values<std::array<double, 3> > > normals;
+  std::optional<Numbered_values<Corner_fields::Normal> > normals;
   if (fields.has_texture())
     textures.emplace(mesh, "vt", texture, text);
   if (fields.has_normal())

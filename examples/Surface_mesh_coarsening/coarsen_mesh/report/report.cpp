@@ -71,6 +71,7 @@ Json parameters_of(const Options& options)
   result["fill_holes"] = std::isfinite(options.fill_holes) ? Json(options.fill_holes) : Json("all");
   result["hole_length_is_relative"] = options.hole_length_is_relative;
   result["subdivide"] = options.subdivide;
+  result["distances"] = options.distances;
   result["threads"] = {{"allowed", options.threads}, {"used", (std::min)(options.threads, max_threads())}};
   return result;
 }
