@@ -24,11 +24,11 @@ _coarsen_mesh()
     --picture) endings=png ;;
     --report) endings=json ;;
     -n | --vertices | -k | --neighborhood-level | --maximum-distance | --maximum-distance-absolute | --levels | \
-    --rounds | --convergence-tolerance | --maximum-density | --error-feedback | --view | --up | \
+    --rounds | --convergence-tolerance | --maximum-density | --error-feedback | --local-repairs | --view | --up | \
     --minimum-component-area | --threads) return ;;
     *)
       if [[ $word == -* ]]; then
-        values="--vertices --range --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --energy --weight --maximum-density --placement --error-feedback --paper --features --patches --clusters --picture
+        values="--vertices --range --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --energy --weight --maximum-density --placement --error-feedback --local-repairs --paper --features --patches --clusters --picture
           --view --up --report --format --repair --fill-holes --minimum-component-area --subdivide --measure --distances --threads --quiet
           --version --help -n -k -w -h"
       else

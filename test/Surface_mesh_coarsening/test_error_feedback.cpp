@@ -15,12 +15,17 @@
 #include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <algorithm>
+#include <iterator>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
@@ -98,7 +103,7 @@ BOOST_AUTO_TEST_CASE(distance_falls)
     std::string name;
     std::size_t vertices;
     double factor; // by which the distance falls
-  } cases[] = {{"fandisk.off", 527, 0.8}, {"elephant.off", 277, 0.98}, {"mannequin-devil.off", 259, 0.9},
+  } cases[] = {{"fandisk.off", 527, 0.8}, {"elephant.off", 277, 0.97}, {"mannequin-devil.off", 259, 0.9},
                {"blobby.off", 202, 0.97}, {"lion-head.off", 417, 0.9}};
   for (const auto& c : cases) {
     BOOST_TEST_CONTEXT(c.name)
@@ -125,7 +130,8 @@ BOOST_AUTO_TEST_CASE(default_depends_on_densities)
   BOOST_TEST(coarsened(input, 202, np.face_density_map(densities)).report.exchanged_vertices == 0);
   BOOST_TEST(coarsened(input, 202, np.face_density_map(densities).error_feedback(3)).report.exchanged_vertices > 0);
   // Other placements process one cluster at a time.
-  BOOST_TEST(coarsened(input, 202, SMC::parameters::vertex_placement(SMC::Quadric_placement()).error_feedback(7)).report.exchanged_vertices == 0);
+  const auto quadric = SMC::parameters::vertex_placement(SMC::Quadric_placement());
+  BOOST_TEST(coarsened(input, 202, quadric.error_feedback(7)).report.exchanged_vertices == 0);
 }
 
 BOOST_AUTO_TEST_CASE(same_on_any_number_of_threads)
@@ -173,9 +179,73 @@ BOOST_AUTO_TEST_CASE(thin_parts_do_not_get_worse)
       const auto before = SMC::measure_coarsening(input, without.mesh, 20000),
                  after = SMC::measure_coarsening(input, with.mesh, 20000);
       if (with.report.intersections_left == without.report.intersections_left)
-        BOOST_TEST(after.rms_distance <= 1.02 * before.rms_distance); // estimates have errors
+        BOOST_TEST(after.rms_distance <= before.rms_distance);
     }
   }
+}
+
+// Smooth models have no small angles, and few below 25 degrees with error feedback.
+BOOST_AUTO_TEST_CASE(angles_stay_large)
+{
+  const std::pair<std::string, std::size_t> cases[] = {
+    {"elephant.off", 277}, {"blobby.off", 202}, {"eight.off", 94}};
+  for (const auto& [name, vertices] : cases)
+    for (const std::size_t rounds : {0, 7}) {
+      const Outcome outcome = coarsened(data_mesh(name), vertices, parameters(rounds));
+      const Mesh& mesh = outcome.mesh;
+      double least = 180;
+      std::size_t narrow = 0;
+      for (const auto f : mesh.faces()) {
+        double smallest = 180;
+        for (const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+          smallest = (std::min)(smallest, CGAL::approximate_angle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                                                  mesh.point(mesh.target(mesh.next(h)))));
+        least = (std::min)(least, smallest);
+        narrow += smallest < 25;
+      }
+      BOOST_TEST_CONTEXT(name << ", " << rounds << " rounds")
+      {
+        BOOST_TEST(least >= 8);
+        if (rounds > 0)
+          BOOST_TEST(double(narrow) <= 0.07 * double(mesh.number_of_faces()));
+        BOOST_TEST(outcome.report.narrow_faces.empty() == (least >= 10));
+      }
+    }
+}
+
+// The report names the faces that intersect where the input does not: here it does nowhere.
+BOOST_AUTO_TEST_CASE(intersecting_faces_are_named)
+{
+  typedef std::pair<std::size_t, std::size_t> Pair;
+  const Outcome outcome = coarsened(data_mesh("couplingdown.off"), 36, parameters(7));
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index> > found;
+  CGAL::Polygon_mesh_processing::self_intersections(outcome.mesh, std::back_inserter(found));
+  std::set<Pair> pairs, named;
+  for (const auto& p : found)
+    pairs.insert(std::minmax({std::size_t(p.first), std::size_t(p.second)}));
+  for (const Pair& p : outcome.report.intersecting_faces)
+    named.insert(std::minmax({p.first, p.second}));
+  BOOST_TEST(!pairs.empty());
+  BOOST_TEST((named == pairs));
+  BOOST_TEST(outcome.report.intersections_left == pairs.size());
+}
+
+// Without local repairs, more is left to the reclustering.
+BOOST_AUTO_TEST_CASE(local_repairs_can_be_turned_off)
+{
+  std::size_t left = 0, left_without = 0, clusterings = 0, clusterings_without = 0;
+  for (const double thickness : {0.006, 0.01, 0.02})
+    for (const std::size_t vertices : {50, 80, 120}) {
+      const Mesh input = test::to_mesh(generated::thin_plate(30, thickness));
+      const auto with = coarsened(input, vertices, parameters(7)).report,
+                 without = coarsened(input, vertices, parameters(7).local_repairs(0)).report;
+      left += with.intersections_left;
+      left_without += without.intersections_left;
+      clusterings += with.clusterings;
+      clusterings_without += without.clusterings;
+    }
+  BOOST_TEST(left <= left_without);
+  BOOST_TEST(clusterings < clusterings_without);
 }
 
 // Given or frozen clusters do not change.

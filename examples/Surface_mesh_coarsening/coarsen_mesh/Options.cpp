@@ -185,6 +185,8 @@ po::options_description described_options()
     ("error-feedback", text()->value_name("R")->default_value(std::to_string(Defaults::error_feedback)),
      "with the placement fitted: in R rounds, relocate vertices to places of large distance; with 0, the densities alone "
      "distribute the vertices")
+    ("local-repairs", text()->value_name("R")->default_value(std::to_string(Defaults::local_repairs)),
+     "relocate vertices to triangles that still intersect after the repair up to R times, before the mesh is reclustered")
     ("paper",
      "do as the article prints: densities up to 50 (variance: 3) and none for borders, merging by area, the check "
      "by boundary-edge "
@@ -371,6 +373,7 @@ Options checked_options(const po::variables_map& values)
   check_choice("placement", options.placement, placement_names());
   options.maximum_density = to_density("maximum-density", *given(values, "maximum-density"));
   options.error_feedback = to_count("error-feedback", *given(values, "error-feedback"), 0, any);
+  options.local_repairs = to_count("local-repairs", *given(values, "local-repairs"), 0, any);
   if (const auto text = given(values, "features")) {
     options.features = to_number(*text);
     if (!options.features || !(*options.features >= 0 && *options.features <= 180))

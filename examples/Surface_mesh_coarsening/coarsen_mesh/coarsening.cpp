@@ -176,6 +176,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
                     .place_on_borders(!options.paper)
                     .repair_output(!options.paper)
                     .error_feedback(options.error_feedback)
+                    .local_repairs(options.local_repairs)
                     .feature_angle(options.features.value_or(Defaults::feature_angle))
                     .face_patch_map(boost::make_function_property_map<Face>([&](Face f) { return patch_of[f]; }))
                     .visitor(std::ref(visitor));

@@ -57,11 +57,25 @@ std::string shown(double x)
   return text;
 }
 
-// Formats a distance in the requested unit.
-std::string distance_text(const Options& options, double distance)
+// Formats a distance in the unit of the mesh, and before it in the requested unit if that is another.
+std::string length_text(const Options& options, const Mesh& mesh, double distance)
 {
-  return options.distance_is_relative ? "within " + shown(distance) + " of the diagonal"
-                                      : "within a distance of " + shown(distance);
+  return options.distance_is_relative ? shown(distance / diagonal(mesh)) + " of the diagonal (" + shown(distance) + ")"
+                                      : shown(distance);
+}
+
+std::string distance_text(const Options& options, const Mesh& mesh, double distance)
+{
+  return (options.distance_is_relative ? "within " : "within a distance of ") + length_text(options, mesh, distance);
+}
+
+// Why a distance was not reached.
+std::string unreachable_text(const Options& options, const Mesh& mesh, double nearest)
+{
+  const double unit = options.distance_is_relative ? diagonal(mesh) : 1;
+  return "no result " + distance_text(options, mesh, *options.maximum_distance * unit) +
+         " was found (nearest distance found: " + length_text(options, mesh, nearest) +
+         (options.subdivide ? ")" : "; smaller faces, which --subdivide makes, may come nearer)");
 }
 
 std::string counted(std::size_t number, const std::string& noun)
@@ -84,9 +98,7 @@ auto explained(const Input& input, const Options& options, Stage_times& times, P
     Interruption::throw_if_requested();
     throw;
   } catch (const SMC::Unreachable_distance& e) {
-    throw Failure(options.input, "no result " + distance_text(options, *options.maximum_distance) +
-                                   " was found (nearest distance found: " +
-                                   shown(options.distance_is_relative ? e.nearest() / diagonal(input.mesh) : e.nearest()) + ")");
+    throw Failure(options.input, unreachable_text(options, input.mesh, e.nearest()));
   } catch (const SMC::Unreachable_number_of_vertices& e) {
     throw Failure(options.input,
                   one_line(e.what()) + " (nearest number that works: " + std::to_string(e.nearest()) + ")");
@@ -130,8 +142,7 @@ std::string summary(const Options& options, const Input& input, const Coarsening
     remarks += counted(report.feature_lines, "feature line") + " and " + counted(report.feature_corners, "corner") + " kept by " +
                counted_vertices(result.vertices_on_features) + ", ";
   if (result.distance_bound)
-    remarks += distance_text(options, options.distance_is_relative ? *result.distance_bound / diagonal(input.mesh)
-                                                                   : *result.distance_bound) + ", ";
+    remarks += distance_text(options, input.mesh, *result.distance_bound) + ", ";
   if (!result.levels.empty())
     remarks += counted(result.levels.size(), "level") + ", ";
   if (report.dropped_components > 0)
@@ -229,6 +240,8 @@ void check_result(const Options& options, const Input& input, const Coarsening_r
     times.begin("measuring");
     progress.say("measuring");
     findings.quality = measure(input.mesh, result);
+    if (!options.paper) // which does without repair
+      findings.quality->self_intersections_left = result.report.intersections_left;
     Interruption::throw_if_requested();
   }
 }

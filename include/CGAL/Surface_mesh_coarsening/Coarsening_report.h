@@ -4,6 +4,8 @@
 #define CGAL_SURFACE_MESH_COARSENING_COARSENING_REPORT_H
 
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -48,15 +50,20 @@ struct Coarsening_report
   /// the number of clusters relocated to places of large distance (parameter `error_feedback`).
   std::size_t exchanged_vertices = 0;
   /// the number of pairs of triangles that intersected after the placement of the vertices but not in the input. This
-  /// number and the three below are 0 if parameter `repair_output` is `false`.
+  /// number and the next four are 0, or empty, if parameter `repair_output` is `false`.
   std::size_t intersections_found = 0;
   /// the number of such pairs after the repair, the smallest if there were several clusterings.
   std::size_t intersections_left = 0;
+  /// these pairs, as numbers of the faces of the output in the order in which they are added.
+  std::vector<std::pair<std::size_t, std::size_t> > intersecting_faces;
   /// the number of triangles that were degenerate after the placement, or faced away from the surface that they approximate,
   /// if that has an area.
   std::size_t reversals_found = 0;
   /// the number of such triangles after the repair.
   std::size_t reversals_left = 0;
+  /// the faces of the output, numbered likewise, with an angle of less than 10 degrees. `Fitted_placement` leaves such angles
+  /// where borders, features, sheets near each other or sharp parts of the input ask for them.
+  std::vector<std::size_t> narrow_faces;
   /// the number of clusterings: one, and more if triangles remained intersecting
   /// (`Mwcvd_clustering::extract_embedded_dual_mesh()`). The other numbers describe the selected clustering.
   std::size_t clusterings = 1;

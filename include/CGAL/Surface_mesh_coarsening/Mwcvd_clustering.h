@@ -56,7 +56,7 @@ public:
   /// \param mesh a 2-manifold polygon mesh
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `face_density_map`, `maximum_density`,
   /// `border_densities`, `cluster_weight`, `cluster_energy`, `minimum_component_area`, `subdivide_input`, `merge_by_area`,
-  /// `boundary_count_check`, `place_on_borders`, `repair_output`, `error_feedback`,
+  /// `boundary_count_check`, `place_on_borders`, `repair_output`, `error_feedback`, `local_repairs`,
   /// `feature_angle`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `face_patch_map`, `vertex_point_map`,
   /// `face_index_map`, `geom_traits` and `visitor`, as in `coarsen_mesh()`
   /// \throws Invalid_input if the mesh has no faces, is not a 2-manifold, has a coordinate that is not finite, or if a

@@ -60,6 +60,7 @@ void refuse_unavailable(const NPIn& np_in, const NPOut& np_out)
   refuse_if_set(np_in, internal_np::border_densities_p, "border_densities");
   refuse_if_set(np_in, internal_np::repair_output_p, "repair_output");
   refuse_if_set(np_in, internal_np::error_feedback_p, "error_feedback");
+  refuse_if_set(np_in, internal_np::local_repairs_p, "local_repairs");
   refuse_across_ranks(np_out, internal_np::vertex_source, "vertex_source_map");
   refuse_across_ranks(np_out, CGAL::internal_np::edge_is_constrained, "edge_is_constrained_map");
   refuse_across_ranks(np_out, CGAL::internal_np::vertex_is_constrained, "vertex_is_constrained_map");

@@ -188,6 +188,13 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, or if clusters are given, edited or
 ///                     frozen. Clusters on features and borders are not split.}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{local_repairs}
+///     \cgalParamDescription{how many times at most vertices, with their clusters, are relocated from elsewhere to triangles that
+///                           still intersect after the repair. With 0, the mesh is reclustered at once.}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{`Coarsening_defaults::local_repairs`, which is `5`}
+///     \cgalParamExtra{not used without `repair_output`, and where `error_feedback` is not used}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{feature_angle}
 ///     \cgalParamDescription{edges whose two faces have normals that differ by this angle in degrees or more are kept as
 ///                           lines of edges of the output, and the corners where lines end or meet as vertices; in

@@ -18,6 +18,8 @@ struct Coarsening_defaults
   static constexpr double maximum_density = 10;
   /// of parameter `error_feedback`
   static constexpr std::size_t error_feedback = 7;
+  /// of parameter `local_repairs`
+  static constexpr std::size_t local_repairs = 5;
   /// of parameter `number_of_iterations`: rounds end by the tolerance long before
   static constexpr std::size_t number_of_iterations = 1000;
   /// of parameter `convergence_tolerance`: more rounds would lower the energy by about a percent, which neither distances nor

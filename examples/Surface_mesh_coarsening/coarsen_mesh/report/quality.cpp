@@ -29,7 +29,8 @@ Mesh without_dropped_faces(const Mesh& input, const Coarsening_result& result)
 
 Measured_quality measured(const Mesh& mesh, const Mesh& coarse)
 {
-  Measured_quality quality{SMC::measure_coarsening(mesh, coarse)};
+  Measured_quality quality;
+  static_cast<Coarsening_quality&>(quality) = SMC::measure_coarsening(mesh, coarse);
   if (quality.self_intersections > 0)
     quality.self_intersections_of_input = SMC::measure_coarsening(mesh, mesh, 1).self_intersections;
   return quality;
@@ -76,7 +77,11 @@ std::string quality_text(const Mesh& result, const Measured_quality& q)
   text += line("smallest angles:  ", "mean %.1f, least %.1f degrees, %.1f %% of the triangles below 30",
                q.mean_smallest_angle, q.smallest_angle, 100 * q.part_below_30_degrees);
   text += "  self-intersections: " + std::to_string(q.self_intersections);
-  return q.self_intersections == 0 ? text : text + ", input " + std::to_string(q.self_intersections_of_input);
+  if (q.self_intersections == 0)
+    return text;
+  if (q.self_intersections_left)
+    text += " (" + std::to_string(*q.self_intersections_left) + " where the input has none)";
+  return text + ", input " + std::to_string(q.self_intersections_of_input);
 }
 
 } // namespace coarsen_mesh_tool

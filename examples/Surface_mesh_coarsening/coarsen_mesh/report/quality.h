@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace coarsen_mesh_tool {
@@ -17,6 +18,8 @@ using CGAL::Surface_mesh_coarsening::Coarsening_quality;
 struct Measured_quality : Coarsening_quality
 {
   std::size_t self_intersections_of_input = 0; // counted if the result has any
+  // Those that the repair left, where the input has none; nothing without repair.
+  std::optional<std::size_t> self_intersections_left;
 };
 
 // Measures how well the result stands for the input, without components that were left out on purpose.

@@ -65,6 +65,7 @@ Json parameters_of(const Options& options)
   result["placement"] = options.placement;
   result["paper"] = options.paper;
   result["error_feedback"] = options.error_feedback;
+  result["local_repairs"] = options.local_repairs;
   result["features"] = options.features ? Json(*options.features) : Json();
   result["patches"] = options.patches.empty() ? Json() : Json(options.patches);
   result["minimum_component_area"] = options.minimum_component_area;
@@ -96,6 +97,8 @@ Json clustering_of(const CGAL::Surface_mesh_coarsening::Coarsening_report& repor
           {"exchanged_vertices", report.exchanged_vertices},
           {"self_intersections_found", report.intersections_found},
           {"self_intersections_left", report.intersections_left},
+          {"intersecting_faces", report.intersecting_faces},
+          {"narrow_faces", report.narrow_faces},
           {"clusterings", report.clusterings},
           {"reversed_triangles_found", report.reversals_found},
           {"reversed_triangles_left", report.reversals_left},

@@ -25,4 +25,5 @@ CGAL_add_named_parameter(minimum_component_area_t, minimum_component_area_p, min
 CGAL_add_named_parameter(repair_output_t, repair_output_p, repair_output)
 CGAL_add_named_parameter(feature_angle_t, feature_angle_p, feature_angle)
 CGAL_add_named_parameter(error_feedback_t, error_feedback_p, error_feedback)
+CGAL_add_named_parameter(local_repairs_t, local_repairs_p, local_repairs)
 CGAL_add_named_parameter(faces_per_block_t, faces_per_block_p, faces_per_block)

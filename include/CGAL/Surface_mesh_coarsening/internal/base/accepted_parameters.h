@@ -96,9 +96,10 @@ struct Clustering_parameters
   : Parameter_lists<Geometry_parameters, Order_parameters, Density_parameters, Feature_map_parameters,
                     Parameter_list<internal_np::face_density_t, internal_np::cluster_weight_t, internal_np::cluster_energy_t,
                                    internal_np::minimum_component_area_t, internal_np::subdivide_input_t,
-                                   internal_np::repair_output_t, internal_np::error_feedback_t, internal_np::feature_angle_t,
-                                   internal_np::merge_by_area_t, internal_np::boundary_count_check_t,
-                                   internal_np::place_on_borders_t, CGAL::internal_np::visitor_t> >
+                                   internal_np::repair_output_t, internal_np::error_feedback_t, internal_np::local_repairs_t,
+                                   internal_np::feature_angle_t, internal_np::merge_by_area_t,
+                                   internal_np::boundary_count_check_t, internal_np::place_on_borders_t,
+                                   CGAL::internal_np::visitor_t> >
 {};
 
 // Of all that goes from a mesh to a coarser one.

@@ -45,7 +45,7 @@ public:
       number_((std::max)(vertices / 16, std::size_t(4))),
       report_(report),
       distance_(distance),
-      local_distance_((std::min)(state.frame.length_to_local(distance), farthest_needed(state.base_input()))),
+      local_distance_((std::min)(state.frame.length_to_local(distance), max_distance(state.base_input()))),
       surface_(triangles_of(state.base_input().mesh))
   {}
 
@@ -56,12 +56,13 @@ public:
       find_level();
     } while (!bound_result());
     clusters_ = clusters_of_level();
+    report_placement(state_, result_->triangles, result_->positions, result_->counts);
     if (may_exchange_vertices(state_, placement_))
       cluster_for_fewer();
   }
 
   // Every result is nearer, since vertices lie near their clusters. Squares of much larger distances would overflow.
-  static double farthest_needed(const Clustering_input& input)
+  static double max_distance(const Clustering_input& input)
   {
     Bbox_3 box;
     for (const Vector& p : input.mesh.points)
@@ -81,6 +82,7 @@ private:
     std::vector<Triangle> triangles;
     std::vector<Vector> positions;
     double estimate;
+    Repair_counts counts;
   };
 
   std::vector<Index> clusters_of_level() const
@@ -102,7 +104,7 @@ private:
   double wanted() const { return 0.97 * local_distance_; }
 
   // A quick placement has larger distances than the placement that starts from it.
-  double quickly_wanted() const { return quick_ ? wanted() / usual_gain : wanted(); }
+  double quick_goal() const { return quick_ ? wanted() / usual_gain : wanted(); }
   static constexpr double usual_gain = 0.6;
 
   // Uses the first of several numbers of vertices that comes near enough.
@@ -126,7 +128,7 @@ private:
       levels_.emplace(state_);
       estimates_by_level_.clear();
       quick_estimates_.clear();
-      if (number_ >= vertices_ || quick_estimate(levels_->finest()) <= quickly_wanted() ||
+      if (number_ >= vertices_ || quick_estimate(levels_->finest()) <= quick_goal() ||
           (quick_ && try_level(levels_->finest()) <= wanted()))
         return;
       number_ *= 2;
@@ -274,10 +276,10 @@ private:
     minimize(state_, minimization_end_);
     ++report_.clusterings;
     Placed_dual dual = place_and_exchange(state_, placement_, output_coordinates_);
-    report_placement(state_, dual);
+    report_placement(state_, dual.triangles, dual.positions, dual.counts);
     if (dual.number_left() > 0)
       return infinite;
-    Result result{n, std::move(dual.triangles), std::move(dual.positions), 0};
+    Result result{n, std::move(dual.triangles), std::move(dual.positions), 0, std::move(dual.counts)};
     result.estimate = Distance_estimate(labels(state_), result.positions, result.triangles, state_.cancellation())
                         .distance(0.5 * local_distance_);
     ++report_.estimates;
@@ -304,7 +306,7 @@ private:
     Placed_level placed = levels_->place(n, placement, with_repair, output_coordinates_);
     ++report_.estimates;
     const double estimate = levels_->estimate(placed, 0.5 * local_distance_);
-    return {n, std::move(placed.triangles), std::move(placed.positions), estimate};
+    return {n, std::move(placed.triangles), std::move(placed.positions), estimate, std::move(placed.counts)};
   }
 
   // Returns the positions after rounding to the output, in coordinates of the arrays.

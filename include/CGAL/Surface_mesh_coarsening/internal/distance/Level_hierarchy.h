@@ -19,6 +19,7 @@ struct Placed_level
   Cluster_labels labels;
   std::vector<Triangle> triangles;
   std::vector<Vector> positions;
+  Repair_counts counts;
 };
 
 // The levels of detail of a clustering, which does not change while they are in use.

@@ -62,11 +62,10 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_level Level_hierarchy::place(std::siz
                                                                         bool with_repair,
                                                                         const Output_coordinates& output_coordinates) const
 {
-  Placed_level placed{labels(level), history_.triangles(level), {}};
-  Repair_counts counts;
+  Placed_level placed{labels(level), history_.triangles(level), {}, {}};
   const Clustered_faces surface(state_.working_input(), placed.labels, level);
   placed.positions = place_vertices(surface, Border_arcs(surface, state_.places_on_borders), placement, with_repair,
-                                    output_coordinates, placed.triangles, counts, state_.cancellation());
+                                    output_coordinates, placed.triangles, placed.counts, state_.cancellation());
   return placed;
 }
 

@@ -43,6 +43,7 @@ struct Clustering_state
   bool subdivides_input = false, merges_by_area = false, checks_boundary_counts = false, places_on_borders = true,
        repairs_output = true;
   std::size_t exchange_rounds = 0; // rounds that relocate vertices to places of large error
+  std::size_t max_local_repairs = 0; // times that vertices are relocated to intersecting triangles
   Local_frame frame;
   Featured_input input;
   std::vector<long long> patches; // per face of the caller's mesh, if given

@@ -69,20 +69,17 @@ inline Repair_counts repair_exchanged(const Clustering_state& state, const Clust
                               : Repair_counts();
 }
 
-// Relocates vertices to the triangles that still intersect, and repairs the placement again. Returns whether fewer pairs are
-// left; otherwise nothing changes.
-inline bool repair_by_exchange(Clustering_state& state, const Placement_model& placement,
-                               const Output_coordinates& output_coordinates, Cluster_relocation& clusters,
-                               std::unique_ptr<Clustered_faces>& surface, Placed_dual& dual)
+// Relocates a vertex from elsewhere to each of some triangles, and repairs the placement again.
+inline Placed_dual with_vertices_at(const std::vector<Index>& triangles, Clustering_state& state,
+                                    const Placement_model& placement, const Output_coordinates& output_coordinates,
+                                    Cluster_relocation& clusters, std::unique_ptr<Clustered_faces>& surface,
+                                    const Placed_dual& dual)
 {
-  const std::vector<Index> old_labels = labels(state).labels();
   Placed_dual next;
   next.triangles = dual.triangles;
   next.positions = dual.positions;
   Vertex_relocation relocation = vertex_relocation(state, *surface, clusters);
-  for (const auto& pair : dual.counts.intersections_left)
-    relocation.faulty.insert(relocation.faulty.end(), {pair.first, pair.second});
-  sort_unique(relocation.faulty);
+  relocation.destinations = triangles;
   state.visitor.stage_begins(Coarsening_stage::FEEDBACK);
   placement.exchanging(*surface, Border_arcs(*surface, state.places_on_borders), next.triangles, next.positions, relocation);
   state.visitor.stage_ends(Coarsening_stage::FEEDBACK);
@@ -90,6 +87,20 @@ inline bool repair_by_exchange(Clustering_state& state, const Placement_model& p
   next.counts = repair_exchanged(state, *surface, placement, output_coordinates, next);
   next.counts.intersections_found = dual.counts.intersections_found;
   next.counts.reversals_found = dual.counts.reversals_found;
+  return next;
+}
+
+// Relocates vertices to the triangles that still intersect. Returns whether fewer pairs are left; otherwise nothing changes.
+inline bool repair_by_exchange(Clustering_state& state, const Placement_model& placement,
+                               const Output_coordinates& output_coordinates, Cluster_relocation& clusters,
+                               std::unique_ptr<Clustered_faces>& surface, Placed_dual& dual)
+{
+  const std::vector<Index> old_labels = labels(state).labels();
+  std::vector<Index> triangles;
+  for (const auto& pair : dual.counts.intersections_left)
+    triangles.insert(triangles.end(), {pair.first, pair.second});
+  sort_unique(triangles);
+  Placed_dual next = with_vertices_at(triangles, state, placement, output_coordinates, clusters, surface, dual);
   const bool is_better = next.number_left() < dual.number_left();
   if (is_better) {
     dual = std::move(next);
@@ -106,7 +117,6 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
                                       const Output_coordinates& output_coordinates, Cluster_relocation& clusters,
                                       double& plain_distance)
 {
-  constexpr std::size_t max_repairs = 5;
   state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
   Placed_dual dual;
   std::unique_ptr<Clustered_faces> surface = clustered_faces(state, dual);
@@ -123,7 +133,7 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
     surface = clustered_faces(state, dual);
   dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual);
   bool is_better = true;
-  for (std::size_t i = 0; i < max_repairs && is_better && is_worth_repairing(state, dual); ++i)
+  for (std::size_t i = 0; i < state.max_local_repairs && is_better && is_worth_repairing(state, dual); ++i)
     is_better = repair_by_exchange(state, placement, output_coordinates, clusters, surface, dual);
   state.visitor.throw_if_cancelled();
   return dual;
@@ -144,7 +154,7 @@ inline bool is_better_plain(Clustering_state& state, const Placement_model& plac
   const bool is_repaired = dual.counts.intersections_found + dual.counts.reversals_found > 0;
   if (!is_repaired)
     return false;
-  const double distance = squared_fit_distance(*clustered_faces(state, dual), dual.triangles, dual.positions);
+  const double distance = squared_distance(*clustered_faces(state, dual), dual.triangles, dual.positions);
   const bool has_many = has_many_intersections(state, dual);
   if (!has_many && distance < plain_distance)
     return false;
@@ -154,7 +164,7 @@ inline bool is_better_plain(Clustering_state& state, const Placement_model& plac
   const std::size_t left = plain.number_left();
   if ((has_many && left < dual.number_left()) ||
       (left <= dual.number_left() &&
-       squared_fit_distance(*clustered_faces(state, plain), plain.triangles, plain.positions) < distance)) {
+       squared_distance(*clustered_faces(state, plain), plain.triangles, plain.positions) < distance)) {
     dual = std::move(plain);
     return true;
   }

@@ -30,6 +30,7 @@ void prepare(const FaceGraph& mesh, const NamedParameters& np, Execution executi
   constexpr bool has_densities = has_parameter<internal_np::face_density_t, NamedParameters>;
   const std::size_t default_feedback = has_densities ? 0 : Coarsening_defaults::error_feedback;
   state.exchange_rounds = choose_parameter(get_parameter(np, internal_np::error_feedback_p), default_feedback);
+  state.max_local_repairs = choose_parameter(get_parameter(np, internal_np::local_repairs_p), Coarsening_defaults::local_repairs);
   state.dropped_components = drop_small_components(np, state.frame, state.input.items, cancellation);
   read_features(mesh, np, elements, state.input, state.frame, state.patches, cancellation);
   state.visitor.stage_ends(Coarsening_stage::PREPARATION);

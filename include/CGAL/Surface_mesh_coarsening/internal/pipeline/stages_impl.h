@@ -300,13 +300,18 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place(const Clustering_state& st
   return dual;
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE void report_placement(Clustering_state& state, const Placed_dual& dual)
+CGAL_SURFACE_MESH_COARSENING_INLINE void
+report_placement(Clustering_state& state, const std::vector<Triangle>& triangles, const std::vector<Vector>& positions,
+                 const Repair_counts& counts, std::size_t clusterings)
 {
-  state.report.intersections_found = dual.counts.intersections_found;
-  state.report.intersections_left = dual.number_left();
-  state.report.reversals_found = dual.counts.reversals_found;
-  state.report.reversals_left = dual.counts.reversals_left;
-  state.report.clusterings = dual.clusterings;
+  Coarsening_report& report = state.report;
+  report.intersections_found = counts.intersections_found;
+  report.intersections_left = counts.intersections_left.size();
+  report.intersecting_faces.assign(counts.intersections_left.begin(), counts.intersections_left.end());
+  report.reversals_found = counts.reversals_found;
+  report.reversals_left = counts.reversals_left;
+  report.narrow_faces = narrowest_triangles(positions, triangles);
+  report.clusterings = clusterings;
 }
 
 // Seeds, grows and minimizes as before, with other densities.

@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EDGE_FLIPS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EDGE_FLIPS_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
 
 #include <CGAL/number_type_config.h>
@@ -27,11 +28,9 @@ public:
              const Cancellation_point& cancellation, Execution execution)
     : coarse_(coarse), positions_(positions), samples_(samples), cancellation_(cancellation), execution_(execution) {}
 
-  // Angles are in radians. No flip creates an angle below `min_angle` unless the two triangles have one already. A steady run
-  // changes the exchange rate of the run before only a little.
-  void run(double mean_angle, double min_angle, bool is_steady)
+  // The angle is in radians. A steady run changes the exchange rate of the run before only a little.
+  void run(double mean_angle, bool is_steady)
   {
-    sharpest_allowed_ = std::cos(min_angle);
     const std::vector<Triangle>& triangles = coarse_.triangles();
     measure_triangles();
     std::vector<Flip> flips;
@@ -49,13 +48,17 @@ public:
       });
     if (triangles.empty() || !(total > 0))
       return;
-    const double rate = rate_for(flips, budget, total / double(triangles.size()));
-    rate_ = is_steady && rate_ > 0 ? (std::min)((std::max)(rate, rate_ / max_change), rate_ * max_change) : rate;
-    apply(flips, rate_);
+    const double mean = total / double(triangles.size());
+    const double before = worth_.rate;
+    worth_.narrow_rate = narrow_part * mean;
+    worth_.rate = rate_for(flips, budget, mean);
+    if (is_steady && before > 0)
+      worth_.rate = (std::min)((std::max)(worth_.rate, before / max_change), before * max_change);
+    apply(flips);
   }
 
-  // The exchange rate of the last run: squared distance per radian.
-  double rate() const { return rate_; }
+  // What angles were worth in the last run.
+  const Angle_worth& worth() const { return worth_; }
 
 private:
   struct Flip
@@ -65,7 +68,8 @@ private:
     bool may_pay = false;
     double gain = 0; // in squared distance
     double loss = 0; // of angle
-    bool pays(double rate) const { return gain > rate * loss; }
+    double narrowing = 0;
+    double profit(const Angle_worth& worth) const { return gain - worth.rate * loss - worth.narrow_rate * narrowing; }
   };
 
   // The flips that may pay at some triangles, and the angles and costs of these.
@@ -123,10 +127,12 @@ private:
     if ((std::max)(sharpest_t, sharpest_u) > (std::max)({sharpest_allowed_, of_t.sharpest, of_u.sharpest}) ||
         !coarse_.may_flip(t, i, u) || folds_over(old_t, old_u, new_t, new_u))
       return flip;
-    flip.loss = of_t.angle + of_u.angle - angle(sharpest_t) - angle(sharpest_u);
+    const double angle_t = angle(sharpest_t), angle_u = angle(sharpest_u);
+    flip.loss = of_t.angle + of_u.angle - angle_t - angle_u;
+    flip.narrowing = narrowness(angle_t) + narrowness(angle_u) - narrowness(of_t.angle) - narrowness(of_u.angle);
     const double now = of_t.cost + of_u.cost;
     // If angles get worse, it may pay only if the distance gets smaller.
-    const bool is_closer = flip.loss >= 0;
+    const bool is_closer = flip.loss >= 0 && flip.narrowing >= 0;
     flip.gain = now - samples_.cost_instead(t, u, new_t, new_u, is_closer ? now : max_growth * now, is_closer);
     flip.may_pay = !is_closer || flip.gain > 0;
     return flip;
@@ -142,15 +148,16 @@ private:
 
   // Returns the smallest rate at which all profitable flips reduce the angles by at most `budget`. It is bounded, because
   // there may be no such rate. `unit` is a typical squared distance.
-  static double rate_for(const std::vector<Flip>& flips, double budget, double unit)
+  double rate_for(const std::vector<Flip>& flips, double budget, double unit) const
   {
     constexpr double degrees_per_radian = 180 / CGAL_PI;
-    double low = -30, high = 0;
+    double low = -6, high = 0;
     for (int i = 0; i < 40; ++i) {
       const double middle = 0.5 * (low + high), rate = unit * std::exp(middle) * degrees_per_radian;
+      const Angle_worth worth{rate, worth_.narrow_rate};
       double loss = 0;
       for (const Flip& flip : flips)
-        if (flip.pays(rate))
+        if (flip.profit(worth) > 0)
           loss += flip.loss;
       (loss > budget ? low : high) = middle;
     }
@@ -158,12 +165,12 @@ private:
   }
 
   // Makes the best flips first; re-evaluates each after the earlier ones. Each triangle is flipped at most once.
-  void apply(std::vector<Flip>& flips, double rate)
+  void apply(std::vector<Flip>& flips)
   {
-    flips.erase(std::remove_if(flips.begin(), flips.end(), [&](const Flip& f) { return !f.pays(rate); }), flips.end());
-    std::stable_sort(flips.begin(), flips.end(), [&](const Flip& f, const Flip& g) {
-      return f.gain - rate * f.loss > g.gain - rate * g.loss;
-    });
+    flips.erase(std::remove_if(flips.begin(), flips.end(), [this](const Flip& f) { return !(f.profit(worth_) > 0); }),
+                flips.end());
+    std::stable_sort(flips.begin(), flips.end(),
+                     [this](const Flip& f, const Flip& g) { return f.profit(worth_) > g.profit(worth_); });
     std::vector<bool> is_done(coarse_.triangles().size(), false);
     for (const Flip& flip : flips) {
       cancellation_.poll(steps_of_flip);
@@ -178,6 +185,8 @@ private:
 
   // The largest factor between the exchange rates of steady runs. With larger ones the rates oscillate.
   static constexpr double max_change = 3;
+  // A radian of narrowness is worth this part of the mean cost of a triangle.
+  static constexpr double narrow_part = 2;
   static constexpr std::size_t steps_of_flip = 64, triangles_of_part = 16;
   // Flips for better angles that increase the distance by a larger factor are not evaluated exactly.
   static constexpr double max_growth = 1.2;
@@ -187,7 +196,8 @@ private:
   Fit_samples& samples_;
   const Cancellation_point cancellation_;
   const Execution execution_;
-  double sharpest_allowed_ = 1, rate_ = 0;
+  const double sharpest_allowed_ = std::cos(min_angle);
+  Angle_worth worth_;
   std::vector<Measures> measures_; // of each triangle
 };
 

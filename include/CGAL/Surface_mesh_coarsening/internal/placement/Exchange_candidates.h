@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EXCHANGE_CANDIDATES_H
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
 
@@ -53,10 +54,10 @@ public:
     : border_(border), coarse_(coarse), positions_(positions), samples_(samples), cancellation_(cancellation),
       execution_(execution) {}
 
-  // Of the triangles as they are now. `rate` is the squared distance that a radian is worth.
-  void measure_triangles(double rate)
+  // Of the triangles as they are now.
+  void measure_triangles(const Angle_worth& worth)
   {
-    rate_ = rate;
+    worth_ = worth;
     const std::size_t n = coarse_.triangles().size();
     cost_.resize(n);
     angle_.resize(n);
@@ -111,15 +112,14 @@ public:
   void measure(Vertex_removal& r)
   {
     fan_.clear();
-    double cost = 0, angles = 0, least = min_angle;
+    double cost = 0, least = min_angle;
     const auto add = [&](Index t, const Triangle& now) {
       const bool remains = now[0] != now[1] && now[1] != now[2] && now[2] != now[0];
       if (remains)
         fan_.add_triangle(positions_[now[0]], positions_[now[1]], positions_[now[2]],
                           int(std::find(now.begin(), now.end(), r.into) - now.begin()), normal(t));
       add_samples_of(t);
-      cost += cost_[t];
-      angles += angle_[t];
+      cost += cost_[t] - worth_(angle_[t]);
       least = (std::min)(least, angle_[t]);
     };
     for (const Index t : coarse_.around(r.vertex))
@@ -137,7 +137,7 @@ public:
         r.place = place;
       }
     }
-    r.loss = rest - (cost - rate_ * angles);
+    r.loss = rest - cost;
     r.is_measured = true;
   }
 
@@ -156,7 +156,7 @@ public:
     add_samples_of(x.u);
     const double least = (std::min)({min_angle, angle_[x.t], angle_[x.u]});
     const double rest = best_place(middle, max_steps, least, std::numeric_limits<double>::infinity(), x.place);
-    x.gain = cost_[x.t] + cost_[x.u] - rate_ * (angle_[x.t] + angle_[x.u]) - rest;
+    x.gain = cost_[x.t] + cost_[x.u] - worth_(angle_[x.t]) - worth_(angle_[x.u]) - rest;
     x.is_measured = true;
   }
 
@@ -165,7 +165,6 @@ private:
   // squared times the area of its base; a vertex on the edge of two triangles saves the second fraction of their cost. With
   // these values, most of the best candidates are measured.
   static constexpr double pyramid_part = 0.18, insertion_part = 0.65;
-  static constexpr double min_angle = 10 / 57.29577951308232;
   static constexpr std::size_t max_valence = 32;
   static constexpr std::size_t vertices_of_part = 16, steps_of_removal = 32;
   static constexpr int max_steps = 3;
@@ -192,19 +191,19 @@ private:
   Vertex_removal estimated_removal(Index v) const
   {
     Vertex_removal best{std::numeric_limits<double>::infinity(), v, NONE, false, {}};
-    double area = 0, angles = 0, least = min_angle;
+    double area = 0, worth = 0, least = min_angle;
     for (const Index t : coarse_.around(v)) {
       const Vector n = normal(t);
       area += 0.5 * std::sqrt(dot(n, n));
-      angles += angle_[t];
+      worth += worth_(angle_[t]);
       least = (std::min)(least, angle_[t]);
     }
     for (const Index t : coarse_.around(v)) {
       const Index w = triangle(t)[(coarse_.corner(t, v) + 1) % 3];
-      double height = std::numeric_limits<double>::infinity(), new_angles = 0;
-      if (!look_at_collapse(v, w, least, height, new_angles))
+      double height = std::numeric_limits<double>::infinity(), new_worth = 0;
+      if (!look_at_collapse(v, w, least, height, new_worth))
         continue;
-      const double loss = pyramid_part * area * height + rate_ * (angles - new_angles);
+      const double loss = pyramid_part * area * height + worth - new_worth;
       if (loss < best.loss && may_collapse(v, w)) {
         best.loss = loss;
         best.into = w;
@@ -215,7 +214,7 @@ private:
 
   // Returns whether the triangles that remain around a vertex are sound after it has moved into another one. `height`: the
   // smallest squared distance from its old position to one of them.
-  bool look_at_collapse(Index v, Index into, double least_angle, double& height, double& angles) const
+  bool look_at_collapse(Index v, Index into, double least_angle, double& height, double& worth) const
   {
     for (const Index t : coarse_.around(v)) {
       if (coarse_.corner(t, into) >= 0)
@@ -225,7 +224,7 @@ private:
       const double new_angle = smallest_angle(positions_, now);
       if (!(dot(m, n) > Trial_fan::max_turn * std::sqrt(dot(m, m) * dot(n, n))) || new_angle < least_angle)
         return false;
-      angles += new_angle;
+      worth += worth_(new_angle);
       height = (std::min)(height, closest_on_triangle(positions_[v], positions_[now[0]], positions_[now[1]], positions_[now[2]],
                                                       height).squared_distance);
     }
@@ -263,8 +262,7 @@ private:
     for (int i = 0; i < steps; ++i) {
       fan_.move_to(p);
       Vector better;
-      const double bonus = rate_ * fan_.sum_of_angles();
-      const double cost = sample_weight() * fan_.squared_distances(p, better) - bonus;
+      const double cost = sample_weight() * fan_.squared_distances(p, better) - fan_.worth(worth_);
       if (cost < best && cost < limit && fan_.is_sound(std::cos(least_angle) + 1e-12)) {
         best = cost;
         place = p;
@@ -280,7 +278,7 @@ private:
   const Fit_samples& samples_;
   Cancellation_point cancellation_;
   const Execution execution_;
-  double rate_ = 0;
+  Angle_worth worth_;
   std::vector<double> cost_, angle_; // of each triangle
   Trial_fan fan_;
 };

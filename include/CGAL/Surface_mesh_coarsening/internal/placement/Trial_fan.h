@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Prepared_triangle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -51,23 +52,24 @@ public:
   }
 
   // Returns whether all triangles have a proper orientation, and no angle is smaller than the angle of the given
-  // cosine.
-  bool is_sound(double max_cosine) const
+  // cosine. `min_turn_cosine`: of the largest angle between the normals of a triangle before and after.
+  bool is_sound(double max_cosine, double min_turn_cosine = max_turn) const
   {
     for (const Local_triangle& t : triangles_) {
       const Vector n = cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]);
-      if (!(dot(n, t.reference) > max_turn * std::sqrt(dot(n, n) * dot(t.reference, t.reference))) ||
+      if (!(dot(n, t.reference) > min_turn_cosine * std::sqrt(dot(n, n) * dot(t.reference, t.reference))) ||
           sharpest(t) > max_cosine)
         return false;
     }
     return true;
   }
 
-  double sum_of_angles() const
+  // Returns the sum of what the smallest angles are worth.
+  double worth(const Angle_worth& worth) const
   {
     double sum = 0;
     for (const Local_triangle& t : triangles_)
-      sum += std::acos((std::min)(1., sharpest(t)));
+      sum += worth(std::acos((std::min)(1., sharpest(t))));
     return sum;
   }
 

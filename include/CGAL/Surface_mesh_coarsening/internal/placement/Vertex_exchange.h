@@ -35,11 +35,11 @@ public:
       candidates_(border, coarse, positions, samples, cancellation, execution)
   {}
 
-  // Exchanges vertices as long as an exchange between two untouched places is profitable. `rate` is the squared distance per
-  // radian. Returns the number of exchanged vertices.
-  std::size_t run(double rate)
+  // Exchanges vertices as long as an exchange between two untouched places is profitable. Returns the number of
+  // exchanged vertices.
+  std::size_t run(const Angle_worth& worth)
   {
-    begin(rate);
+    begin(worth);
     candidates_.for_each_insertion([this](const Vertex_insertion& x) { insertions_.push(x); });
     std::size_t exchanged = 0;
     while (find_best_removal() && find_best_insertion()) {
@@ -64,7 +64,7 @@ public:
   // Moves one vertex to each of some triangles, whatever that costs.
   void run_at(const std::vector<Index>& triangles)
   {
-    begin(0);
+    begin(Angle_worth());
     for (const Index t : triangles)
       take_vertex_to(t);
   }
@@ -75,11 +75,11 @@ private:
 
   const Triangle& triangle(Index t) const { return coarse_.triangles()[t]; }
 
-  void begin(double rate)
+  void begin(const Angle_worth& worth)
   {
-    rate_ = rate;
+    worth_ = worth;
     is_touched_.assign(positions_.size(), false);
-    candidates_.measure_triangles(rate);
+    candidates_.measure_triangles(worth);
     removals_ = std::priority_queue<Vertex_removal>();
     insertions_ = std::priority_queue<Vertex_insertion>();
     candidates_.for_each_removal([this](const Vertex_removal& r) { removals_.push(r); });
@@ -230,7 +230,7 @@ private:
   {
     double sum = 0;
     for (const Index t : triangles)
-      sum += samples_.cost(t) - rate_ * smallest_angle(positions_, triangle(t));
+      sum += samples_.cost(t) - worth_(smallest_angle(positions_, triangle(t)));
     return sum;
   }
 
@@ -253,7 +253,7 @@ private:
   const Vertex_relocation& relocation_;
   Cancellation_point cancellation_;
   Exchange_candidates candidates_;
-  double rate_ = 0;
+  Angle_worth worth_;
   std::vector<char> is_touched_; // of each vertex, in this run
   std::priority_queue<Vertex_removal> removals_;
   std::priority_queue<Vertex_insertion> insertions_;

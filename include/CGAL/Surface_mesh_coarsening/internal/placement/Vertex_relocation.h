@@ -21,7 +21,7 @@ struct Vertex_relocation
   // Is called between the fit and the rounds with exchanges.
   std::function<void()> begins;
   // Triangles that shall get a vertex each from elsewhere. With any, this is all that the placement does.
-  std::vector<Index> faulty;
+  std::vector<Index> destinations;
   // Moves cluster `x` into a neighbor, to `into` if possible, and back to one of some faces of the surface, the first that is
   // possible.
   std::function<Relocation(Index x, Index into, const std::vector<Index>& faces)> relocate;

@@ -18,14 +18,14 @@ namespace internal {
 // Fits all vertices together, starting from quadrics: see `Fitted_placement`. `mean_angle` is in degrees. After the rounds, as
 // many follow as `relocation` wants, which exchange vertices for as long as there are some to exchange, then two without. The
 // plain fit is the result if none of the last meshes is nearer at angles as large. Returns the squared distance of the plain fit;
-// 0 if no others follow it.
+// 0 if that is the result.
 double fit_vertices(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
                     std::vector<Triangle>& triangles, std::vector<Vector>& positions,
                     const Vertex_relocation& relocation = Vertex_relocation());
 
-// The mean squared distance of samples of a surface from a coarse mesh, or the other way if that is larger.
-double squared_fit_distance(const Clustered_faces& surface, const std::vector<Triangle>& triangles,
-                            const std::vector<Vector>& positions);
+// The mean squared distance of a surface from a coarse mesh, or the other way if that is larger, as `Sampled_distance` has it.
+double squared_distance(const Clustered_faces& surface, const std::vector<Triangle>& triangles,
+                        const std::vector<Vector>& positions);
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

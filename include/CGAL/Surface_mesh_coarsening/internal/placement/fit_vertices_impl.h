@@ -5,7 +5,9 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_improvement.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Edge_flips.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Sampled_distance.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Surface_fit.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Vertex_exchange.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
@@ -39,7 +41,9 @@ public:
     : surface_(surface), mean_angle_(mean_angle), positions_(positions), relocation_(relocation),
       coarse_(triangles, positions.size(), surface.features()), fit_(surface, border, coarse_, positions),
       flips_(coarse_, positions, fit_.samples(), surface.cancellation(), surface.execution()),
-      exchange_(border, coarse_, positions, fit_.samples(), relocation, surface.cancellation(), surface.execution())
+      exchange_(border, coarse_, positions, fit_.samples(), relocation, surface.cancellation(), surface.execution()),
+      angles_(border, coarse_, positions, fit_.samples(), [this](Index x, const Vector& p) { return within_bounds(x, p); },
+              surface.cancellation())
   {}
 
   const std::vector<Triangle>& triangles() const { return coarse_.triangles(); }
@@ -47,7 +51,7 @@ public:
   // What rounds begin with.
   void find_feet(std::size_t step = 1) { fit_.find_feet(step); }
 
-  void exchange_at_faults() { exchange_.run_at(relocation_.faulty); }
+  void exchange_at_destinations() { exchange_.run_at(relocation_.destinations); }
 
   // From now on, angles and distance are traded at a rate that changes slowly.
   void keep_rate() { is_steady_ = true; }
@@ -55,40 +59,64 @@ public:
   // Returns the number of vertices exchanged.
   std::size_t advance(bool exchanges)
   {
-    // The movements after the last flips take a little from the angles.
-    constexpr double reserve = 0.4;
-    constexpr double min_angle = 7;
-    flips_.run((mean_angle_ + reserve) / degrees_per_radian, min_angle / degrees_per_radian, is_steady_);
-    const std::size_t exchanged = exchanges ? exchange_.run(flips_.rate()) : 0;
+    if (is_steady_)
+      correct_reserve();
+    flips_.run((mean_angle_ + reserve_) / degrees_per_radian, is_steady_);
+    const std::size_t exchanged = exchanges ? exchange_.run(flips_.worth()) : 0;
     fit_.move_vertices();
     for (std::size_t x = 0; x < positions_.size(); ++x)
-      positions_[x] = relocation_.rounds > 0 ? relocation_.within_bounds(Index(x), positions_[x])
-                                             : surface_.within_bounds(x, positions_[x]);
+      positions_[x] = within_bounds(Index(x), positions_[x]);
     return exchanged;
   }
 
-  // The mesh as it is, with feet found.
-  Fitted_mesh mesh() const
+  // Ends the rounds, or some of them.
+  void settle()
   {
-    double angles = 0;
-    for (const Triangle& t : triangles())
-      angles += smallest_angle(positions_, t);
-    const double number = (std::max)(double(triangles().size()), 1.);
-    return {triangles(), positions_, fit_.samples().squared_distance(), angles * degrees_per_radian / number};
+    fit_.find_feet(1);
+    // Narrow triangles that are left now remain, and are worth more.
+    Angle_worth worth = flips_.worth();
+    worth.narrow_rate *= 2;
+    angles_.run(worth);
   }
+
+  // The mesh as it is, with feet found.
+  Fitted_mesh mesh() const { return {triangles(), positions_, fit_.samples().squared_distance(), current_angle()}; }
 
 private:
   static constexpr double degrees_per_radian = 180 / CGAL_PI;
 
+  double current_angle() const
+  {
+    double angles = 0;
+    for (const Triangle& t : triangles())
+      angles += smallest_angle(positions_, t);
+    return angles * degrees_per_radian / (std::max)(double(triangles().size()), 1.);
+  }
+
+  // Asks flips for more if angles have become too small, and for less if they are larger than they need to be.
+  void correct_reserve()
+  {
+    constexpr double wanted = 0.2, max_reserve = 2, part = 0.5;
+    const double missing = mean_angle_ + wanted - current_angle();
+    reserve_ = (std::min)((std::max)(reserve_ + part * missing, 0.), max_reserve);
+  }
+
+  Vector within_bounds(Index x, const Vector& p) const
+  {
+    return relocation_.rounds > 0 ? relocation_.within_bounds(x, p) : surface_.within_bounds(x, p);
+  }
+
   const Clustered_faces& surface_;
   double mean_angle_;
   bool is_steady_ = false;
+  double reserve_ = 0.4; // of angle, in degrees: movements after the last flips take a little
   std::vector<Vector>& positions_;
   const Vertex_relocation& relocation_;
   Flippable_triangulation coarse_;
   Surface_fit fit_;
   Edge_flips flips_;
   Vertex_exchange exchange_;
+  Angle_improvement angles_;
 };
 
 inline void place_by_quadrics(const Clustered_faces& surface, const Border_arcs& border, std::vector<Vector>& positions)
@@ -100,6 +128,15 @@ inline void place_by_quadrics(const Clustered_faces& surface, const Border_arcs&
   }
 }
 
+// Compares a mesh with the one before the exchanges, whose squared distance `plain_distance` receives. The samples of the fit do
+// not decide: they have moved the vertices.
+inline bool is_nearer(const Clustered_faces& surface, const Fitted_mesh& mesh, const Fitted_mesh& plain, double& plain_distance)
+{
+  const Sampled_distance distance(surface, plain.triangles.size());
+  plain_distance = distance.squared(plain.triangles, plain.positions);
+  return distance.squared(mesh.triangles, mesh.positions) < plain_distance;
+}
+
 CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_faces& surface, const Border_arcs& border,
                                                       std::size_t rounds, double mean_angle, std::vector<Triangle>& triangles,
                                                       std::vector<Vector>& positions, const Vertex_relocation& relocation)
@@ -108,10 +145,10 @@ CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_faces& s
   constexpr std::size_t rounds_with_all = 3, step_before = 4;
   // After the last exchange.
   constexpr std::size_t last_rounds = 2;
-  if (!relocation.faulty.empty()) {
+  if (!relocation.destinations.empty()) {
     Vertex_fit fit(surface, border, mean_angle, triangles, positions, relocation);
     fit.find_feet();
-    fit.exchange_at_faults();
+    fit.exchange_at_destinations();
     triangles = fit.triangles();
     return 0;
   }
@@ -122,22 +159,24 @@ CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_faces& s
     fit.advance(false);
     surface.cancellation().step_done(Coarsening_stage::PLACEMENT, rounds + 1 - left, rounds);
   }
+  fit.settle();
   triangles = fit.triangles();
   if (relocation.rounds == 0)
     return 0;
   relocation.begins();
-  fit.find_feet();
-  Fitted_mesh best = fit.mesh();
-  const double plain_distance = best.error;
+  const Fitted_mesh plain = fit.mesh();
+  Fitted_mesh best = plain;
   fit.keep_rate();
   bool is_plain = true;
   std::size_t exchanged = 1;
   for (std::size_t i = 0; i < relocation.rounds && exchanged > 0; ++i) {
     exchanged = fit.advance(true);
-    fit.find_feet();
+    if (exchanged > 0 && i + 1 < relocation.rounds)
+      fit.find_feet();
     surface.cancellation().step_done(Coarsening_stage::FEEDBACK, i + 1, relocation.rounds + last_rounds);
   }
   for (std::size_t i = 0; i <= last_rounds; ++i) {
+    fit.settle();
     Fitted_mesh mesh = fit.mesh();
     if (mesh.improves(best, mean_angle)) {
       best = std::move(mesh);
@@ -145,25 +184,24 @@ CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_faces& s
     }
     if (i < last_rounds) {
       fit.advance(false);
-      fit.find_feet();
       surface.cancellation().step_done(Coarsening_stage::FEEDBACK, relocation.rounds + i + 1, relocation.rounds + last_rounds);
     }
   }
-  if (is_plain)
+  double plain_distance = 0;
+  if (is_plain || !is_nearer(surface, best, plain, plain_distance)) {
+    best = plain;
     relocation.undo();
+  }
   triangles = best.triangles;
   positions = best.positions;
   return plain_distance;
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE double squared_fit_distance(const Clustered_faces& surface,
-                                                                const std::vector<Triangle>& triangles,
-                                                                const std::vector<Vector>& positions)
+CGAL_SURFACE_MESH_COARSENING_INLINE double squared_distance(const Clustered_faces& surface,
+                                                            const std::vector<Triangle>& triangles,
+                                                            const std::vector<Vector>& positions)
 {
-  const Flippable_triangulation coarse(triangles, positions.size(), surface.features());
-  Fit_samples samples(surface, coarse, positions);
-  samples.find_feet(1);
-  return samples.squared_distance();
+  return Sampled_distance(surface, triangles.size()).squared(triangles, positions);
 }
 
 } // namespace internal

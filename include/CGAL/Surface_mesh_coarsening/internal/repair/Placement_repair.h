@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Input_oracle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Placement_faults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_counts.h>
@@ -27,7 +28,8 @@ namespace internal {
 // Moves vertices of a coarse mesh, and flips edges, where triangles intersect that do not in the input, and where they look
 // away from the surface that they stand for. Fault by fault, many small changes are tried: vertices pulled back towards the
 // centroids of their clusters or towards their neighbors, vertices pushed along the normal of the surface, edges flipped. The
-// one that does the least harm to the distance for each fault that it takes away is made.
+// one that does the least harm to the distance for each fault that it takes away is made; one that creates a small angle only
+// if no other helps.
 class Placement_repair
 {
 public:
@@ -70,6 +72,7 @@ private:
   {
     long gain = 0;
     double harm = 0;
+    bool narrows = false; // whether it creates a small angle
   };
 
   // Ends with the fewest faults that were reached.
@@ -80,9 +83,9 @@ private:
     std::vector<Triangle> best_triangles = coarse_.triangles();
     std::vector<Vector> best_positions = positions_;
     for (std::size_t round = 0; is_worth_trying(round, rounds_in_vain); ++round) {
-      is_in_hurry_ = round >= 2;
+      prefers_gain_ = round >= 2;
       if (rounds_in_vain > 0)
-        shake_around_faults(rounds_in_vain);
+        perturb_around_faults(rounds_in_vain);
       repair_faults();
       faults_.find();
       ++rounds_in_vain;
@@ -138,7 +141,7 @@ private:
   }
 
   // Lets vertices go back towards where they were, as far as that lowers the distance and makes no fault: not all that were
-  // shaken had to move, and later changes may have made room for others.
+  // perturbed had to move, and later changes may have made room for others.
   void return_to(const std::vector<Vector>& wanted)
   {
     constexpr int times = 3;
@@ -172,7 +175,9 @@ private:
   {
     if (a.gain <= 0 || b.gain <= 0)
       return a.gain > 0;
-    if (is_in_hurry_ && a.gain != b.gain)
+    if (a.narrows != b.narrows)
+      return b.narrows;
+    if (prefers_gain_ && a.gain != b.gain)
       return a.gain > b.gain;
     // Roundings decide nothing where a mesh is symmetric and harms are the same.
     const double harm = a.harm * double(b.gain), other = b.harm * double(a.gain);
@@ -211,9 +216,15 @@ private:
     const long before = faults_before(altered);
     if (before == 0)
       return effect;
+    const double angle_allowed = (std::min)(min_angle, smallest_angle_of(altered));
     const auto measure = [&] {
+      effect.narrows = smallest_angle_of(altered) < angle_allowed;
+      if (effect.narrows && other.gain > 0 && !other.narrows)
+        return;
       effect.gain = (std::max)(0l, before - faults_.number_of(altered, before));
-      if (effect.gain > 0)
+      if (effect.gain > 0 && other.narrows && !effect.narrows)
+        effect.harm = squared_distance_around(vertices) - distance_before_;
+      else if (effect.gain > 0)
         effect.harm = squared_distance_around(vertices, distance_before_ + max_harm(effect.gain, other)) - distance_before_;
     };
     if (change.flipped == NONE) {
@@ -233,11 +244,19 @@ private:
     return effect;
   }
 
+  double smallest_angle_of(const std::vector<Index>& triangles) const
+  {
+    double smallest = CGAL_PI;
+    for (const Index t : triangles)
+      smallest = (std::min)(smallest, smallest_angle(positions_, coarse_.triangles()[t]));
+    return smallest;
+  }
+
   // From which harm on an effect of so large a gain is not better than another one.
   double max_harm(long gain, const Effect& other) const
   {
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    if (other.gain <= 0 || (is_in_hurry_ && gain > other.gain))
+    if (other.gain <= 0 || (prefers_gain_ && gain > other.gain))
       return infinite;
     // One that takes away fewer faults will not be made, but must not be taken for one that does no harm.
     return other.harm > 0 ? 1.000001 * other.harm * double(gain) / double(other.gain) : infinite;
@@ -294,7 +313,7 @@ private:
 
   // Where nothing helped, brings the vertices around half way to the centroids of their clusters, pushes them out, which
   // makes thin parts thicker, or pushes them in, which widens gaps; then changes are tried again.
-  void shake_around_faults(std::size_t time)
+  void perturb_around_faults(std::size_t time)
   {
     std::set<Index> vertices;
     const auto add_ring = [&](Index t) {
@@ -330,7 +349,7 @@ private:
   std::vector<Index> last_altered_; // the triangles whose faults were counted last before a change
   long last_faults_ = 0;
   double distance_before_ = 0; // of the surroundings of what is being repaired
-  bool is_in_hurry_ = false, at_input_vertices_ = false;
+  bool prefers_gain_ = false, at_input_vertices_ = false;
 };
 
 } // namespace internal
