@@ -3,15 +3,16 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_COARSEN_DISTRIBUTED_MESH_H
 #define CGAL_SURFACE_MESH_COARSENING_COARSEN_DISTRIBUTED_MESH_H
 
+#include <CGAL/Surface_mesh_coarsening/Distributed_report.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_coarsening.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Piece_reader.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/chosen_energy.h>
 
 #include <boost/mpi/communicator.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,6 +21,7 @@
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
+
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
@@ -77,6 +79,80 @@ Minimization_end distributed_minimization_end(const NamedParameters& np)
   return {std::size_t(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
                                        Coarsening_defaults::number_of_iterations)),
           tolerance};
+}
+
+template <class NamedParameters>
+void read_scratch(const NamedParameters& np, Distributed_choice& choice)
+{
+  choice.scratch_directory = choose_parameter(get_parameter(np, internal_np::scratch_directory_p), std::string());
+  choice.scratch_memory = std::uint64_t(choose_parameter(get_parameter(np, internal_np::scratch_memory_p), std::uint64_t(0)));
+}
+
+// The choice refers to the placement and to the parameters.
+template <class ConcurrencyTag, class Placement, class NamedParametersIn, class NamedParametersOut>
+Distributed_choice distributed_choice(std::size_t number_of_vertices, const Placement& placement, const NamedParametersIn& np_in,
+                                      const NamedParametersOut& np_out)
+{
+  refuse_unavailable(np_in, np_out);
+  Distributed_choice choice;
+  choice.number_of_vertices = number_of_vertices;
+  if constexpr (has_parameter<internal_np::faces_per_block_t, NamedParametersIn>) {
+    choice.faces_per_block = std::size_t(get_parameter(np_in, internal_np::faces_per_block_p));
+    if (*choice.faces_per_block == 0)
+      throw Invalid_input("the number of faces per block is 0");
+  }
+  choice.end = distributed_minimization_end(np_in);
+  choice.has_densities = has_parameter<internal_np::face_density_t, NamedParametersIn>;
+  choice.maximum_density = density_choice(np_in).maximum;
+  choice.execution = execution<ConcurrencyTag>();
+  choice.visitor = Visitor_handle(get_parameter(np_in, CGAL::internal_np::visitor));
+  const auto energy = chosen_energy<Energy_choice<NamedParametersIn> >(np_in);
+  choice.energy = energy_model(energy);
+  choice.energies = [energy](const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters) {
+    return cluster_energies(energy, input, labels, clusters);
+  };
+  choice.placement = placement_model(placement);
+  if (!choice.placement.local)
+    throw Invalid_input("a placement of all vertices together, as Fitted_placement is, is not available for distributed "
+                        "meshes");
+  choice.wants_clusters = has_parameter<internal_np::face_cluster_t, NamedParametersIn>;
+  if constexpr (has_parameter<internal_np::face_name_t, NamedParametersIn>)
+    choice.face_names = [&np_in](std::uint64_t face) { return get(get_parameter(np_in, internal_np::face_name), face); };
+  read_scratch(np_in, choice);
+  return choice;
+}
+
+// `put_clusters` receives the clusters of the faces of the piece of this rank, if the parameters want them.
+template <class ConcurrencyTag, class OutputFaceGraph, class NamedParametersIn, class NamedParametersOut, class PutClusters>
+Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, const Face_source& source,
+                                 std::size_t number_of_vertices, OutputFaceGraph& output, const NamedParametersIn& np_in,
+                                 const NamedParametersOut& np_out, const PutClusters& put_clusters)
+{
+  typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Centroid_placement> Placement;
+  const auto placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
+  Distributed_choice choice;
+  on_all_ranks(communicator,
+               [&] { choice = distributed_choice<ConcurrencyTag>(number_of_vertices, placement, np_in, np_out); });
+  Distributed_coarsening coarsening(communicator, choice);
+  coarsening.run(source);
+  typedef Face_graph_filler<OutputFaceGraph, NamedParametersOut> Filler;
+  std::optional<Filler> filler;
+  on_all_ranks(communicator, [&] {
+    if (communicator.rank() == 0)
+      filler.emplace(coarsening.positions(), coarsening.frame(), coarsening.triangles(), output, np_out,
+                     Cancellation_point(choice.visitor));
+    choice.visitor.throw_if_cancelled();
+  });
+  on_all_ranks(communicator, [&] {
+    put_clusters(coarsening.clusters_of_piece());
+    if (filler)
+      filler->commit();
+  });
+  Distributed_report report;
+  static_cast<Coarsening_report&>(report) = coarsening.report();
+  report.bytes_sent = coarsening.bytes_sent();
+  report.bytes_of_scratch = coarsening.bytes_of_scratch();
+  return report;
 }
 
 } // namespace internal
@@ -159,6 +235,18 @@ Minimization_end distributed_minimization_end(const NamedParameters& np)
 ///     \cgalParamExtra{there are more where the centers of more faces coincide up to a millionth of the extent of the mesh, and
 ///                     where a single cluster has more}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{scratch_directory}
+///     \cgalParamDescription{a directory for a file of this rank, which receives the faces that `scratch_memory` has no room for.
+///       The file vanishes with the process, however that ends.}
+///     \cgalParamType{`std::string`}
+///     \cgalParamDefault{empty: all faces are kept in memory}
+///     \cgalParamExtra{the result does not depend on it}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{scratch_memory}
+///     \cgalParamDescription{the number of bytes of faces that are kept in memory, besides the block that is worked on}
+///     \cgalParamType{`std::uint64_t`}
+///     \cgalParamDefault{`0`: with a scratch directory, only blocks that are worked on are in memory}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_cluster_map}
 ///     \cgalParamDescription{receives the cluster of each face of `piece`}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the faces as keys and an integral value type}
@@ -195,77 +283,80 @@ Minimization_end distributed_minimization_end(const NamedParameters& np)
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return what was done, in numbers, on all ranks. Seeds, splits, merges, moves, tests and the initial energy are those of the
-/// clustering of cells.
+/// \return what was done, in numbers.
 ///
 /// \throws Unreachable_number_of_vertices if the number of vertices cannot be reached; it carries the nearest number that can.
 /// \throws Invalid_input if the pieces have no faces, do not form a 2-manifold, contradict each other, or have a coordinate that
 /// is not finite, if a parameter is out of range or not available, or if the ranks want different numbers of vertices. Messages
 /// name the piece and the face, or the number of the vertex.
 /// \throws Coarsening_cancelled if the visitor of a rank said so.
-/// \throws std::runtime_error if a rank has failed otherwise, say for want of memory.
+/// \throws std::runtime_error if a rank has failed otherwise, say for want of memory or of room for its scratch file.
 /// All ranks throw the same, and the output is as before the call then.
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class VertexNumberMap, class OutputFaceGraph,
           class NamedParametersIn = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters>
-Coarsening_report coarsen_distributed_mesh(const boost::mpi::communicator& communicator, const FaceGraph& piece,
-                                           const VertexNumberMap& vertex_numbers, std::size_t number_of_vertices,
-                                           OutputFaceGraph& output,
-                                           const NamedParametersIn& np_in = parameters::default_values(),
-                                           const NamedParametersOut& np_out = parameters::default_values())
+Distributed_report coarsen_distributed_mesh(const boost::mpi::communicator& communicator, const FaceGraph& piece,
+                                            const VertexNumberMap& vertex_numbers, std::size_t number_of_vertices,
+                                            OutputFaceGraph& output,
+                                            const NamedParametersIn& np_in = parameters::default_values(),
+                                            const NamedParametersOut& np_out = parameters::default_values())
 {
   using namespace internal;
-  typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Centroid_placement> Placement;
-  const auto energy = chosen_energy<Energy_choice<NamedParametersIn> >(np_in);
-  const auto placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
-  const auto cluster_map = get_parameter(np_in, internal_np::face_cluster);
-  Distributed_choice choice;
-  Face_set set;
-  on_all_ranks(communicator, [&] {
-    refuse_unavailable(np_in, np_out);
-    choice.number_of_vertices = number_of_vertices;
-    if constexpr (has_parameter<internal_np::faces_per_block_t, NamedParametersIn>) {
-      choice.faces_per_block = std::size_t(get_parameter(np_in, internal_np::faces_per_block_p));
-      if (*choice.faces_per_block == 0)
-        throw Invalid_input("the number of faces per block is 0");
-    }
-    choice.end = distributed_minimization_end(np_in);
-    choice.has_densities = has_parameter<internal_np::face_density_t, NamedParametersIn>;
-    choice.maximum_density = density_choice(np_in).maximum;
-    choice.execution = execution<ConcurrencyTag>();
-    choice.visitor = Visitor_handle(get_parameter(np_in, CGAL::internal_np::visitor));
-    choice.energy = energy_model(energy);
-    choice.energies = [energy](const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters) {
-      return cluster_energies(energy, input, labels, clusters);
-    };
-    choice.placement = placement_model(placement);
-    if (!choice.placement.local)
-      throw Invalid_input("a placement of all vertices together, as Fitted_placement is, is not available for distributed "
-                          "meshes");
-    Piece_reader(piece, vertex_numbers, np_in, communicator.rank()).run(set, Cancellation_point(choice.visitor));
-  });
-  const std::size_t faces_of_piece = set.size();
-  Distributed_coarsening coarsening(communicator, choice);
-  coarsening.run(std::move(set));
-  const std::vector<Index> clusters = coarsening.clusters_of_piece(faces_of_piece);
-  typedef Face_graph_filler<OutputFaceGraph, NamedParametersOut> Filler;
-  std::optional<Filler> filler;
-  on_all_ranks(communicator, [&] {
-    if (communicator.rank() == 0)
-      filler.emplace(coarsening.positions(), coarsening.frame(), coarsening.triangles(), output, np_out,
-                     Cancellation_point(choice.visitor));
-    choice.visitor.throw_if_cancelled();
-  });
-  on_all_ranks(communicator, [&] {
-    if constexpr (has_parameter<internal_np::face_cluster_t, NamedParametersIn>) {
-      std::size_t i = 0;
-      for (const auto f : faces(piece))
-        put(cluster_map, f, clusters[i++]);
-    }
-    if (filler)
-      filler->commit();
-  });
-  return coarsening.report();
+  return coarsen_faces<ConcurrencyTag>(
+    communicator, source_of_face_graph(piece, vertex_numbers, np_in), number_of_vertices, output, np_in, np_out,
+    [&](const std::vector<Index>& clusters) {
+      if constexpr (has_parameter<internal_np::face_cluster_t, NamedParametersIn>) {
+        std::size_t i = 0;
+        for (const auto f : faces(piece))
+          put(get_parameter(np_in, internal_np::face_cluster), f, clusters[i++]);
+      }
+    });
+}
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// coarsens a mesh whose pieces are read face by face, for example from a file.
+///
+/// No rank needs memory for its piece: with parameter `scratch_directory`, a mesh can be larger than memory. Everything else is as in
+/// `coarsen_distributed_mesh()`, except that a face is known by its number in the sequence of its piece, from 0, and that
+/// `vertex_point_map` and `geom_traits` of `np_in` have no meaning.
+///
+/// \tparam FaceSource a function object. `source(receive)` calls `receive(numbers, points)` for each face of the piece of this rank,
+///                    in the same order each time. `numbers` is a `std::vector<std::uint64_t>` of the global numbers of its vertices,
+///                    in counterclockwise order, and `points` a `std::vector<std::array<double, 3> >` of their coordinates. What it
+///                    throws is thrown on all ranks, as `std::runtime_error`.
+///
+/// \param communicator the ranks
+/// \param source passes the faces of the piece of this rank. It is called three times.
+/// \param number_of_vertices the number of vertices of the output
+/// \param output receives the coarse mesh on rank 0. On other ranks it is not touched.
+/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" as in `coarsen_distributed_mesh()`. The maps
+///              `face_density_map` and `face_cluster_map` have a `std::size_t` as key, the number of the face in its piece.
+/// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" as in `coarsen_distributed_mesh()`
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{face_name_map}
+///     \cgalParamDescription{the names of faces in messages}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the number of a face in the sequence of all pieces, a `std::uint64_t`,
+///       as key and `std::string` as value type}
+///     \cgalParamDefault{names like "face 7 of piece 1"}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+template <class ConcurrencyTag = Sequential_tag, class FaceSource, class OutputFaceGraph,
+          class NamedParametersIn = parameters::Default_named_parameters,
+          class NamedParametersOut = parameters::Default_named_parameters>
+Distributed_report coarsen_distributed_faces(const boost::mpi::communicator& communicator, const FaceSource& source,
+                                             std::size_t number_of_vertices, OutputFaceGraph& output,
+                                             const NamedParametersIn& np_in = parameters::default_values(),
+                                             const NamedParametersOut& np_out = parameters::default_values())
+{
+  using namespace internal;
+  return coarsen_faces<ConcurrencyTag>(
+    communicator, source_of_faces(source, np_in), number_of_vertices, output, np_in, np_out,
+    [&](const std::vector<Index>& clusters) {
+      if constexpr (has_parameter<internal_np::face_cluster_t, NamedParametersIn>)
+        for (std::size_t i = 0; i < clusters.size(); ++i)
+          put(get_parameter(np_in, internal_np::face_cluster), i, clusters[i]);
+    });
 }
 
 } // namespace Surface_mesh_coarsening

@@ -3,6 +3,7 @@
 // Meshes in pieces on several ranks. The program runs on any number of ranks; cases that need fewer use the first ones.
 
 #define BOOST_TEST_MODULE distributed
+#include "distributed/mixed_surfaces.h"
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 #include "support/reference_energy.h"
@@ -36,6 +37,7 @@
 namespace SMC = CGAL::Surface_mesh_coarsening;
 namespace mpi = boost::mpi;
 using generated::Soup;
+using generated::mixed_surfaces;
 using test::Mesh;
 
 namespace {
@@ -155,15 +157,6 @@ void check_validity(const Soup& soup, const Result& result, std::size_t n)
   BOOST_TEST(reference::fault_of_surface(m, triangles, component) == "");
   for (const double x : result.coordinates)
     BOOST_TEST(std::isfinite(x));
-}
-
-// Handles, loops and several components, of triangles and quadrilaterals.
-Soup mixed_surfaces()
-{
-  Soup soup = generated::torus(40, 20);
-  soup = generated::joined(soup, generated::translated(generated::triangulated(generated::tube(24, 30)), 4, 0, 0));
-  soup = generated::joined(soup, generated::translated(generated::with_holes(generated::triangle_sphere(4), 3), 0, 4, 0));
-  return generated::joined(soup, generated::translated(generated::plate_with_windows(2, 4), 5, 5, 0));
 }
 
 template <class NamedParameters>

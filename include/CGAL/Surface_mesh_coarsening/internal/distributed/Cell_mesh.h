@@ -19,6 +19,14 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
+// The density of a face as a linear function of its deviation (section 5.2), or of the density that the caller gives.
+struct Linear_density
+{
+  double constant = 0, factor = 1;
+
+  double operator()(double x) const { return constant + factor * x; }
+};
+
 // The mesh of all cells, on one rank.
 //
 // An edge of it is a path of edges between two cells. These know it by its first edge, seen from one side, and by its last,
@@ -27,6 +35,8 @@ namespace internal {
 class Cell_mesh
 {
 public:
+  explicit Cell_mesh(const Linear_density& density) : density_(density) {}
+
   // Adds the cells that `Cells` has written.
   void read(const Words& words)
   {
@@ -34,15 +44,15 @@ public:
       const Index corners = high_half(words[i]);
       faces_.push_back(low_half(words[i++]));
       area_.push_back(to_double(words[i]));
-      mass_.push_back(to_double(words[i + 1]));
-      moment_.push_back({{to_double(words[i + 2]), to_double(words[i + 3]), to_double(words[i + 4])}});
-      i += 5;
+      mass_.push_back(density_.constant * area_.back() + density_.factor * to_double(words[i + 1]));
+      moment_.push_back(density_.constant * vector_at(words, i + 2) + density_.factor * vector_at(words, i + 5));
+      i += 8;
       for (Index c = 0; c < corners; ++c, i += 7) {
         begins_star_.push_back(char(words[i]));
         number_.push_back(words[i + 1]);
         before_.push_back(words[i + 2]);
         after_.push_back(words[i + 3]);
-        point_.push_back({{to_double(words[i + 4]), to_double(words[i + 5]), to_double(words[i + 6])}});
+        point_.push_back(vector_at(words, i + 4));
       }
       first_corner_.push_back(number_.size());
     }
@@ -70,6 +80,11 @@ public:
   }
 
 private:
+  static Vector vector_at(const Words& words, std::size_t i)
+  {
+    return {{to_double(words[i]), to_double(words[i + 1]), to_double(words[i + 2])}};
+  }
+
   struct End
   {
     std::uint64_t vertex, next; // the two ends of the first edge
@@ -133,6 +148,7 @@ private:
     }
   }
 
+  Linear_density density_;
   // Of each cell:
   std::vector<Index> faces_;
   std::vector<double> area_, mass_;

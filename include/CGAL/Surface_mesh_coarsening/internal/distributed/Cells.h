@@ -50,38 +50,49 @@ public:
   Index cell_of(Index f) const { return number_[labels_[f]]; }
 
   // Writes all cells, one after the other: sums, and corners with their neighbors along the boundary.
-  void write(const std::vector<double>& density, Words& words) const
+  void write(Words& words) const
   {
     std::vector<Sums> sums(size());
     for (Index f = 0; f < mesh_.number_of_faces(); ++f)
-      if (patch_.is_own[f])
-        sums[cell_of(f)].add(mesh_, f, density[f]);
+      if (patch_.is_own(f))
+        sums[cell_of(f)].add(mesh_, f, patch_.faces.density[f]);
     std::vector<Corner> corners;
     for (std::size_t i = 0; i < size(); ++i) {
       corners.clear();
       list_corners(boundary_edge_[i], corners);
       words.push_back(packed(Index(corners.size()), sums[i].faces));
-      for (const double x : {sums[i].area, sums[i].mass, sums[i].moment[0], sums[i].moment[1], sums[i].moment[2]})
-        words.push_back(to_word(x));
+      sums[i].write(words);
       for (const Corner& c : corners)
         write(c, words);
     }
   }
 
 private:
+  // The sums of areas and first moments, and of the same times `density`, which may be a deviation: densities are linear in it.
   struct Sums
   {
     Index faces = 0;
-    double area = 0, mass = 0;
-    Vector moment{{0, 0, 0}};
+    double area = 0, weighted_area = 0;
+    Vector moment{{0, 0, 0}}, weighted_moment{{0, 0, 0}};
 
     void add(const Flat_mesh& m, Index f, double density)
     {
       const Face_geometry geometry = face_geometry(m, f);
       ++faces;
       area += geometry.area;
-      mass += density * geometry.area;
-      moment = moment + (density * geometry.area) * geometry.centroid;
+      weighted_area += density * geometry.area;
+      moment = moment + geometry.area * geometry.centroid;
+      weighted_moment = weighted_moment + (density * geometry.area) * geometry.centroid;
+    }
+
+    void write(Words& words) const
+    {
+      words.push_back(to_word(area));
+      words.push_back(to_word(weighted_area));
+      for (const double x : moment)
+        words.push_back(to_word(x));
+      for (const double x : weighted_moment)
+        words.push_back(to_word(x));
     }
   };
 
@@ -121,7 +132,7 @@ private:
     const Dual_walk walk(labels_);
     number_.assign(cells_, NONE);
     for (Index f = 0; f < mesh_.number_of_faces(); ++f)
-      if (patch_.is_own[f]) {
+      if (patch_.is_own(f)) {
         Index& number = number_[labels_[f]];
         if (number == NONE) {
           number = Index(boundary_edge_.size());

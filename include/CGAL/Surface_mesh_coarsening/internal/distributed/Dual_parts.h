@@ -53,7 +53,7 @@ struct Dual_parts
     const Cluster_labels& labels = clusters_of_patch.labels();
     std::vector<char> is_on_border(clusters_of_patch.size(), false);
     for (Index f = 0; f < input.mesh.number_of_faces(); ++f)
-      if (patch.is_own[f])
+      if (patch.is_own(f))
         add_border(patch, clusters_of_patch, f, is_on_border);
     const Clustered_faces surface(input, labels, clusters_of_patch.size(), execution, nullptr, cancellation);
     const std::vector<double> energy = energies(input, labels, clusters_of_patch.size());
@@ -63,7 +63,7 @@ struct Dual_parts
       clusters.push_back({clusters_of_patch.global_number(x), energy[x], p});
     }
     for_each_meeting_point(labels, [&](Index v, const std::vector<Index>& runs) {
-      if (!patch.is_own[input.mesh.star[input.mesh.first_in_star[v]]])
+      if (!patch.is_own(input.mesh.star[input.mesh.first_in_star[v]]))
         return; // another patch has the first face around it
       meeting_points.push_back({patch.number[v], {}});
       for (const Index x : runs)

@@ -3,104 +3,149 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_SET_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_SET_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Index.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Words.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <string>
-#include <tuple>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Where a face has come from.
-struct Face_origin
-{
-  Index piece; // the rank
-  Index face;  // its number there
-};
-
-inline std::string name_of(const Face_origin& origin)
-{
-  return "face " + std::to_string(origin.face) + " of piece " + std::to_string(origin.piece);
-}
-
-// Faces that stand for themselves: each has the global numbers and the coordinates of its vertices, beginning with the smallest
-// number. Two faces differ in the first two vertices, because an edge has one face on each side. So these, after a place on a
+// A face that stands for itself: it has the global numbers and the coordinates of its vertices, beginning with the smallest number.
+//
+// Two faces differ in the first two vertices, because an edge has one face on each side. So these, after the place on a
 // space-filling curve, put the faces in an order that depends on the mesh alone.
-struct Face_set
+struct Face_record
 {
-  std::vector<std::uint64_t> place;       // of each face on the curve
-  std::vector<double> density;
-  std::vector<Index> cluster;
-  std::vector<Face_origin> origin;
-  std::vector<std::size_t> first_corner = std::vector<std::size_t>(1, 0);
-  std::vector<std::uint64_t> vertex;      // of each corner
-  std::vector<Vector> point;              // of each corner
+  bool is_own = true;      // of the group where it is, and not a neighbor
+  std::uint64_t place = 0; // on the curve
+  double density = 1;      // or the deviation from which the density is computed
+  Index cluster = NONE;    // or the cell
+  std::uint64_t origin = 0; // the number of the face in the sequence of all pieces
+  std::vector<std::uint64_t> vertex;
+  std::vector<Vector> point;
 
-  std::size_t size() const { return place.size(); }
-  std::size_t degree(std::size_t f) const { return first_corner[f + 1] - first_corner[f]; }
-
-  auto rank_in_order(std::size_t f) const
+  void begin_with_smallest_number()
   {
-    return std::make_tuple(place[f], vertex[first_corner[f]], vertex[first_corner[f] + 1]);
+    const auto shift = std::min_element(vertex.begin(), vertex.end()) - vertex.begin();
+    std::rotate(vertex.begin(), vertex.begin() + shift, vertex.end());
+    std::rotate(point.begin(), point.begin() + shift, point.end());
   }
 
-  Vector mean_of_corners(std::size_t f) const
+  Vector mean_of_corners() const
   {
     Vector sum{{0, 0, 0}};
-    for (std::size_t c = first_corner[f]; c != first_corner[f + 1]; ++c)
-      sum = sum + point[c];
-    return (1. / double(degree(f))) * sum;
+    for (const Vector& p : point)
+      sum = sum + p;
+    return (1. / double(point.size())) * sum;
   }
 
-  void write(std::size_t f, Words& words) const
+  static constexpr Index own_bit = Index(1) << 31;
+  static constexpr std::size_t words_of_face = 4, words_of_corner = 4;
+
+  void write(Words& words) const
   {
-    words.push_back(place[f]);
-    words.push_back(to_word(density[f]));
-    words.push_back(packed(Index(degree(f)), cluster[f]));
-    words.push_back(packed(origin[f].piece, origin[f].face));
-    for (std::size_t c = first_corner[f]; c != first_corner[f + 1]; ++c) {
-      words.push_back(vertex[c]);
-      for (const double x : point[c])
+    words.clear();
+    words.push_back(packed(Index(vertex.size()) | (is_own ? own_bit : 0), cluster));
+    words.push_back(place);
+    words.push_back(to_word(density));
+    words.push_back(origin);
+    for (std::size_t i = 0; i < vertex.size(); ++i) {
+      words.push_back(vertex[i]);
+      for (const double x : point[i])
         words.push_back(to_word(x));
     }
   }
 
-  // Appends the face that begins at `word` and returns what follows.
+  // Reads the face that begins at `word` and returns what follows.
   const std::uint64_t* read(const std::uint64_t* word)
   {
-    place.push_back(*word++);
-    density.push_back(to_double(*word++));
-    const Index corners = high_half(*word);
-    cluster.push_back(low_half(*word++));
-    origin.push_back({high_half(*word), low_half(*word)});
-    ++word;
-    for (Index i = 0; i < corners; ++i, word += 4) {
-      vertex.push_back(word[0]);
-      point.push_back({{to_double(word[1]), to_double(word[2]), to_double(word[3])}});
+    is_own = (high_half(*word) & own_bit) != 0;
+    const std::size_t corners = high_half(*word) & ~own_bit;
+    cluster = low_half(*word++);
+    place = *word++;
+    density = to_double(*word++);
+    origin = *word++;
+    vertex.resize(corners);
+    point.resize(corners);
+    for (std::size_t i = 0; i < corners; ++i, word += words_of_corner) {
+      vertex[i] = word[0];
+      point[i] = {{to_double(word[1]), to_double(word[2]), to_double(word[3])}};
     }
-    first_corner.push_back(vertex.size());
     return word;
   }
+};
 
-  void append(const Face_set& other, std::size_t f)
+// Faces in arrays.
+struct Face_set
+{
+  // Of each face:
+  std::vector<char> is_own;
+  std::vector<std::uint64_t> place;
+  std::vector<double> density;
+  std::vector<Index> cluster;
+  std::vector<std::uint64_t> origin;
+  std::vector<std::size_t> first_corner = std::vector<std::size_t>(1, 0);
+  // Of each corner:
+  std::vector<std::uint64_t> vertex;
+  std::vector<Vector> point;
+
+  std::size_t size() const { return place.size(); }
+  std::size_t degree(std::size_t f) const { return first_corner[f + 1] - first_corner[f]; }
+
+  void append(const Face_record& face)
   {
-    place.push_back(other.place[f]);
-    density.push_back(other.density[f]);
-    cluster.push_back(other.cluster[f]);
-    origin.push_back(other.origin[f]);
-    const std::size_t begin = other.first_corner[f], end = other.first_corner[f + 1];
-    for (std::size_t c = begin; c != end; ++c) {
-      vertex.push_back(other.vertex[c]);
-      point.push_back(other.point[c]);
-    }
+    is_own.push_back(face.is_own);
+    place.push_back(face.place);
+    density.push_back(face.density);
+    cluster.push_back(face.cluster);
+    origin.push_back(face.origin);
+    vertex.insert(vertex.end(), face.vertex.begin(), face.vertex.end());
+    point.insert(point.end(), face.point.begin(), face.point.end());
     first_corner.push_back(vertex.size());
+  }
+
+  // Puts the faces into another order. One array after the other, which takes less memory than a second set.
+  void reorder(const std::vector<Index>& order)
+  {
+    std::vector<std::size_t> first(1, 0);
+    for (const Index f : order)
+      first.push_back(first.back() + degree(f));
+    reorder_corners(order, vertex);
+    reorder_corners(order, point);
+    first_corner.swap(first);
+    reorder(order, is_own);
+    reorder(order, place);
+    reorder(order, density);
+    reorder(order, cluster);
+    reorder(order, origin);
+  }
+
+private:
+  template <class T>
+  static void reorder(const std::vector<Index>& order, std::vector<T>& values)
+  {
+    std::vector<T> reordered;
+    reordered.reserve(values.size());
+    for (const Index f : order)
+      reordered.push_back(values[f]);
+    values.swap(reordered);
+  }
+
+  template <class T>
+  void reorder_corners(const std::vector<Index>& order, std::vector<T>& values) const
+  {
+    std::vector<T> reordered;
+    reordered.reserve(values.size());
+    for (const Index f : order)
+      for (std::size_t c = first_corner[f]; c != first_corner[f + 1]; ++c)
+        reordered.push_back(values[c]);
+    values.swap(reordered);
   }
 };
 

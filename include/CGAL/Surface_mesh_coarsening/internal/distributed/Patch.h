@@ -4,12 +4,14 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PATCH_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_store.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -19,16 +21,36 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Some faces, their own, and all faces that share vertices with them, as a mesh. The stars of the vertices of its own faces are
-// complete. What lies farther away looks like a border, and vertices there are divided where the faces at them form several fans.
-// The faces are in the global order, so that the stars begin where those of the whole mesh do.
+// Returns the name of a face, given by its number in the sequence of all pieces, for messages.
+typedef std::function<std::string(std::uint64_t)> Face_names;
+
+// The faces of a group, its own, and all faces that share vertices with them, as a mesh. The stars of the vertices of its own
+// faces are complete. Edges of other faces that lie farther away look like a border, and vertices there are divided where the faces
+// around them form several fans. The faces are in the global order, so each star begins with the same face as in the whole mesh.
 struct Patch
 {
-  Face_set faces;
-  std::vector<char> is_own;           // of each face
+  Face_set faces;                     // their corners are in the mesh
   Flat_mesh mesh;
   std::vector<std::uint64_t> number;  // the global number of each vertex of the mesh
-  std::vector<char> is_inner;         // of each vertex of the mesh: whether all faces there are its own
+  std::vector<char> is_inner;         // of each vertex of the mesh: whether all faces there are own faces
+
+  bool is_own(std::size_t f) const { return faces.is_own[f] != 0; }
+
+  // Returns a face; its corners come from a mesh that may have been moved elsewhere.
+  void get(Index f, const Flat_mesh& corners, Face_record& face) const
+  {
+    face.is_own = is_own(f);
+    face.place = faces.place[f];
+    face.density = faces.density[f];
+    face.cluster = faces.cluster[f];
+    face.origin = faces.origin[f];
+    face.vertex.clear();
+    face.point.clear();
+    for (const Index c : corners.corners(f)) {
+      face.vertex.push_back(number[corners.corner_vertex[c]]);
+      face.point.push_back(corners.points[corners.corner_vertex[c]]);
+    }
+  }
 };
 
 // Makes the mesh of a patch whose faces have come in any order. Throws where the faces of the patch, or of several pieces,
@@ -36,7 +58,9 @@ struct Patch
 class Patch_builder
 {
 public:
-  explicit Patch_builder(Patch& patch) : patch_(patch), faces_(patch.faces), mesh_(patch.mesh) {}
+  Patch_builder(Patch& patch, const Face_names& names)
+    : patch_(patch), faces_(patch.faces), mesh_(patch.mesh), names_(names)
+  {}
 
   void run(const Cancellation_point& cancellation)
   {
@@ -49,6 +73,8 @@ public:
       mesh_.first_corner.push_back(Index(faces_.first_corner[f + 1]));
     pair_edges();
     number_vertices();
+    faces_.vertex = std::vector<std::uint64_t>();
+    faces_.point = std::vector<Vector>();
     complete_topology(mesh_, patch_.number.size(), cancellation, Execution::SEQUENTIAL);
     find_inner_vertices();
   }
@@ -69,25 +95,19 @@ private:
   {
     std::vector<Index> order(faces_.size());
     std::iota(order.begin(), order.end(), Index(0));
-    // Faces that come twice are a fault, which shall be named in the same way whatever rank has which piece first.
+    // Faces that come twice are a fault, whose message must not depend on the order in which they have come.
     const auto key = [this](Index f) {
-      return std::make_tuple(faces_.rank_in_order(f), faces_.origin[f].piece, faces_.origin[f].face);
+      const std::size_t c = faces_.first_corner[f];
+      return std::make_tuple(faces_.place[f], faces_.vertex[c], faces_.vertex[c + 1], faces_.origin[f]);
     };
     std::sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
-    Face_set sorted;
-    std::vector<char> own;
-    for (const Index f : order) {
-      sorted.append(faces_, f);
-      own.push_back(patch_.is_own[f]);
-    }
-    faces_ = std::move(sorted);
-    patch_.is_own = std::move(own);
+    faces_.reorder(order);
   }
 
   void check_size() const
   {
     if (faces_.vertex.size() >= NONE / 2)
-      throw Invalid_input("a block around " + name_of(faces_.origin.front()) + " has " + std::to_string(faces_.vertex.size()) +
+      throw Invalid_input("a block around " + names_(faces_.origin.front()) + " has " + std::to_string(faces_.vertex.size()) +
                           " face corners, more than the " + std::to_string(NONE / 2 - 1) + " that can be numbered");
   }
 
@@ -107,7 +127,7 @@ private:
                  faces_.first_corner.begin() - 1);
   }
 
-  std::string name(Index f) const { return name_of(faces_.origin[f]); }
+  std::string name(Index f) const { return names_(faces_.origin[f]); }
 
   void check_positions() const
   {
@@ -197,7 +217,7 @@ private:
     for (std::size_t begin = 0, end; begin < corners.size(); begin = end) {
       bool has_own = false, has_fans = false;
       for (end = begin; end < corners.size() && faces_.vertex[corners[end]] == faces_.vertex[corners[begin]]; ++end) {
-        has_own = has_own || patch_.is_own[face_of_corner(corners[end])];
+        has_own = has_own || patch_.is_own(face_of_corner(corners[end]));
         has_fans = has_fans || mesh_.corner_vertex[corners[end]] != mesh_.corner_vertex[corners[begin]];
       }
       if (has_own && has_fans)
@@ -210,7 +230,7 @@ private:
   {
     patch_.is_inner.assign(patch_.number.size(), true);
     for (Index f = 0; f < faces_.size(); ++f)
-      if (!patch_.is_own[f])
+      if (!patch_.is_own(f))
         for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
           patch_.is_inner[mesh_.corner_vertex[c]] = false;
   }
@@ -231,9 +251,25 @@ private:
   Patch& patch_;
   Face_set& faces_;
   Flat_mesh& mesh_;
+  const Face_names& names_;
   std::vector<Index> corner_across_; // of each corner: the corner that the edge after it begins at, seen from its other face
   std::vector<Index> parent_;
 };
+
+// Makes the patch of a bin of face records.
+inline Patch read_patch(const Word_store& store, std::size_t bin, const Face_names& names, const Cancellation_point& cancellation)
+{
+  Patch patch;
+  Face_record face;
+  store.read(bin, [&](const std::uint64_t* word, const std::uint64_t* end) {
+    while (word != end) {
+      word = face.read(word);
+      patch.faces.append(face);
+    }
+  });
+  Patch_builder(patch, names).run(cancellation);
+  return patch;
+}
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

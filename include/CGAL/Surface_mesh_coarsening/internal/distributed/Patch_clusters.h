@@ -28,13 +28,13 @@ class Patch_clusters
 public:
   explicit Patch_clusters(Patch& patch) : patch_(patch), input_{input_of(patch), nullptr}, labels_(input_.items.mesh)
   {
-    for (std::size_t f = 0; f < patch.is_own.size(); ++f)
-      if (patch.is_own[f])
+    for (std::size_t f = 0; f < patch.faces.size(); ++f)
+      if (patch.is_own(f))
         global_.push_back(patch.faces.cluster[f]);
     sort_unique(global_);
     own_ = global_.size();
     number_foreign();
-    for (std::size_t f = 0; f < patch.is_own.size(); ++f)
+    for (std::size_t f = 0; f < patch.faces.size(); ++f)
       labels_.set(Index(f), local_number(patch.faces.cluster[f]));
     labels_.recount();
   }
@@ -66,7 +66,7 @@ public:
       before = after;
       rounds += progress.rounds;
     }
-    for (std::size_t f = 0; f < patch_.is_own.size(); ++f)
+    for (std::size_t f = 0; f < patch_.faces.size(); ++f)
       patch_.faces.cluster[f] = global_[labels_[Index(f)]];
     return rounds;
   }
@@ -85,8 +85,8 @@ private:
   void number_foreign()
   {
     std::vector<Index> foreign;
-    for (std::size_t f = 0; f < patch_.is_own.size(); ++f)
-      if (!patch_.is_own[f])
+    for (std::size_t f = 0; f < patch_.faces.size(); ++f)
+      if (!patch_.is_own(f))
         foreign.push_back(patch_.faces.cluster[f]);
     sort_unique(foreign);
     global_.insert(global_.end(), foreign.begin(), foreign.end());

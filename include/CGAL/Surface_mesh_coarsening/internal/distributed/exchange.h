@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_EXCHANGE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_EXCHANGE_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Rank_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Words.h>
 
 #include <boost/mpi/collectives.hpp>
@@ -22,10 +23,11 @@ namespace internal {
 // MPI counts what it sends in an `int`.
 constexpr std::size_t max_words_of_message = std::size_t(1) << 27;
 
-// Sends the words `outgoing[r]` to each rank r and returns the words that have come from each rank. The words to be sent are gone
-// then.
-inline std::vector<Words> exchange(const boost::mpi::communicator& communicator, std::vector<Words>& outgoing)
+// Sends the words `outgoing[r]` to each rank r and returns the words that have come from each rank. `outgoing` is empty
+// afterwards.
+inline std::vector<Words> exchange(Rank_context& context, std::vector<Words>& outgoing)
 {
+  const boost::mpi::communicator& communicator = context.communicator;
   const int ranks = communicator.size(), own = communicator.rank();
   std::vector<std::uint64_t> sent, received(outgoing.size());
   for (const Words& words : outgoing)
@@ -44,8 +46,10 @@ inline std::vector<Words> exchange(const boost::mpi::communicator& communicator,
       for_each_message(incoming, rank, [&](std::uint64_t* words, int n) { return communicator.irecv(rank, 0, words, n); });
     }
   for (int rank = 0; rank < ranks; ++rank)
-    if (rank != own)
+    if (rank != own) {
+      context.bytes_sent += outgoing[std::size_t(rank)].size() * sizeof(std::uint64_t);
       for_each_message(outgoing, rank, [&](std::uint64_t* words, int n) { return communicator.isend(rank, 0, words, n); });
+    }
   boost::mpi::wait_all(requests.begin(), requests.end());
   incoming[std::size_t(own)].swap(outgoing[std::size_t(own)]);
   outgoing.clear();
@@ -53,17 +57,20 @@ inline std::vector<Words> exchange(const boost::mpi::communicator& communicator,
 }
 
 // Sends words to rank 0, which gets those of each rank.
-inline std::vector<Words> gather_words(const boost::mpi::communicator& communicator, Words words)
+inline std::vector<Words> gather_words(Rank_context& context, Words words)
 {
-  std::vector<Words> outgoing(std::size_t(communicator.size()));
+  std::vector<Words> outgoing(context.number_of_ranks());
   outgoing[0] = std::move(words);
-  return exchange(communicator, outgoing);
+  return exchange(context, outgoing);
 }
 
 // Sends the words of rank 0 to all.
-inline void broadcast_words(const boost::mpi::communicator& communicator, Words& words)
+inline void broadcast_words(Rank_context& context, Words& words)
 {
+  const boost::mpi::communicator& communicator = context.communicator;
   std::uint64_t size = words.size();
+  if (context.rank() == 0)
+    context.bytes_sent += (context.number_of_ranks() - 1) * size * sizeof(std::uint64_t);
   boost::mpi::broadcast(communicator, size, 0);
   words.resize(size);
   for (std::size_t begin = 0; begin < size; begin += max_words_of_message)

@@ -3,7 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_BLOCKS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_BLOCKS_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Index.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <boost/mpi/collectives.hpp>
 #include <boost/mpi/communicator.hpp>
@@ -20,24 +21,31 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-struct Box_of_all
+// The bounding box of the points of all ranks. Minima and maxima do not depend on the order in which they are taken.
+class Box_of_ranks
 {
-  Vector low, high;
-};
-
-// The box of the points of all ranks; minima and maxima do not depend on the order in which they are taken.
-inline Box_of_all box_of_all(const boost::mpi::communicator& communicator, const std::vector<Vector>& points)
-{
-  const double inf = std::numeric_limits<double>::infinity();
-  std::array<double, 6> own{{inf, inf, inf, inf, inf, inf}}, all;
-  for (const Vector& p : points)
+public:
+  void add(const Vector& p)
+  {
     for (std::size_t i = 0; i < 3; ++i) {
-      own[i] = (std::min)(own[i], p[i]);
-      own[i + 3] = (std::min)(own[i + 3], -p[i]);
+      low_and_negated_high_[i] = (std::min)(low_and_negated_high_[i], p[i]);
+      low_and_negated_high_[i + 3] = (std::min)(low_and_negated_high_[i + 3], -p[i]);
     }
-  boost::mpi::all_reduce(communicator, own.data(), 6, all.data(), boost::mpi::minimum<double>());
-  return {{{all[0], all[1], all[2]}}, {{-all[3], -all[4], -all[5]}}};
-}
+  }
+
+  // The lowest and the highest coordinates.
+  std::vector<Vector> ends_of_all(const boost::mpi::communicator& communicator) const
+  {
+    std::array<double, 6> all;
+    boost::mpi::all_reduce(communicator, low_and_negated_high_.data(), 6, all.data(), boost::mpi::minimum<double>());
+    return {{{all[0], all[1], all[2]}}, {{-all[3], -all[4], -all[5]}}};
+  }
+
+private:
+  static constexpr double inf = std::numeric_limits<double>::infinity();
+
+  std::array<double, 6> low_and_negated_high_{{inf, inf, inf, inf, inf, inf}};
+};
 
 // The place of a point on the curve of Morton: the binary digits of the three coordinates in turn.
 class Morton_curve
@@ -45,11 +53,12 @@ class Morton_curve
 public:
   static constexpr int bits = 20; // of each coordinate
 
-  explicit Morton_curve(const Box_of_all& box) : low_(box.low)
+  // For points of a box.
+  Morton_curve(const Vector& low, const Vector& high) : low_(low)
   {
     double extent = 0;
     for (std::size_t i = 0; i < 3; ++i)
-      extent = (std::max)(extent, box.high[i] - box.low[i]);
+      extent = (std::max)(extent, high[i] - low[i]);
     scale_ = extent > 0 ? double(std::uint64_t(1) << bits) / extent : 0;
   }
 
@@ -59,13 +68,22 @@ public:
     for (std::size_t i = 0; i < 3; ++i) {
       constexpr double last = double((std::uint64_t(1) << bits) - 1);
       const std::uint64_t x = std::uint64_t((std::min)((std::max)(scale_ * (p[i] - low_[i]), 0.), last));
-      for (int b = 0; b < bits; ++b)
-        place |= ((x >> b) & 1) << (3 * b + int(i));
+      place |= spread(x) << i;
     }
     return place;
   }
 
 private:
+  // Moves bit b to 3 b, by halves, quarters and so on.
+  static std::uint64_t spread(std::uint64_t x)
+  {
+    x = (x | x << 32) & 0x1f00000000ffff;
+    x = (x | x << 16) & 0x1f0000ff0000ff;
+    x = (x | x << 8) & 0x100f00f00f00f00f;
+    x = (x | x << 4) & 0x10c30c30c30c30c3;
+    return (x | x << 2) & 0x1249249249249249;
+  }
+
   Vector low_;
   double scale_;
 };

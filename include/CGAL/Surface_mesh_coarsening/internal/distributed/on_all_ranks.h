@@ -58,11 +58,9 @@ inline Remote_exception caught(const std::function<void()>& work, int rank)
   throw std::runtime_error(e.message);
 }
 
-// Does the work of this rank, which must not wait for other ranks. If it throws on some ranks, all throw the same: of several
-// messages, the first in the order of the alphabet.
-inline void on_all_ranks(const boost::mpi::communicator& communicator, const std::function<void()>& work)
+// If something was thrown on some ranks, all throw the same: of several messages, the first in the order of the alphabet.
+inline void throw_on_all_ranks(const boost::mpi::communicator& communicator, const Remote_exception& own)
 {
-  Remote_exception own = caught(work, communicator.rank());
   const int kind = boost::mpi::all_reduce(communicator, own.kind, boost::mpi::maximum<int>());
   if (kind == Remote_exception::NONE_THROWN)
     return;
@@ -79,24 +77,28 @@ inline void on_all_ranks(const boost::mpi::communicator& communicator, const std
   rethrow({kind, messages[first], nearest[first]});
 }
 
-// The same for work on several blocks: all of them are worked on, and if some of them throw, the first message counts, so that it
-// does not depend on which blocks a rank has.
-template <class Blocks, class Work>
-void on_all_blocks(const boost::mpi::communicator& communicator, Blocks& blocks, const Work& work)
+// Does the work of this rank, which must not wait for other ranks. If it throws on some ranks, all throw the same.
+inline void on_all_ranks(const boost::mpi::communicator& communicator, const std::function<void()>& work)
 {
-  on_all_ranks(communicator, [&] {
-    std::string first;
-    for (auto& block : blocks)
-      try {
-        work(block);
-      } catch (const Unreachable_number_of_vertices&) {
-        throw;
-      } catch (const Invalid_input& e) {
-        first = first.empty() ? e.what() : (std::min)(first, std::string(e.what()));
-      }
-    if (!first.empty())
-      throw Invalid_input(first);
-  });
+  throw_on_all_ranks(communicator, caught(work, communicator.rank()));
+}
+
+// Does the work of each block of this rank. If some of them are not valid, the first message in the order of the alphabet
+// counts, so that it does not depend on which blocks a rank has.
+template <class Work>
+void for_each_block(std::size_t blocks, const Work& work)
+{
+  std::string first;
+  for (std::size_t i = 0; i < blocks; ++i)
+    try {
+      work(i);
+    } catch (const Unreachable_number_of_vertices&) {
+      throw;
+    } catch (const Invalid_input& e) {
+      first = first.empty() ? e.what() : (std::min)(first, std::string(e.what()));
+    }
+  if (!first.empty())
+    throw Invalid_input(first);
 }
 
 } // namespace internal

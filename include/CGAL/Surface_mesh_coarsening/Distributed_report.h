@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_DISTRIBUTED_REPORT_H
+#define CGAL_SURFACE_MESH_COARSENING_DISTRIBUTED_REPORT_H
+
+#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
+
+#include <cstdint>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// Statistics of the coarsening of a distributed mesh. The base class has the same numbers on all ranks. Its seeds, splits, merges,
+/// moves, tests and initial energy are those of the clustering of cells.
+struct Distributed_report
+  : Coarsening_report
+{
+  /// the number of bytes that this rank has sent to others.
+  std::uint64_t bytes_sent = 0;
+  /// the number of bytes that this rank has written to its scratch file.
+  std::uint64_t bytes_of_scratch = 0;
+};
+
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_DISTRIBUTED_REPORT_H

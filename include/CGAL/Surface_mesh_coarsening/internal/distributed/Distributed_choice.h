@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_DISTRIBUTED_CHOICE_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_DISTRIBUTED_CHOICE_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Dual_parts.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Placement_model.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The choices of the caller, equal on all ranks but for the visitor and the scratch directory.
+struct Distributed_choice
+{
+  static constexpr std::size_t default_faces_per_block = std::size_t(1) << 18, max_faces_per_task = std::size_t(1) << 22;
+  static constexpr std::size_t clusters_per_task = 1000;
+
+  std::size_t number_of_vertices = 0;
+  std::optional<std::size_t> faces_per_block; // blocks and tasks
+  Minimization_end end;
+  bool has_densities = false; // of its own
+  double maximum_density = 0;
+  Execution execution = Execution::SEQUENTIAL;
+  Visitor_handle visitor;
+  std::shared_ptr<const Energy_model> energy;
+  Cluster_energies energies;
+  Placement_model placement;
+  Face_names face_names;
+  bool wants_clusters = false;
+  std::string scratch_directory; // if empty, everything is kept in memory
+  std::uint64_t scratch_memory = 0; // bytes of records that are kept in memory nevertheless
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_DISTRIBUTED_CHOICE_H

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PIECE_BLOCKS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PIECE_BLOCKS_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_source.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_routing.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/face_blocks.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Local_frame.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Reads the pieces of all ranks, three times: for the bounding box, for the limits of the blocks, and into the blocks.
+class Piece_blocks
+{
+public:
+  // Without `names`, faces are named by their piece and their number in it.
+  Piece_blocks(Rank_context& context, const Face_source& source, const Face_names& names)
+    : context_(context), communicator_(context.communicator), source_(source), names_(names)
+  {}
+
+  // Checks each face and finds the frame of the mesh.
+  void measure()
+  {
+    Remote_exception failure = caught([&] { source_([this](const auto&... face) { measure_face(face...); }); },
+                                      communicator_.rank());
+    count_faces();
+    if (failure.kind == Remote_exception::NONE_THROWN)
+      failure = caught([&] { throw_fault(); }, communicator_.rank());
+    throw_on_all_ranks(communicator_, failure);
+    if (number_of_faces() == 0)
+      throw Invalid_input("the input has no faces");
+    std::vector<Vector> ends = box_.ends_of_all(communicator_);
+    frame_ = to_local_frame(ends, {0, 1, 2}, Cancellation_point());
+    low_ = ends[0];
+    high_ = ends[1];
+  }
+
+  const Local_frame& frame() const { return frame_; }
+  Morton_curve curve() const { return Morton_curve(low_, high_); }
+  std::uint64_t number_of_faces() const { return first_face_.back(); }
+  std::uint64_t faces_of_piece() const { return faces_; }
+
+  // The rank of the piece that has a face, and its number there.
+  std::pair<std::size_t, std::uint64_t> origin(std::uint64_t face) const
+  {
+    const auto piece = std::upper_bound(first_face_.begin(), first_face_.end(), face) - first_face_.begin() - 1;
+    return {std::size_t(piece), face - first_face_[std::size_t(piece)]};
+  }
+
+  std::string name(std::uint64_t face) const
+  {
+    if (names_)
+      return names_(face);
+    const auto [piece, number] = origin(face);
+    return "face " + std::to_string(number) + " of piece " + std::to_string(piece);
+  }
+
+  // Returns the first place of each block on the curve.
+  std::vector<std::uint64_t> find_blocks(std::size_t faces_per_block) const
+  {
+    std::vector<std::uint64_t> places;
+    on_all_ranks(communicator_, [&] {
+      places.reserve(faces_);
+      for_each_record([&](const Face_record& face) { places.push_back(face.place); });
+    });
+    return block_starts(communicator_, std::move(places), faces_per_block);
+  }
+
+  // Sends each face to its block.
+  void read(const std::vector<std::uint64_t>& starts, const Bin_ranks& blocks, Word_store& store) const
+  {
+    Word_routing routing(context_, blocks, store);
+    Words words;
+    routing.run([&] {
+      for_each_record([&](const Face_record& face) {
+        face.write(words);
+        routing.send(block_of(starts, face.place), words);
+      });
+    });
+  }
+
+private:
+  void measure_face(const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points, double density)
+  {
+    context_.cancellation.poll();
+    if (!has_fault_ && !is_sound(vertices, points, density)) {
+      has_fault_ = true;
+      fault_ = Face_record();
+      fault_.origin = faces_;
+      fault_.density = density;
+      fault_.vertex = vertices;
+      fault_.point = points;
+    }
+    ++faces_;
+    for (const Vector& p : points)
+      box_.add(p);
+  }
+
+  static bool is_sound(const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points, double density)
+  {
+    bool is_sound = vertices.size() >= 3 && vertices.size() < Face_record::own_bit && is_in_range(density);
+    for (const Vector& p : points)
+      is_sound = is_sound && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+    if (vertices.size() == 3)
+      return is_sound && vertices[0] != vertices[1] && vertices[1] != vertices[2] && vertices[2] != vertices[0];
+    std::vector<std::uint64_t> distinct = vertices;
+    sort_unique(distinct);
+    return is_sound && distinct.size() == vertices.size();
+  }
+
+  static bool is_in_range(double density) { return density >= 1 / largest_density && density <= largest_density; }
+
+  void count_faces()
+  {
+    std::vector<std::uint64_t> faces;
+    boost::mpi::all_gather(communicator_, faces_, faces);
+    first_face_.assign(1, 0);
+    for (const std::uint64_t n : faces)
+      first_face_.push_back(first_face_.back() + n);
+  }
+
+  // Names the first face that is not sound.
+  void throw_fault() const
+  {
+    if (faces_ >= NONE)
+      throw Invalid_input("piece " + std::to_string(communicator_.rank()) + " has more faces than the " +
+                          std::to_string(NONE - 1) + " that can be numbered");
+    if (!has_fault_)
+      return;
+    const std::string face = name(first_face_[context_.rank()] + fault_.origin);
+    std::vector<std::uint64_t> vertices = fault_.vertex;
+    if (vertices.size() < 3 || vertices.size() >= Face_record::own_bit)
+      throw Invalid_input(face + " has " + std::to_string(vertices.size()) + " sides");
+    if (!is_in_range(fault_.density))
+      throw Invalid_input("the density of " + face + " is " + number_text(fault_.density) + ", not in [1e-20, 1e20]");
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      for (const double x : fault_.point[i])
+        if (!std::isfinite(x))
+          throw Invalid_input("vertex " + std::to_string(vertices[i]) + ", in " + face + ", has a coordinate that is " +
+                              number_text(x));
+    std::sort(vertices.begin(), vertices.end());
+    throw Invalid_input(face + " visits vertex " + std::to_string(*std::adjacent_find(vertices.begin(), vertices.end())) +
+                        " twice");
+  }
+
+  template <class Receive>
+  void for_each_record(const Receive& receive) const
+  {
+    const Morton_curve place_of(low_, high_);
+    Face_record face;
+    std::uint64_t number = first_face_[context_.rank()];
+    source_([&](const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points, double density) {
+      context_.cancellation.poll();
+      face.vertex = vertices;
+      face.point = points;
+      for (Vector& p : face.point)
+        p = frame_.to_local(p);
+      face.begin_with_smallest_number();
+      face.density = density;
+      face.place = place_of(face.mean_of_corners());
+      face.origin = number++;
+      receive(face);
+    });
+  }
+
+  Rank_context& context_;
+  const boost::mpi::communicator& communicator_;
+  const Face_source& source_;
+  Face_names names_;
+  Box_of_ranks box_;
+  Local_frame frame_;
+  Vector low_{{0, 0, 0}}, high_{{0, 0, 0}}; // of the mesh in its frame
+  std::uint64_t faces_ = 0;                 // of this piece
+  std::vector<std::uint64_t> first_face_;   // of each piece, and the total
+  bool has_fault_ = false;
+  Face_record fault_; // the first face that is not sound
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PIECE_BLOCKS_H
