@@ -42,7 +42,8 @@ po::options_description description()
 {
   po::options_description options("Options");
   const auto text = [] { return po::value<std::string>(); };
-  options.add_options()("help,h", "show this help")
+  options.add_options()
+    ("help,h", "show this help")
     ("vertices,n", text()->value_name("N"), "number of vertices of the output")
     ("threads", text()->value_name("T")->default_value("1"), "upper bound for the number of threads of each rank")
     ("memory", text()->value_name("M"),
@@ -60,9 +61,9 @@ std::string help_text()
 {
   std::ostringstream text;
   text << "Usage: mpirun -n R coarsen_mesh_mpi INPUT... OUTPUT -n N [OPTION]...\n\n"
-          "Coarsens a mesh in binary PLY, of which each rank reads a part. Of several inputs, the vertices have global numbers in a\n"
-          "property vertex_number; vertices of the same number are one. The output is OFF, OBJ, PLY or STL. It does not depend on\n"
-          "ranks, threads and memory.\n\n"
+          "Coarsens a mesh in binary PLY, of which each rank reads a part. Of several inputs, the vertices\n"
+          "have global numbers in a property vertex_number; vertices of the same number are one. The output\n"
+          "is OFF, OBJ, PLY or STL. It does not depend on ranks, threads and memory.\n\n"
        << description();
   return text.str();
 }

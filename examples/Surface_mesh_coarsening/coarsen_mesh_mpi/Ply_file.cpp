@@ -26,9 +26,9 @@ bool is_whole(Ply_type type) { return type != Ply_type::FLOAT32 && type != Ply_t
 
 bool is_type(const std::string& word, Ply_type& type)
 {
-  static const char* const names[][2] = {{"char", "int8"},     {"uchar", "uint8"},     {"short", "int16"},   {"ushort", "uint16"},
-                                         {"int", "int32"},     {"uint", "uint32"},     {"float", "float32"}, {"double", "float64"},
-                                         {"int64", "longlong"}, {"uint64", "ulonglong"}};
+  static const char* const names[][2] = {
+    {"char", "int8"},   {"uchar", "uint8"},   {"short", "int16"},    {"ushort", "uint16"},  {"int", "int32"},
+    {"uint", "uint32"}, {"float", "float32"}, {"double", "float64"}, {"int64", "longlong"}, {"uint64", "ulonglong"}};
   for (int i = 0; i < 10; ++i)
     if (word == names[i][0] || word == names[i][1]) {
       type = static_cast<Ply_type>(i);
@@ -274,8 +274,8 @@ std::uint64_t Ply_file::read_face(std::uint64_t position, std::uint64_t face, st
     for (std::size_t k = 0; k < count; ++k) {
       vertices.push_back(whole_number(bytes + k * size_of(p.type), p.type));
       if (vertices.back() >= vertices_)
-        fail("face " + std::to_string(face) + " has the vertex " + std::to_string(std::int64_t(vertices.back())) + ", but there are " +
-             std::to_string(vertices_));
+        fail("face " + std::to_string(face) + " has the vertex " + std::to_string(std::int64_t(vertices.back())) +
+             ", but there are " + std::to_string(vertices_));
     }
   }
   return position;

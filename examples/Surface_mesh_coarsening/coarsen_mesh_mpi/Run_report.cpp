@@ -53,8 +53,8 @@ std::string Run_report::sentence() const
 {
   std::ostringstream text;
   text.precision(3);
-  text << faces_ << " faces to " << done_.clusters << " vertices on " << ranks_.size() << (ranks_.size() == 1 ? " rank" : " ranks")
-       << " in " << seconds_ << " s";
+  text << faces_ << " faces to " << done_.clusters << " vertices on " << ranks_.size()
+       << (ranks_.size() == 1 ? " rank" : " ranks") << " in " << seconds_ << " s";
   return text.str();
 }
 

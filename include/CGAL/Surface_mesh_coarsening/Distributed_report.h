@@ -11,8 +11,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// Statistics of the coarsening of a distributed mesh. The base class has the same numbers on all ranks. Its seeds, splits, merges,
-/// moves, tests and initial energy are those of the clustering of cells.
+/// Statistics of the coarsening of a distributed mesh. The base class has the same numbers on all ranks. Its seeds, splits,
+/// merges, moves, tests and initial energy are those of the clustering of cells.
 struct Distributed_report
   : Coarsening_report
 {

@@ -51,13 +51,11 @@ void refuse_unavailable(const NPIn& np_in, const NPOut& np_out)
   refuse_across_ranks(np_in, CGAL::internal_np::face_index, "face_index_map");
   refuse_across_ranks(np_in, internal_np::neighborhood_level_p, "neighborhood_level");
   refuse_across_ranks(np_in, internal_np::vertex_ratio_p, "vertex_ratio");
-  refuse_across_ranks(np_in, internal_np::place_on_borders_p, "place_on_borders");
   refuse_across_ranks(np_in, internal_np::minimum_component_area_p, "minimum_component_area");
   refuse_across_ranks(np_in, internal_np::vertex_to_cluster, "vertex_to_cluster_map");
   refuse_across_ranks(np_in, internal_np::vertex_boundary_count, "vertex_boundary_count_map");
   refuse_if_set(np_in, internal_np::start_from_face_clusters_p, "start_from_face_clusters");
   refuse_if_set(np_in, internal_np::subdivide_input_p, "subdivide_input");
-  refuse_if_set(np_in, internal_np::merge_by_area_p, "merge_by_area");
   refuse_if_set(np_in, internal_np::boundary_count_check_p, "boundary_count_check");
   refuse_if_set(np_in, internal_np::border_densities_p, "border_densities");
   refuse_if_set(np_in, internal_np::repair_output_p, "repair_output");
@@ -115,6 +113,9 @@ Distributed_choice distributed_choice(std::size_t number_of_vertices, const Plac
   if (!choice.placement.local)
     throw Invalid_input("a placement of all vertices together, as Fitted_placement is, is not available for distributed "
                         "meshes");
+  choice.merges_by_area = choose_parameter(get_parameter(np_in, internal_np::merge_by_area_p), false);
+  choice.places_on_borders = choose_parameter(get_parameter(np_in, internal_np::place_on_borders_p), true);
+  choice.wants_output_everywhere = choose_parameter(get_parameter(np_in, internal_np::output_on_all_ranks_p), false);
   choice.wants_clusters = has_parameter<internal_np::face_cluster_t, NamedParametersIn>;
   if constexpr (has_parameter<internal_np::face_name_t, NamedParametersIn>)
     choice.face_names = [&np_in](std::uint64_t face) { return get(get_parameter(np_in, internal_np::face_name), face); };
@@ -138,7 +139,7 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
   typedef Face_graph_filler<OutputFaceGraph, NamedParametersOut> Filler;
   std::optional<Filler> filler;
   on_all_ranks(communicator, [&] {
-    if (communicator.rank() == 0)
+    if (coarsening.has_output())
       filler.emplace(coarsening.positions(), coarsening.frame(), coarsening.triangles(), output, np_out,
                      Cancellation_point(choice.visitor));
     choice.visitor.throw_if_cancelled();
@@ -183,7 +184,7 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///              same vertices, and orientations that differ, are refused, and so are two edges with the same ends.
 /// \param vertex_numbers the global numbers of the vertices of the piece
 /// \param number_of_vertices the number of vertices of the output
-/// \param output receives the coarse mesh on rank 0. On other ranks it is not touched.
+/// \param output receives the coarse mesh on rank 0. On other ranks it is not touched, unless `output_on_all_ranks` is `true`.
 /// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below. With a parameter
 ///              of `coarsen_mesh()` that is not listed, the function throws `Invalid_input`, unless its value is `false` or 0.
 /// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
@@ -215,10 +216,11 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///     \cgalParamDescription{the largest number of rounds of the minimization, of cells and, again, of faces}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`1000`}
-///     \cgalParamExtra{faces of several tasks have 20 rounds at most in each of four passes}
+///     \cgalParamExtra{faces have 80 rounds at most; those of several tasks 20 in each of four passes}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{convergence_tolerance}
-///     \cgalParamDescription{the relative gain of a round with which the minimization ends}
+///     \cgalParamDescription{the relative gain of a round with which the minimization of cells ends; that of faces ends with a
+///                           hundredth of it}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.001`}
 ///   \cgalParamNEnd
@@ -226,7 +228,24 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///     \cgalParamDescription{the position of the vertex of a cluster}
 ///     \cgalParamType{a model of `VertexPlacement`; one of `GlobalVertexPlacement`, as `Fitted_placement`, is refused}
 ///     \cgalParamDefault{`Centroid_placement()`}
-///     \cgalParamExtra{clusters on the border have their vertex on the border, whatever the placement}
+///     \cgalParamExtra{clusters on the border have their vertex on the border, unless `place_on_borders` is `false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{place_on_borders}
+///     \cgalParamDescription{whether clusters on the border have their vertex on the border}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{merge_by_area}
+///     \cgalParamDescription{whether clusters of cells are merged to the number of vertices by their area, and not by mass and
+///       number of faces}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{output_on_all_ranks}
+///     \cgalParamDescription{whether all ranks receive the output}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`: only rank 0 does}
+///     \cgalParamExtra{all ranks have to give the same value}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{faces_per_block}
 ///     \cgalParamDescription{the number of faces that are worked on together. The result depends on it, as it does not on ranks}
@@ -316,19 +335,19 @@ Distributed_report coarsen_distributed_mesh(const boost::mpi::communicator& comm
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// coarsens a mesh whose pieces are read face by face, for example from a file.
 ///
-/// No rank needs memory for its piece: with parameter `scratch_directory`, a mesh can be larger than memory. Everything else is as in
+/// No rank needs memory for its piece: with parameter `scratch_directory`, a mesh can be larger than memory. All else is as in
 /// `coarsen_distributed_mesh()`, except that a face is known by its number in the sequence of its piece, from 0, and that
 /// `vertex_point_map` and `geom_traits` of `np_in` have no meaning.
 ///
-/// \tparam FaceSource a function object. `source(receive)` calls `receive(numbers, points)` for each face of the piece of this rank,
-///                    in the same order each time. `numbers` is a `std::vector<std::uint64_t>` of the global numbers of its vertices,
-///                    in counterclockwise order, and `points` a `std::vector<std::array<double, 3> >` of their coordinates. What it
-///                    throws is thrown on all ranks, as `std::runtime_error`.
+/// \tparam FaceSource a function object. `source(receive)` calls `receive(numbers, points)` for each face of the piece of this
+///                    rank, in the same order each time. `numbers` is a `std::vector<std::uint64_t>` of the global numbers of its
+///                    vertices, counterclockwise, and `points` a `std::vector<std::array<double, 3> >` of their coordinates.
+///                    What it throws is thrown on all ranks, as `Invalid_input` if it is one, or as `std::runtime_error`.
 ///
 /// \param communicator the ranks
 /// \param source passes the faces of the piece of this rank. It is called three times.
 /// \param number_of_vertices the number of vertices of the output
-/// \param output receives the coarse mesh on rank 0. On other ranks it is not touched.
+/// \param output receives the coarse mesh on rank 0. On other ranks it is not touched, unless `output_on_all_ranks` is `true`.
 /// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" as in `coarsen_distributed_mesh()`. The maps
 ///              `face_density_map` and `face_cluster_map` have a `std::size_t` as key, the number of the face in its piece.
 /// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" as in `coarsen_distributed_mesh()`
@@ -336,8 +355,8 @@ Distributed_report coarsen_distributed_mesh(const boost::mpi::communicator& comm
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{face_name_map}
 ///     \cgalParamDescription{the names of faces in messages}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the number of a face in the sequence of all pieces, a `std::uint64_t`,
-///       as key and `std::string` as value type}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the number of a face in the sequence of all pieces, a
+///       `std::uint64_t`, as key and `std::string` as value type}
 ///     \cgalParamDefault{names like "face 7 of piece 1"}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd

@@ -6,6 +6,7 @@
 #include "distributed/mixed_surfaces.h"
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
+#include "support/random_surfaces.h"
 #include "support/reference_energy.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
@@ -27,10 +28,15 @@
 
 #include <boost/mpi/collectives.hpp>
 #include <boost/mpi/environment.hpp>
+#include <boost/serialization/vector.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
+#include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -278,7 +284,7 @@ BOOST_AUTO_TEST_CASE(agrees_with_the_coarsening_in_memory)
     const std::size_t n = 1500;
     const Piece piece = piece_of(soup, ranks);
     Mesh distributed, in_memory;
-    const auto np = SMC::parameters::cluster_weight(SMC::Maximum_density_weight()).vertex_placement(SMC::Quadric_placement());
+    const auto np = SMC::parameters::vertex_placement(SMC::Quadric_placement());
     const SMC::Coarsening_report report =
       SMC::coarsen_distributed_mesh(ranks, piece.mesh, piece.number, n, distributed, np.faces_per_block(75000));
     if (ranks.rank() != 0)
@@ -289,6 +295,183 @@ BOOST_AUTO_TEST_CASE(agrees_with_the_coarsening_in_memory)
     const SMC::Coarsening_quality a = SMC::measure_coarsening(whole, distributed), b = SMC::measure_coarsening(whole, in_memory);
     BOOST_TEST(a.rms_distance <= 1.03 * b.rms_distance);
     BOOST_TEST(a.mean_smallest_angle >= b.mean_smallest_angle - 0.5);
+  });
+}
+
+namespace {
+
+// Passes the faces of a piece one by one.
+struct Source_of_piece
+{
+  const Piece& piece;
+
+  template <class Receive>
+  void operator()(const Receive& receive) const
+  {
+    for (const auto f : piece.mesh.faces()) {
+      std::vector<std::uint64_t> numbers;
+      std::vector<std::array<double, 3> > points;
+      for (const auto v : piece.mesh.vertices_around_face(piece.mesh.halfedge(f))) {
+        const auto& p = piece.mesh.point(v);
+        numbers.push_back(piece.number[v]);
+        points.push_back({{p.x(), p.y(), p.z()}});
+      }
+      receive(numbers, points);
+    }
+  }
+};
+
+template <class NamedParameters>
+Result coarsened_from_source(const mpi::communicator& ranks, const Soup& soup, std::size_t n, std::uint64_t& bytes_of_scratch,
+                             const NamedParameters& np)
+{
+  const Piece piece = piece_of(soup, ranks);
+  std::vector<std::size_t> clusters(piece.face.size());
+  Mesh output;
+  const auto map = boost::make_iterator_property_map(clusters.begin(), boost::identity_property_map());
+  const SMC::Distributed_report report =
+    SMC::coarsen_distributed_faces(ranks, Source_of_piece{piece}, n, output, np.face_cluster_map(map));
+  bytes_of_scratch = mpi::all_reduce(ranks, report.bytes_of_scratch, std::plus<std::uint64_t>());
+  BOOST_TEST((report.bytes_sent > 0) == (ranks.size() > 1));
+  return result_of(ranks, soup, piece, clusters, output, report.final_energy);
+}
+
+} // namespace
+
+// Neither the source of the faces nor where they wait changes the result.
+BOOST_AUTO_TEST_CASE(faces_from_a_source_and_on_disk)
+{
+  for (const int number : {1, 3})
+    on_first_ranks(number, [](const mpi::communicator& ranks) {
+      const Soup soup = mixed_surfaces();
+      const auto np = SMC::parameters::faces_per_block(2000);
+      const Result expected = coarsened<CGAL::Sequential_tag>(ranks, soup, 120, np);
+      std::uint64_t none = 0, some = 0, all = 0;
+      const auto on_disk = np.scratch_directory(".");
+      BOOST_TEST((coarsened_from_source(ranks, soup, 120, none, np) == expected));
+      BOOST_TEST((coarsened_from_source(ranks, soup, 120, some, on_disk.scratch_memory(100000)) == expected));
+      BOOST_TEST((coarsened_from_source(ranks, soup, 120, all, on_disk) == expected));
+      BOOST_TEST(none == 0);
+      BOOST_TEST((0 < some && some < all));
+      ranks.barrier();
+      for (const auto& file : std::filesystem::directory_iterator("."))
+        BOOST_TEST(file.path().filename().string().find("scratch") == std::string::npos);
+    });
+}
+
+BOOST_AUTO_TEST_CASE(densities_of_faces_from_a_source)
+{
+  on_first_ranks(2, [](const mpi::communicator& ranks) {
+    const Soup soup = generated::triangle_sphere(3);
+    const Piece piece = piece_of(soup, ranks);
+    std::vector<double> density;
+    for (const std::size_t f : piece.face)
+      density.push_back(1 + double(f % 7));
+    const auto np = SMC::parameters::faces_per_block(300);
+    const auto by_face = boost::make_iterator_property_map(density.begin(), get(CGAL::face_index, piece.mesh));
+    const Result expected = coarsened<CGAL::Sequential_tag>(ranks, soup, 25, np.face_density_map(by_face));
+    std::uint64_t bytes = 0;
+    const auto by_number = boost::make_iterator_property_map(density.begin(), boost::identity_property_map());
+    BOOST_TEST((coarsened_from_source(ranks, soup, 25, bytes, np.face_density_map(by_number)) == expected));
+  });
+}
+
+BOOST_AUTO_TEST_CASE(output_on_all_ranks)
+{
+  on_first_ranks(3, [](const mpi::communicator& ranks) {
+    const Soup soup = mixed_surfaces();
+    const Piece piece = piece_of(soup, ranks);
+    for (const std::size_t n : {120, 1500}) { // of cells, and of faces
+      Mesh output;
+      SMC::coarsen_distributed_mesh(ranks, piece.mesh, piece.number, n, output,
+                                    SMC::parameters::faces_per_block(300).output_on_all_ranks(true));
+      Result own = result_of(ranks, soup, piece, std::vector<std::size_t>(piece.face.size(), 0), output, 0);
+      std::vector<double> first = own.coordinates;
+      std::vector<std::size_t> corners = own.corners;
+      mpi::broadcast(ranks, first, 0);
+      mpi::broadcast(ranks, corners, 0);
+      BOOST_TEST(output.number_of_vertices() == n);
+      BOOST_TEST((own.coordinates == first && own.corners == corners));
+    }
+  });
+}
+
+// Without vertices on the border, the loops of the output are inside of those of the input.
+BOOST_AUTO_TEST_CASE(clusters_on_the_border)
+{
+  on_first_ranks(2, [](const mpi::communicator& ranks) {
+    const Soup soup = generated::triangulated(generated::plate_with_windows(2, 8));
+    const Piece piece = piece_of(soup, ranks);
+    double width[2] = {0, 0};
+    for (const bool on_border : {false, true}) {
+      Mesh output;
+      SMC::coarsen_distributed_mesh(ranks, piece.mesh, piece.number, 60, output,
+                                    SMC::parameters::faces_per_block(200).place_on_borders(on_border).merge_by_area(true));
+      for (const auto v : output.vertices())
+        for (const auto w : output.vertices())
+          width[on_border] = (std::max)(width[on_border], output.point(v).x() - output.point(w).x());
+    }
+    if (ranks.rank() == 0) {
+      BOOST_TEST(width[0] > 0);
+      BOOST_TEST(width[0] < width[1]);
+    }
+  });
+}
+
+// What a source throws on one rank, all throw.
+BOOST_AUTO_TEST_CASE(source_that_fails)
+{
+  on_first_ranks(3, [](const mpi::communicator& ranks) {
+    const Piece piece = piece_of(generated::triangle_sphere(3), ranks);
+    Mesh output;
+    for (const int last : {0, 1, 2}) {
+      int call = 0;
+      const auto source = [&](const auto& receive) {
+        Source_of_piece{piece}(receive);
+        if (ranks.rank() == 1 && call++ == last)
+          throw std::runtime_error("no more");
+      };
+      std::string message;
+      try {
+        SMC::coarsen_distributed_faces(ranks, source, 20, output);
+      } catch (const std::runtime_error& e) {
+        message = e.what();
+      }
+      BOOST_TEST(message == "rank 1: no more");
+      BOOST_TEST(output.number_of_vertices() == 0);
+    }
+  });
+}
+
+// Random surfaces in blocks of a few faces, so that each touches many others.
+BOOST_AUTO_TEST_CASE(random_surfaces)
+{
+  on_first_ranks(2, [](const mpi::communicator& ranks) {
+    std::size_t checked = 0;
+    for (unsigned seed = 0; seed < 24; ++seed) {
+      std::mt19937 engine(seed);
+      const Soup starts[] = {generated::tetrahedron(), generated::torus(5, 4), generated::tube(6, 3),
+                             generated::plate_with_windows(2, 2), generated::with_holes(generated::triangle_sphere(1), 2)};
+      const Soup soup = generated::random_surface(starts[seed % 5], 300 + 30 * (seed % 7), seed % 2 == 0, engine);
+      const auto np = SMC::parameters::faces_per_block(10 + seed % 20);
+      std::size_t n = 4 + seed % 40;
+      const Piece piece = piece_of(soup, ranks);
+      Mesh output;
+      SMC::Coarsening_report report;
+      try {
+        report = SMC::coarsen_distributed_mesh(ranks, piece.mesh, piece.number, n, output, np);
+      } catch (const SMC::Unreachable_number_of_vertices& e) {
+        n = e.nearest();
+        report = SMC::coarsen_distributed_mesh(ranks, piece.mesh, piece.number, n, output, np);
+      }
+      if (report.subdivided_components > 0)
+        continue; // clusters are of parts of faces
+      ++checked;
+      const Result result = coarsened<CGAL::Sequential_tag>(ranks, soup, n, np);
+      if (ranks.rank() == 0)
+        check_validity(soup, result, n);
+    }
+    BOOST_TEST(checked >= 16);
   });
 }
 

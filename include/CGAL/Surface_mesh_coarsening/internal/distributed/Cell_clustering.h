@@ -145,6 +145,8 @@ private:
     state.energy = choice_.energy;
     state.frame = frame_;
     state.repairs_output = false;
+    state.merges_by_area = choice_.merges_by_area;
+    state.places_on_borders = choice_.places_on_borders;
     state.input.items = mesh.make(level_ == 0, context_.cancellation, choice_.execution);
     if (!cluster(state))
       return false;

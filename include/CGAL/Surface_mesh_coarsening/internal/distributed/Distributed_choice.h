@@ -3,20 +3,25 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_DISTRIBUTED_CHOICE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_DISTRIBUTED_CHOICE_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Dual_parts.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Placement_model.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+// The energies of all clusters, for any weight.
+typedef std::function<std::vector<double>(const Clustering_input&, const Cluster_labels&, std::size_t)> Cluster_energies;
 
 // The choices of the caller, equal on all ranks but for the visitor and the scratch directory.
 struct Distributed_choice
@@ -35,7 +40,8 @@ struct Distributed_choice
   Cluster_energies energies;
   Placement_model placement;
   Face_names face_names;
-  bool wants_clusters = false;
+  bool merges_by_area = false, places_on_borders = true;
+  bool wants_clusters = false, wants_output_everywhere = false;
   std::string scratch_directory; // if empty, everything is kept in memory
   std::uint64_t scratch_memory = 0; // bytes of records that are kept in memory nevertheless
 };

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_DISTRIBUTED_COARSENING_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Cell_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Dual_parts.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Piece_blocks.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Shared_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Task_refinement.h>
@@ -58,6 +59,8 @@ public:
       take_dual(cells, *blocks, pieces);
     else
       refine_and_place(cells, std::move(blocks), pieces, names);
+    if (choice_.wants_output_everywhere)
+      broadcast_output();
     broadcast_report();
   }
 
@@ -67,7 +70,8 @@ public:
   std::uint64_t bytes_of_scratch() const { return context_.scratch.bytes_written(); }
   // The clusters of the faces of the piece of this rank, on request.
   const std::vector<Index>& clusters_of_piece() const { return clusters_; }
-  // On rank 0:
+  // On rank 0, or everywhere on request:
+  bool has_output() const { return context_.rank() == 0 || choice_.wants_output_everywhere; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<Vector>& positions() const { return positions_; }
 
@@ -126,13 +130,13 @@ private:
     Shared_faces(context_, tasks).run(*faces);
     Word_store labels(1, context_.scratch);
     Dual_parts parts;
-    report_.rounds +=
-      refinement.run(std::move(faces), ranks, labels, [&](const Patch& patch, const Patch_clusters& clusters, Word_routing& routing) {
-        parts.add(patch, clusters, choice_.placement, choice_.energies, choice_.execution, context_.cancellation);
-        for (std::size_t f = 0; f < patch.faces.size(); ++f)
-          if (patch.is_own(f))
-            send_label(patch.faces.origin[f], patch.faces.cluster[f], pieces, routing);
-      });
+    const auto place = [&](const Patch& patch, const Patch_clusters& clusters, Word_routing& routing) {
+      parts.add(patch, clusters, choice_, context_.cancellation);
+      for (std::size_t f = 0; f < patch.faces.size(); ++f)
+        if (patch.is_own(f))
+          send_label(patch.faces.origin[f], patch.faces.cluster[f], pieces, routing);
+    };
+    report_.rounds += refinement.run(std::move(faces), ranks, labels, place);
     read_labels(labels);
     choice_.visitor.stage_ends(Coarsening_stage::MINIMIZATION);
     begin_stage(Coarsening_stage::TRIANGULATION);
@@ -195,6 +199,26 @@ private:
       triangles_ = parts.triangles();
       positions_ = parts.positions();
     });
+  }
+
+  void broadcast_output()
+  {
+    Words words;
+    for (const Triangle& t : triangles_)
+      words.insert(words.end(), {packed(t[0], t[1]), t[2]});
+    for (const Vector& p : positions_)
+      for (const double x : p)
+        words.push_back(to_word(x));
+    std::uint64_t triangles = triangles_.size();
+    boost::mpi::broadcast(context_.communicator, triangles, 0);
+    broadcast_words(context_, words);
+    triangles_.clear();
+    positions_.clear();
+    std::size_t i = 0;
+    for (; i < 2 * triangles; i += 2)
+      triangles_.push_back({high_half(words[i]), low_half(words[i]), Index(words[i + 1])});
+    for (; i < words.size(); i += 3)
+      positions_.push_back({{to_double(words[i]), to_double(words[i + 1]), to_double(words[i + 2])}});
   }
 
   void broadcast_report()

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_DUAL_PARTS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_choice.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch_clusters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/fit_border_loop.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
@@ -11,15 +12,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
-
-// The energies of all clusters, for any weight.
-typedef std::function<std::vector<double>(const Clustering_input&, const Cluster_labels&, std::size_t)> Cluster_energies;
 
 // What the dual of all clusters is made of.
 struct Dual_parts
@@ -46,20 +43,20 @@ struct Dual_parts
   std::vector<Border_part> border;
   std::vector<Meeting_point> meeting_points;
 
-  void add(const Patch& patch, const Patch_clusters& clusters_of_patch, const Placement_model& placement,
-           const Cluster_energies& energies, Execution execution, const Cancellation_point& cancellation)
+  void add(const Patch& patch, const Patch_clusters& clusters_of_patch, const Distributed_choice& choice,
+           const Cancellation_point& cancellation)
   {
     const Clustering_input& input = clusters_of_patch.input();
     const Cluster_labels& labels = clusters_of_patch.labels();
     std::vector<char> is_on_border(clusters_of_patch.size(), false);
     for (Index f = 0; f < input.mesh.number_of_faces(); ++f)
-      if (patch.is_own(f))
+      if (choice.places_on_borders && patch.is_own(f))
         add_border(patch, clusters_of_patch, f, is_on_border);
-    const Clustered_faces surface(input, labels, clusters_of_patch.size(), execution, nullptr, cancellation);
-    const std::vector<double> energy = energies(input, labels, clusters_of_patch.size());
+    const Clustered_faces surface(input, labels, clusters_of_patch.size(), choice.execution, nullptr, cancellation);
+    const std::vector<double> energy = choice.energies(input, labels, clusters_of_patch.size());
     for (Index x = 0; x < clusters_of_patch.number_of_own(); ++x) {
       cancellation.poll(surface.faces(x).size());
-      const Vector p = is_on_border[x] ? Vector{{0, 0, 0}} : checked_position(surface, x, placement.local(surface, x));
+      const Vector p = is_on_border[x] ? Vector{{0, 0, 0}} : checked_position(surface, x, choice.placement.local(surface, x));
       clusters.push_back({clusters_of_patch.global_number(x), energy[x], p});
     }
     for_each_meeting_point(labels, [&](Index v, const std::vector<Index>& runs) {

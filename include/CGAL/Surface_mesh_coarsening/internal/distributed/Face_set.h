@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A face that stands for itself: it has the global numbers and the coordinates of its vertices, beginning with the smallest number.
+// A face that stands for itself, with the global numbers and the coordinates of its vertices. It begins with the smallest number.
 //
 // Two faces differ in the first two vertices, because an edge has one face on each side. So these, after the place on a
 // space-filling curve, put the faces in an order that depends on the mesh alone.

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PATCH_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Number_table.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_store.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
@@ -12,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,8 +25,8 @@ namespace internal {
 typedef std::function<std::string(std::uint64_t)> Face_names;
 
 // The faces of a group, its own, and all faces that share vertices with them, as a mesh. The stars of the vertices of its own
-// faces are complete. Edges of other faces that lie farther away look like a border, and vertices there are divided where the faces
-// around them form several fans. The faces are in the global order, so each star begins with the same face as in the whole mesh.
+// faces are complete. The other faces have edges that look like a border, and vertices there are divided where the faces around
+// them form several fans. The faces are in the global order, so each star begins with the same face as in the whole mesh.
 struct Patch
 {
   Face_set faces;                     // their corners are in the mesh
@@ -54,7 +54,7 @@ struct Patch
 };
 
 // Makes the mesh of a patch whose faces have come in any order. Throws where the faces of the patch, or of several pieces,
-// contradict each other.
+// contradict each other. Of several contradictions, the one at the smallest vertex numbers is reported.
 class Patch_builder
 {
 public:
@@ -66,13 +66,11 @@ public:
   {
     sort_faces();
     check_size();
+    list_corners();
     check_positions();
-    mesh_ = Flat_mesh();
-    mesh_.first_corner.assign(1, 0);
-    for (std::size_t f = 0; f < faces_.size(); ++f)
-      mesh_.first_corner.push_back(Index(faces_.first_corner[f + 1]));
     pair_edges();
     number_vertices();
+    check_fans();
     faces_.vertex = std::vector<std::uint64_t>();
     faces_.point = std::vector<Vector>();
     complete_topology(mesh_, patch_.number.size(), cancellation, Execution::SEQUENTIAL);
@@ -80,27 +78,29 @@ public:
   }
 
 private:
-  struct Side
-  {
-    std::uint64_t source, target;
-    Index face, corner;
-
-    bool operator<(const Side& s) const
-    {
-      return std::tie(source, target, face) < std::tie(s.source, s.target, s.face);
-    }
-  };
-
   void sort_faces()
   {
-    std::vector<Index> order(faces_.size());
-    std::iota(order.begin(), order.end(), Index(0));
-    // Faces that come twice are a fault, whose message must not depend on the order in which they have come.
-    const auto key = [this](Index f) {
-      const std::size_t c = faces_.first_corner[f];
-      return std::make_tuple(faces_.place[f], faces_.vertex[c], faces_.vertex[c + 1], faces_.origin[f]);
+    struct Key
+    {
+      std::uint64_t place;
+      Index face;
     };
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+    std::vector<Key> keys;
+    keys.reserve(faces_.size());
+    for (Index f = 0; f < faces_.size(); ++f)
+      keys.push_back({faces_.place[f], f});
+    // Faces that come twice are a fault, whose message must not depend on the order in which they have come.
+    const auto rest = [this](Index f) {
+      const std::size_t c = faces_.first_corner[f];
+      return std::make_tuple(faces_.vertex[c], faces_.vertex[c + 1], faces_.origin[f]);
+    };
+    std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
+      return a.place != b.place ? a.place < b.place : rest(a.face) < rest(b.face);
+    });
+    std::vector<Index> order;
+    order.reserve(keys.size());
+    for (const Key& key : keys)
+      order.push_back(key.face);
     faces_.reorder(order);
   }
 
@@ -111,56 +111,130 @@ private:
                           " face corners, more than the " + std::to_string(NONE / 2 - 1) + " that can be numbered");
   }
 
-  std::vector<Index> corners_by_vertex() const
+  // Lists the corners at each vertex number, in their order.
+  void list_corners()
   {
-    std::vector<Index> corners(faces_.vertex.size());
-    std::iota(corners.begin(), corners.end(), Index(0));
-    std::sort(corners.begin(), corners.end(), [this](Index a, Index b) {
-      return std::tie(faces_.vertex[a], a) < std::tie(faces_.vertex[b], b);
-    });
-    return corners;
+    mesh_ = Flat_mesh();
+    mesh_.first_corner.assign(1, 0);
+    const Index corners = Index(faces_.vertex.size());
+    face_of_.reserve(corners);
+    vertex_of_.reserve(corners);
+    for (Index f = 0; f < faces_.size(); ++f) {
+      mesh_.first_corner.push_back(Index(faces_.first_corner[f + 1]));
+      face_of_.resize(faces_.first_corner[f + 1], f);
+    }
+    for (const std::uint64_t number : faces_.vertex)
+      vertex_of_.push_back(table_.index(number));
+    first_at_.assign(table_.numbers().size() + 1, 0);
+    for (const Index v : vertex_of_)
+      ++first_at_[v + 1];
+    for (std::size_t v = 1; v < first_at_.size(); ++v)
+      first_at_[v] += first_at_[v - 1];
+    std::vector<Index> next(first_at_.begin(), first_at_.end() - 1);
+    corners_at_.resize(corners);
+    for (Index c = 0; c < corners; ++c)
+      corners_at_[next[vertex_of_[c]]++] = c;
   }
 
-  Index face_of_corner(Index c) const
-  {
-    return Index(std::upper_bound(faces_.first_corner.begin(), faces_.first_corner.end(), std::size_t(c)) -
-                 faces_.first_corner.begin() - 1);
-  }
-
+  Index number_of_vertex_numbers() const { return Index(first_at_.size() - 1); }
+  std::uint64_t number(Index v) const { return table_.numbers()[v]; }
+  Number_range positions_at(Index v) const { return number_range(first_at_[v], first_at_[v + 1]); }
+  Index next_vertex(Index c) const { return vertex_of_[mesh_.next_corner(face_of_[c], c)]; }
+  Index previous_corner(Index c) const { return mesh_.previous_corner(face_of_[c], c); }
   std::string name(Index f) const { return names_(faces_.origin[f]); }
+
+  // Returns the vertex of the smallest number for which `is_faulty(v)`, or NONE.
+  template <class Predicate>
+  Index first_faulty(const Predicate& is_faulty) const
+  {
+    Index first = NONE;
+    for (Index v = 0; v < number_of_vertex_numbers(); ++v)
+      if ((first == NONE || number(v) < number(first)) && is_faulty(v))
+        first = v;
+    return first;
+  }
+
+  // Returns the first corner at a vertex whose position differs from that before it, or NONE.
+  Index other_position(Index v) const
+  {
+    for (Index i = first_at_[v] + 1; i < first_at_[v + 1]; ++i)
+      if (faces_.point[corners_at_[i]] != faces_.point[corners_at_[i - 1]])
+        return i;
+    return NONE;
+  }
 
   void check_positions() const
   {
-    const std::vector<Index> corners = corners_by_vertex();
-    for (std::size_t i = 1; i < corners.size(); ++i) {
-      const Index c = corners[i - 1], d = corners[i];
-      if (faces_.vertex[c] == faces_.vertex[d] && faces_.point[c] != faces_.point[d])
-        throw Invalid_input("vertex " + std::to_string(faces_.vertex[c]) + " has two positions, in " + name(face_of_corner(c)) +
-                            " and in " + name(face_of_corner(d)));
+    const Index v = first_faulty([this](Index w) { return other_position(w) != NONE; });
+    if (v == NONE)
+      return;
+    const Index i = other_position(v);
+    throw Invalid_input("vertex " + std::to_string(number(v)) + " has two positions, in " + name(face_of_[corners_at_[i - 1]]) +
+                        " and in " + name(face_of_[corners_at_[i]]));
+  }
+
+  // Calls `receive(c)` for all corners from which an edge goes from v to w. Searches around the vertex of fewer faces: vertices
+  // of high degree cost no more.
+  template <class Receive>
+  void for_each_edge(Index v, Index w, const Receive& receive) const
+  {
+    if (first_at_[v + 1] - first_at_[v] <= first_at_[w + 1] - first_at_[w]) {
+      for (const Index i : positions_at(v))
+        if (next_vertex(corners_at_[i]) == w)
+          receive(corners_at_[i]);
+      return;
+    }
+    for (const Index i : positions_at(w)) {
+      const Index c = previous_corner(corners_at_[i]);
+      if (vertex_of_[c] == v)
+        receive(c);
     }
   }
 
   void pair_edges()
   {
-    std::vector<Side> sides;
-    sides.reserve(faces_.vertex.size());
-    for (Index f = 0; f < faces_.size(); ++f)
-      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
-        sides.push_back({faces_.vertex[c], faces_.vertex[mesh_.next_corner(f, c)], f, c});
-    std::sort(sides.begin(), sides.end());
-    for (std::size_t i = 1; i < sides.size(); ++i)
-      if (sides[i].source == sides[i - 1].source && sides[i].target == sides[i - 1].target)
-        throw_two_faces(sides[i - 1], sides[i]);
-    mesh_.face_across.assign(sides.size(), NONE);
-    corner_across_.assign(sides.size(), NONE);
-    for (const Side& side : sides) {
-      const Side opposite{side.target, side.source, 0, 0};
-      const auto i = std::lower_bound(sides.begin(), sides.end(), opposite);
-      if (i != sides.end() && i->source == side.target && i->target == side.source) {
-        mesh_.face_across[side.corner] = i->face;
-        corner_across_[side.corner] = i->corner;
-      }
+    const std::size_t corners = vertex_of_.size();
+    mesh_.face_across.assign(corners, NONE);
+    corner_across_.assign(corners, NONE);
+    bool has_fault = false;
+    for (Index c = 0; c < corners; ++c) {
+      if (corner_across_[c] != NONE)
+        continue;
+      const Index v = vertex_of_[c], w = next_vertex(c);
+      for_each_edge(v, w, [&](Index other) { has_fault = has_fault || other != c; });
+      for_each_edge(w, v, [&](Index opposite) {
+        has_fault = has_fault || corner_across_[c] != NONE;
+        pair(c, opposite);
+        pair(opposite, c);
+      });
     }
+    if (has_fault)
+      throw_two_faces();
+  }
+
+  void pair(Index c, Index opposite)
+  {
+    corner_across_[c] = opposite;
+    mesh_.face_across[c] = face_of_[opposite];
+  }
+
+  [[noreturn]] void throw_two_faces() const
+  {
+    typedef std::tuple<std::uint64_t, std::uint64_t, Index> Side; // numbers of the ends, and the face
+    std::vector<Side> sides;
+    for (Index c = 0; c < vertex_of_.size(); ++c)
+      sides.emplace_back(faces_.vertex[c], number(next_vertex(c)), face_of_[c]);
+    std::sort(sides.begin(), sides.end());
+    std::size_t i = 1;
+    while (std::get<0>(sides[i]) != std::get<0>(sides[i - 1]) || std::get<1>(sides[i]) != std::get<1>(sides[i - 1]))
+      ++i;
+    const auto [source, target, f] = sides[i - 1];
+    const Index g = std::get<2>(sides[i]);
+    if (have_same_vertices(f, g))
+      throw Invalid_input(name(f) + " is " + name(g) + ", too");
+    throw Invalid_input("the edge from vertex " + std::to_string(source) + " to vertex " + std::to_string(target) +
+                        " has two faces on the same side, " + name(f) + " and " + name(g) +
+                        ": their orientations differ, or the edge has more than two faces");
   }
 
   bool have_same_vertices(Index f, Index g) const
@@ -171,59 +245,50 @@ private:
                       faces_.vertex.begin() + std::ptrdiff_t(faces_.first_corner[g]));
   }
 
-  [[noreturn]] void throw_two_faces(const Side& a, const Side& b) const
-  {
-    if (have_same_vertices(a.face, b.face))
-      throw Invalid_input(name(a.face) + " is " + name(b.face) + ", too");
-    throw Invalid_input("the edge from vertex " + std::to_string(a.source) + " to vertex " + std::to_string(a.target) +
-                        " has two faces on the same side, " + name(a.face) + " and " + name(b.face) +
-                        ": their orientations differ, or the edge has more than two faces");
-  }
-
-  // The corners of a fan are one vertex.
+  // The corners of a fan are one vertex. Visits each fan from its clockwise end, or from any face of a closed one.
   void number_vertices()
   {
-    parent_.resize(faces_.vertex.size());
-    std::iota(parent_.begin(), parent_.end(), Index(0));
-    for (Index f = 0; f < faces_.size(); ++f)
-      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
-        if (mesh_.face_across[c] != NONE) {
-          const Index d = corner_across_[c];
-          join(mesh_.next_corner(f, c), d);
-          join(c, mesh_.next_corner(mesh_.face_across[c], d));
-        }
-    mesh_.corner_vertex.assign(parent_.size(), NONE);
-    const std::vector<Index> corners = corners_by_vertex();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Index c = corners[i], root = find(c);
-      if (mesh_.corner_vertex[root] == NONE)
-        add_vertex(c, root);
-      mesh_.corner_vertex[c] = mesh_.corner_vertex[root];
-    }
-    check_fans(corners);
-    corner_across_ = parent_ = std::vector<Index>();
+    mesh_.corner_vertex.assign(vertex_of_.size(), NONE);
+    for (Index v = 0; v < number_of_vertex_numbers(); ++v)
+      for (const Index i : positions_at(v)) {
+        if (mesh_.corner_vertex[corners_at_[i]] != NONE)
+          continue;
+        const Index vertex = Index(patch_.number.size()), begin = first_of_fan(corners_at_[i]);
+        patch_.number.push_back(number(v));
+        mesh_.points.push_back(faces_.point[begin]);
+        for (Index c = begin; c != NONE && mesh_.corner_vertex[c] == NONE; c = next_in_fan(c))
+          mesh_.corner_vertex[c] = vertex;
+      }
   }
 
-  void add_vertex(Index c, Index root)
+  // The corners of the same vertex in the neighboring faces, counterclockwise and clockwise, or NONE.
+  Index next_in_fan(Index c) const { return corner_across_[previous_corner(c)]; }
+  Index previous_in_fan(Index c) const
   {
-    mesh_.corner_vertex[root] = Index(patch_.number.size());
-    patch_.number.push_back(faces_.vertex[c]);
-    mesh_.points.push_back(faces_.point[c]);
+    return corner_across_[c] == NONE ? NONE : mesh_.next_corner(mesh_.face_across[c], corner_across_[c]);
+  }
+  Index first_of_fan(Index c) const
+  {
+    Index first = c;
+    for (Index d = previous_in_fan(c); d != NONE && d != c; d = previous_in_fan(d))
+      first = d;
+    return first;
   }
 
   // Where an own face has a vertex, the faces around it are all there.
-  void check_fans(const std::vector<Index>& corners) const
+  void check_fans() const
   {
-    for (std::size_t begin = 0, end; begin < corners.size(); begin = end) {
+    const Index v = first_faulty([this](Index w) {
       bool has_own = false, has_fans = false;
-      for (end = begin; end < corners.size() && faces_.vertex[corners[end]] == faces_.vertex[corners[begin]]; ++end) {
-        has_own = has_own || patch_.is_own(face_of_corner(corners[end]));
-        has_fans = has_fans || mesh_.corner_vertex[corners[end]] != mesh_.corner_vertex[corners[begin]];
+      for (const Index i : positions_at(w)) {
+        has_own = has_own || patch_.is_own(face_of_[corners_at_[i]]);
+        has_fans = has_fans || mesh_.corner_vertex[corners_at_[i]] != mesh_.corner_vertex[corners_at_[first_at_[w]]];
       }
-      if (has_own && has_fans)
-        throw Invalid_input("vertex " + std::to_string(faces_.vertex[corners[begin]]) +
-                            " is not a manifold vertex: the faces around it form more than one fan");
-    }
+      return has_own && has_fans;
+    });
+    if (v != NONE)
+      throw Invalid_input("vertex " + std::to_string(number(v)) +
+                          " is not a manifold vertex: the faces around it form more than one fan");
   }
 
   void find_inner_vertices()
@@ -231,29 +296,20 @@ private:
     patch_.is_inner.assign(patch_.number.size(), true);
     for (Index f = 0; f < faces_.size(); ++f)
       if (!patch_.is_own(f))
-        for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
+        for (const Index c : mesh_.corners(f))
           patch_.is_inner[mesh_.corner_vertex[c]] = false;
-  }
-
-  Index find(Index c)
-  {
-    while (parent_[c] != c)
-      c = parent_[c] = parent_[parent_[c]];
-    return c;
-  }
-
-  void join(Index c, Index d)
-  {
-    const Index a = find(c), b = find(d);
-    parent_[(std::max)(a, b)] = (std::min)(a, b);
   }
 
   Patch& patch_;
   Face_set& faces_;
   Flat_mesh& mesh_;
   const Face_names& names_;
+  Number_table table_;             // of the vertex numbers
+  std::vector<Index> face_of_;     // of each corner
+  std::vector<Index> vertex_of_;   // of each corner, by number: fans are not divided
+  std::vector<Index> first_at_;    // of each vertex number: its first position in `corners_at_`, and the total
+  std::vector<Index> corners_at_;
   std::vector<Index> corner_across_; // of each corner: the corner that the edge after it begins at, seen from its other face
-  std::vector<Index> parent_;
 };
 
 // Makes the patch of a bin of face records.

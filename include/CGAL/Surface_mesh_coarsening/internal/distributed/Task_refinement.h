@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Cluster_tasks.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_choice.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch_clusters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_routing.h>
 
 #include <algorithm>
@@ -67,13 +68,13 @@ public:
 
 private:
   static constexpr std::size_t max_phases = 4, max_rounds_of_phase = 20;
+  // Clusters of cells have a low energy, but vertices of irregular degree. These vanish in rounds that hardly lower the energy.
+  static constexpr double part_of_tolerance = 0.01;
 
   Minimization_end end_of_phase() const
   {
-    Minimization_end end = choice_.end;
-    if (number_of_phases_ > 1)
-      end.max_rounds = (std::min)(end.max_rounds, max_rounds_of_phase);
-    return end;
+    const std::size_t max_rounds = max_rounds_of_phase * (max_phases / number_of_phases_);
+    return {(std::min)(choice_.end.max_rounds, max_rounds), part_of_tolerance * choice_.end.tolerance};
   }
 
   // Sends the own faces to their tasks in the next division, and copies to the tasks of all faces that they share a vertex with.

@@ -39,7 +39,8 @@ private:
   std::size_t bins_, ranks_, first_, end_;
 };
 
-// Brings records to the bins of all ranks, in rounds of limited size: no rank has to hold all that it sends or receives.
+// Brings records to the bins of all ranks, in rounds of limited size: no rank has to hold all that it sends or receives. Records
+// for the rank itself are stored at once.
 class Word_routing
 {
 public:
@@ -48,8 +49,8 @@ public:
     : context_(context), bins_(bins), store_(store), outgoing_(context.number_of_ranks())
   {}
 
-  // Calls `produce()`, which calls `send()` and must not wait for other ranks otherwise. If it throws on some ranks, all throw the
-  // same.
+  // Calls `produce()`, which calls `send()` and must not wait for other ranks otherwise. If it throws on some ranks, all
+  // throw the same.
   void run(const std::function<void()>& produce)
   {
     Remote_exception failure = caught(produce, context_.communicator.rank());
@@ -63,6 +64,10 @@ public:
   void send(std::size_t bin, const Words& record) { send(bin, record.data(), record.size()); }
   void send(std::size_t bin, const std::uint64_t* record, std::size_t size)
   {
+    if (bins_.rank_of(bin) == context_.rank()) {
+      store_.append(bin - bins_.first(), record, size);
+      return;
+    }
     Words& words = outgoing_[bins_.rank_of(bin)];
     words.push_back(packed(Index(bin), Index(size)));
     words.insert(words.end(), record, record + size);
@@ -75,7 +80,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t max_words_of_round = std::size_t(1) << 21;
+  static constexpr std::size_t max_words_of_round = std::size_t(1) << 18;
 
   // Returns whether no rank has more to send.
   bool exchange_round(bool is_last)

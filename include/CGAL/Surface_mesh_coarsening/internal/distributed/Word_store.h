@@ -41,8 +41,8 @@ public:
     b.open.insert(b.open.end(), words, words + size);
   }
 
-  // Calls `receive(begin, end)` for all records of a bin, some at a time, in the order of appending. Until it returns, the bin may
-  // not change.
+  // Calls `receive(begin, end)` for all records of a bin, some at a time, in the order of appending. The bin may not change
+  // meanwhile.
   template <class Receive>
   void read(std::size_t bin, const Receive& receive) const
   {
