@@ -107,7 +107,8 @@ int main(int argc, char* argv[])
     std::cerr << "cannot read " << name << std::endl;
     return EXIT_FAILURE;
   }
-  auto metric = input.add_property_map<Mesh::Face_index, Eigen::Matrix3d>("f:metric").first;
+  const Eigen::Matrix3d isotropic = Eigen::Matrix3d::Identity();
+  auto metric = input.add_property_map<Mesh::Face_index, Eigen::Matrix3d>("f:metric", isotropic).first;
   for (const Mesh::Face_index f : input.faces())
     metric[f] = metric_at(input, f);
   const SMC::Coarsening_report report =
