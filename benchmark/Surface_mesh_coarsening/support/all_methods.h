@@ -3,7 +3,7 @@
 #ifndef COARSENING_BENCHMARK_ALL_METHODS_H
 #define COARSENING_BENCHMARK_ALL_METHODS_H
 
-#include "support/peers.h"
+#include "peers.h"
 
 #include <vector>
 

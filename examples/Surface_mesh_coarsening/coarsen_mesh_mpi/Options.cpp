@@ -71,7 +71,7 @@ std::string help_text()
 void check_outputs(const Options& options)
 {
   const std::string type = coarsening_support::file_type(options.output);
-  if (!coarsening_support::is_mesh_file_type(type))
+  if (!coarsening_support::is_own_file_type(type))
     throw std::invalid_argument(options.output + ": the output is OFF, OBJ, PLY or STL");
   if (!options.clusters.empty() && coarsening_support::file_type(options.clusters) != "pvtp")
     throw std::invalid_argument(options.clusters + ": clusters are written to a file .pvtp");

@@ -8,12 +8,12 @@
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Piece_blocks.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Shared_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Task_refinement.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/broadcast_report.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -61,7 +61,7 @@ public:
       refine_and_place(cells, std::move(blocks), pieces, names);
     if (choice_.wants_output_everywhere)
       broadcast_output();
-    broadcast_report();
+    broadcast_report(context_, report_);
   }
 
   const Coarsening_report& report() const { return report_; }
@@ -219,12 +219,6 @@ private:
       triangles_.push_back({high_half(words[i]), low_half(words[i]), Index(words[i + 1])});
     for (; i < words.size(); i += 3)
       positions_.push_back({{to_double(words[i]), to_double(words[i + 1]), to_double(words[i + 2])}});
-  }
-
-  void broadcast_report()
-  {
-    static_assert(std::is_trivially_copyable<Coarsening_report>::value, "the report is sent byte by byte");
-    boost::mpi::broadcast(context_.communicator, reinterpret_cast<char*>(&report_), int(sizeof report_), 0);
   }
 
   Distributed_choice choice_;
