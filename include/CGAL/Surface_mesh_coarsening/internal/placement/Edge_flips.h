@@ -24,9 +24,13 @@ namespace internal {
 class Edge_flips
 {
 public:
-  Edge_flips(Flippable_triangulation& coarse, const std::vector<Vector>& positions, Fit_samples& samples,
+  // Flips pay for narrow triangles only if `avoids_narrowness`: where vertices stay with their clusters, it takes flips across
+  // sharp edges to avoid them.
+  Edge_flips(Flippable_triangulation& coarse, const std::vector<Vector>& positions, Fit_samples& samples, bool avoids_narrowness,
              const Cancellation_point& cancellation, Execution execution)
-    : coarse_(coarse), positions_(positions), samples_(samples), cancellation_(cancellation), execution_(execution) {}
+    : coarse_(coarse), positions_(positions), samples_(samples), avoids_narrowness_(avoids_narrowness),
+      cancellation_(cancellation), execution_(execution)
+  {}
 
   // The angle is in radians. A steady run changes the exchange rate of the run before only a little.
   void run(double mean_angle, bool is_steady)
@@ -50,7 +54,7 @@ public:
       return;
     const double mean = total / double(triangles.size());
     const double before = worth_.rate;
-    worth_.narrow_rate = narrow_part * mean;
+    worth_.narrow_rate = avoids_narrowness_ ? narrow_part * mean : 0;
     worth_.rate = rate_for(flips, budget, mean);
     if (is_steady && before > 0)
       worth_.rate = (std::min)((std::max)(worth_.rate, before / max_change), before * max_change);
@@ -194,6 +198,7 @@ private:
   Flippable_triangulation& coarse_;
   const std::vector<Vector>& positions_;
   Fit_samples& samples_;
+  const bool avoids_narrowness_;
   const Cancellation_point cancellation_;
   const Execution execution_;
   const double sharpest_allowed_ = std::cos(min_angle);

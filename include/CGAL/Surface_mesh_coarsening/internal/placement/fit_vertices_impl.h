@@ -40,7 +40,7 @@ public:
              const std::vector<Triangle>& triangles, std::vector<Vector>& positions, const Vertex_relocation& relocation)
     : surface_(surface), mean_angle_(mean_angle), positions_(positions), relocation_(relocation),
       coarse_(triangles, positions.size(), surface.features()), fit_(surface, border, coarse_, positions),
-      flips_(coarse_, positions, fit_.samples(), surface.cancellation(), surface.execution()),
+      flips_(coarse_, positions, fit_.samples(), relocation.rounds > 0, surface.cancellation(), surface.execution()),
       exchange_(border, coarse_, positions, fit_.samples(), relocation, surface.cancellation(), surface.execution()),
       angles_(border, coarse_, positions, fit_.samples(), [this](Index x, const Vector& p) { return within_bounds(x, p); },
               surface.cancellation())
@@ -72,6 +72,8 @@ public:
   // Ends the rounds, or some of them.
   void settle()
   {
+    if (relocation_.rounds == 0)
+      return;
     fit_.find_feet(1);
     // Narrow triangles that are left now remain, and are worth more.
     Angle_worth worth = flips_.worth();
