@@ -5,7 +5,6 @@
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Input_oracle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Placement_faults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_counts.h>
@@ -28,8 +27,7 @@ namespace internal {
 // Moves vertices of a coarse mesh, and flips edges, where triangles intersect that do not in the input, and where they look
 // away from the surface that they stand for. Fault by fault, many small changes are tried: vertices pulled back towards the
 // centroids of their clusters or towards their neighbors, vertices pushed along the normal of the surface, edges flipped. The
-// one that does the least harm to the distance for each fault that it takes away is made; one that creates a small angle only
-// if no other helps.
+// one that does the least harm to the distance for each fault that it takes away is made.
 class Placement_repair
 {
 public:
@@ -72,7 +70,6 @@ private:
   {
     long gain = 0;
     double harm = 0;
-    bool narrows = false; // whether it creates a small angle
   };
 
   // Ends with the fewest faults that were reached.
@@ -175,8 +172,6 @@ private:
   {
     if (a.gain <= 0 || b.gain <= 0)
       return a.gain > 0;
-    if (a.narrows != b.narrows)
-      return b.narrows;
     if (prefers_gain_ && a.gain != b.gain)
       return a.gain > b.gain;
     // Roundings decide nothing where a mesh is symmetric and harms are the same.
@@ -216,15 +211,9 @@ private:
     const long before = faults_before(altered);
     if (before == 0)
       return effect;
-    const double angle_allowed = (std::min)(min_angle, smallest_angle_of(altered));
     const auto measure = [&] {
-      effect.narrows = smallest_angle_of(altered) < angle_allowed;
-      if (effect.narrows && other.gain > 0 && !other.narrows)
-        return;
       effect.gain = (std::max)(0l, before - faults_.number_of(altered, before));
-      if (effect.gain > 0 && other.narrows && !effect.narrows)
-        effect.harm = squared_distance_around(vertices) - distance_before_;
-      else if (effect.gain > 0)
+      if (effect.gain > 0)
         effect.harm = squared_distance_around(vertices, distance_before_ + max_harm(effect.gain, other)) - distance_before_;
     };
     if (change.flipped == NONE) {
@@ -242,14 +231,6 @@ private:
       coarse_.undo_flip(t, old_t, u, old_u);
     }
     return effect;
-  }
-
-  double smallest_angle_of(const std::vector<Index>& triangles) const
-  {
-    double smallest = CGAL_PI;
-    for (const Index t : triangles)
-      smallest = (std::min)(smallest, smallest_angle(positions_, coarse_.triangles()[t]));
-    return smallest;
   }
 
   // From which harm on an effect of so large a gain is not better than another one.
