@@ -4,57 +4,14 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_WRITE_FEATURES_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/flood_fill.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Triangle_patches.h>
 
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
-
-// Returns the region between feature lines of each face; regions are numbered from 0 in the order of the faces.
-inline std::vector<long long> regions(const Flat_mesh& m, const Feature_edges& edges)
-{
-  std::vector<long long> region(m.number_of_faces(), -1);
-  std::vector<Index> reached;
-  long long number = 0;
-  for (std::size_t seed = 0; seed < region.size(); ++seed) {
-    if (region[seed] >= 0)
-      continue;
-    region[seed] = number;
-    flood_fill(m, Index(seed), reached, Cancellation_point(), [&](Index c, Index g) {
-      if (edges.is_feature[c] || region[g] >= 0)
-        return false;
-      region[g] = number;
-      return true;
-    });
-    ++number;
-  }
-  return region;
-}
-
-// Returns the patch of each triangle of the dual: the patch of the faces around its vertex of the clustered mesh. Such
-// a vertex is never on a line, so all faces around it belong to one patch. `labels` are the labels of the clustered
-// mesh, `patches` the patches of the faces of the caller's mesh; if there are none, regions are numbered.
-inline std::vector<long long> patches_of_triangles(const Featured_input& input, const Cluster_labels& labels,
-                                                   const std::vector<long long>& patches)
-{
-  const Clustering_input& pieces = input.cells ? input.cells->pieces() : input.items;
-  const std::vector<long long> numbered =
-    patches.empty() && input.cells ? regions(input.cells->base().mesh, input.cells->edges()) : std::vector<long long>();
-  const auto patch_of = [&](Index face) -> long long {
-    if (!patches.empty())
-      return patches[pieces.parent_of(face)];
-    return numbered.empty() ? pieces.mesh.component[face] : numbered[input.cells->base_face(face)];
-  };
-  std::vector<long long> result;
-  for_each_meeting_point(labels, 0, Index(labels.mesh().number_of_vertices()), [&](Index v, const std::vector<Index>& runs) {
-    result.insert(result.end(), runs.size() - 2, patch_of(pieces.mesh.star[pieces.mesh.first_in_star[v]]));
-  });
-  return result;
-}
 
 template <class Output>
 auto vertices_of(const Output& output)
@@ -70,17 +27,18 @@ auto halfedge_between(const Output& output, const Vertices& vertices, Index x, I
 
 template <class Output, class Map>
 void write_patches(const Output& output, const Map& map, const std::vector<Triangle>& triangles,
-                   const Featured_input& input, const Cluster_labels& labels, const std::vector<long long>& patches)
+                   const Coarse_features* features, const Featured_input& input, const Cluster_labels& labels,
+                   const std::vector<long long>& patches)
 {
   typedef typename boost::property_traits<Map>::value_type Value;
   const auto v = vertices_of(output);
-  const std::vector<long long> patch = patches_of_triangles(input, labels, patches);
+  const std::vector<long long> patch = Triangle_patches(triangles, features, input, labels, patches).run();
   for (std::size_t t = 0; t < triangles.size(); ++t)
     put(map, face(halfedge_between(output, v, triangles[t][0], triangles[t][1]), output), static_cast<Value>(patch[t]));
 }
 template <class Output>
 void write_patches(const Output&, const CGAL::internal_np::Param_not_found&, const std::vector<Triangle>&,
-                   const Featured_input&, const Cluster_labels&, const std::vector<long long>&)
+                   const Coarse_features*, const Featured_input&, const Cluster_labels&, const std::vector<long long>&)
 {}
 
 template <class Output, class Map>
@@ -118,7 +76,7 @@ void write_features(const Output& output, const NamedParameters& np, const std::
                     const Coarse_features* features, const Featured_input& input, const Cluster_labels& labels,
                     const std::vector<long long>& patches)
 {
-  write_patches(output, get_parameter(np, CGAL::internal_np::face_patch), triangles, input, labels, patches);
+  write_patches(output, get_parameter(np, CGAL::internal_np::face_patch), triangles, features, input, labels, patches);
   write_lines(output, get_parameter(np, CGAL::internal_np::edge_is_constrained), features);
   write_corners(output, get_parameter(np, CGAL::internal_np::vertex_is_constrained), features);
 }

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_TRIANGLE_PATCHES_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_TRIANGLE_PATCHES_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/opposite_sides.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Featured_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/flood_fill.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Returns the region between feature lines of each face; regions are numbered from 0 in the order of the faces.
+inline std::vector<long long> regions(const Flat_mesh& m, const Feature_edges& edges)
+{
+  std::vector<long long> region(m.number_of_faces(), -1);
+  std::vector<Index> reached;
+  long long number = 0;
+  for (std::size_t seed = 0; seed < region.size(); ++seed) {
+    if (region[seed] >= 0)
+      continue;
+    region[seed] = number;
+    flood_fill(m, Index(seed), reached, Cancellation_point(), [&](Index c, Index g) {
+      if (edges.is_feature[c] || region[g] >= 0)
+        return false;
+      region[g] = number;
+      return true;
+    });
+    ++number;
+  }
+  return region;
+}
+
+// The patches of the triangles of a coarse mesh, whose edges may have been flipped and whose vertices exchanged. Lines separate
+// patches: a triangle at a line is in the patch on the same side of the line in the input, the others are in the patch of
+// their neighbors.
+class Triangle_patches
+{
+public:
+  // `labels` are the labels of the clustered mesh, `patches` the patches of the faces of the caller's mesh; if there are
+  // none, regions are numbered.
+  Triangle_patches(const std::vector<Triangle>& triangles, const Coarse_features* features, const Featured_input& input,
+                   const Cluster_labels& labels, const std::vector<long long>& patches)
+    : triangles_(triangles), input_(input), labels_(labels), patches_(patches),
+      pieces_(input.cells ? input.cells->pieces() : input.items)
+  {
+    if (patches.empty() && input.cells)
+      regions_ = regions(input.cells->base().mesh, input.cells->edges());
+    if (features)
+      for (const Coarse_features::Line& line : features->lines())
+        add_line(line);
+  }
+
+  std::vector<long long> run() const
+  {
+    std::vector<Index> face = faces_at_lines();
+    std::vector<Index> reached;
+    for (std::size_t t = 0; t < face.size(); ++t)
+      if (face[t] != NONE)
+        reached.push_back(Index(t));
+    spread(face, reached);
+    const std::vector<Index> some = some_faces();
+    for (std::size_t t = 0; t < face.size(); ++t)
+      if (face[t] == NONE)
+        face[t] = some[triangles_[t][0]]; // this component has no lines
+    std::vector<long long> result;
+    for (const Index f : face)
+      result.push_back(patch_of(f));
+    return result;
+  }
+
+private:
+  typedef std::pair<Index, Index> Side; // of a triangle, from one cluster to the next
+
+  // Finds the faces on both sides of each edge of the line, where the line enters the next cluster.
+  void add_line(const Coarse_features::Line& line)
+  {
+    const std::size_t n = line.arcs.size();
+    for (std::size_t i = line.is_loop ? 0 : 1; i < n; ++i) {
+      const Coarse_features::Arc& arc = line.arcs[i];
+      const Index previous = line.arcs[(i + n - 1) % n].cluster;
+      face_at_side_[{previous, arc.cluster}] = face_left_of(arc.vertices[0], arc.vertices[1]);
+      face_at_side_[{arc.cluster, previous}] = face_left_of(arc.vertices[1], arc.vertices[0]);
+    }
+  }
+
+  // NONE beyond the border.
+  Index face_left_of(Index source, Index target) const
+  {
+    const Flat_mesh& m = pieces_.mesh;
+    for (const Index f : m.faces_around(source))
+      if (m.corner_vertex[m.next_corner(f, m.corner_of(f, source))] == target)
+        return f;
+    return NONE;
+  }
+
+  std::vector<Index> faces_at_lines() const
+  {
+    std::vector<Index> face(triangles_.size(), NONE);
+    for (std::size_t t = 0; t < face.size(); ++t)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto found = face_at_side_.find({triangles_[t][i], triangles_[t][(i + 1) % 3]});
+        if (found != face_at_side_.end())
+          face[t] = found->second;
+      }
+    return face;
+  }
+
+  void spread(std::vector<Index>& face, std::vector<Index>& reached) const
+  {
+    const auto source = [this](Index side) { return triangles_[side / 3][side % 3]; };
+    const std::vector<Index> opposite = opposite_sides(triangles_.size(), number_of_clusters(), source);
+    for (std::size_t k = 0; k < reached.size(); ++k)
+      for (Index side = 3 * reached[k]; side < 3 * reached[k] + 3; ++side) {
+        const Index t = opposite[side] == NONE ? NONE : opposite[side] / 3;
+        if (t == NONE || face[t] != NONE)
+          continue;
+        face[t] = face[reached[k]];
+        reached.push_back(t);
+      }
+  }
+
+  std::size_t number_of_clusters() const
+  {
+    Index last = 0;
+    for (const Triangle& t : triangles_)
+      last = (std::max)({last, t[0], t[1], t[2]});
+    return std::size_t(last) + 1;
+  }
+
+  // Returns a face of each cluster.
+  std::vector<Index> some_faces() const
+  {
+    std::vector<Index> some(number_of_clusters(), NONE);
+    for (std::size_t f = 0; f < pieces_.mesh.number_of_faces(); ++f) {
+      const Index label = labels_[input_.cells ? input_.cells->polygon(Index(f)) : Index(f)];
+      if (label < some.size())
+        some[label] = Index(f);
+    }
+    return some;
+  }
+
+  long long patch_of(Index face) const
+  {
+    if (!patches_.empty())
+      return patches_[pieces_.parent_of(face)];
+    return regions_.empty() ? pieces_.mesh.component[face] : regions_[input_.cells->base_face(face)];
+  }
+
+  const std::vector<Triangle>& triangles_;
+  const Featured_input& input_;
+  const Cluster_labels& labels_;
+  const std::vector<long long>& patches_;
+  const Clustering_input& pieces_;
+  std::vector<long long> regions_;
+  std::map<Side, Index> face_at_side_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_TRIANGLE_PATCHES_H
