@@ -8,8 +8,12 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -39,7 +43,7 @@ inline void improve(const Flat_mesh& m, const Vector& p, Index f, Nearest_point&
 }
 
 // Searches nearest points in a mesh whose faces form small patches, such as clusters, with a tree over the bounding
-// boxes of these groups. The search begins with a nearby group.
+// boxes of these groups and of parts of them. The search begins with a nearby group.
 //
 // CGAL::AABB_tree does not serve here: degenerate faces have nearest points, too; a search begins with the group of the
 // point, which in most cases contains the answer or nearly so, whereas the tree needs a nearby point as a hint; and of
@@ -50,18 +54,20 @@ public:
   // Omits faces of group NONE.
   Nearest_point_search(const Flat_mesh& mesh, const std::vector<Index>& group_of_face, std::size_t groups)
     : mesh_(mesh), faces_(numbers_below(Index(group_of_face.size())), groups, [&](Index f) { return group_of_face[f]; }),
-      box_(groups)
+      root_of_(groups, NONE)
   {
-    for (std::size_t x = 0; x < groups; ++x)
-      for (const Index f : faces_[x])
-        for (const Index c : mesh.corners(f))
-          box_[x] += box_of_point(mesh.points[mesh.corner_vertex[c]]);
     std::vector<Index> all;
-    for (std::size_t x = 0; x < groups; ++x)
+    std::vector<Bbox_3> boxes(groups);
+    for (std::size_t x = 0; x < groups; ++x) {
+      for (const Index f : faces_[x])
+        boxes[x] += box_of(f);
       if (!faces_[x].empty())
         all.push_back(Index(x));
+    }
+    order_.reserve(faces_.items().size());
     if (!all.empty())
-      build(all, 0, all.size());
+      build(all, boxes, 0, all.size(), 1,
+            [&](std::size_t begin, std::size_t) { return root_of_[all[begin]] = build_group(all[begin]); });
   }
 
   Bucketed_items<Index>::Range faces(Index group) const { return faces_[group]; }
@@ -71,16 +77,41 @@ public:
   {
     Nearest_point nearest;
     improve_in(p, first_group, nearest, near_enough);
-    std::vector<Index> stack(node_.empty() ? 0 : 1, 0);
+    if (!node_.empty())
+      improve_below(0, root_of_[first_group], p, nearest, near_enough);
+    return nearest;
+  }
+
+  void improve_in(const Vector& p, Index group, Nearest_point& nearest, double near_enough = -1) const
+  {
+    if (root_of_[group] != NONE)
+      improve_below(root_of_[group], NONE, p, nearest, near_enough);
+  }
+
+private:
+  static constexpr std::size_t max_faces = 8; // of a leaf
+
+  struct Node
+  {
+    Bbox_3 box;
+    Index left, right;       // NONE in a leaf
+    std::size_t first, last; // of the faces of a leaf
+  };
+
+  // Omits what is below another node.
+  void improve_below(Index root, Index omitted, const Vector& p, Nearest_point& nearest, double near_enough) const
+  {
+    boost::container::small_vector<Index, 64> stack(1, root);
     while (!stack.empty() && nearest.squared_distance > near_enough) {
-      const Node& n = node_[stack.back()];
+      const Index number = stack.back();
+      const Node& n = node_[number];
       stack.pop_back();
       // By rounding, a foot point may be nearer than the box.
-      if (squared_distance_from_box(p, n.box) > (1 + 1e-12) * nearest.squared_distance)
+      if (number == omitted || squared_distance_from_box(p, n.box) > (1 + 1e-12) * nearest.squared_distance)
         continue;
-      if (n.group != NONE) {
-        if (n.group != first_group)
-          improve_in(p, n.group, nearest, near_enough);
+      if (n.left == NONE) {
+        for (std::size_t i = n.first; i < n.last && nearest.squared_distance > near_enough; ++i)
+          improve(mesh_, p, order_[i], nearest);
         continue;
       }
       const bool left_first =
@@ -88,57 +119,71 @@ public:
       stack.push_back(left_first ? n.right : n.left);
       stack.push_back(left_first ? n.left : n.right);
     }
-    return nearest;
   }
 
-  void improve_in(const Vector& p, Index group, Nearest_point& nearest, double near_enough = -1) const
-  {
-    for (const Index f : faces_[group]) {
-      improve(mesh_, p, f, nearest);
-      if (nearest.squared_distance <= near_enough)
-        return;
-    }
-  }
-
-private:
-  struct Node
+  Bbox_3 box_of(Index f) const
   {
     Bbox_3 box;
-    Index left = NONE, right = NONE, group = NONE;
-  };
+    for (const Index c : mesh_.corners(f))
+      box += box_of_point(mesh_.points[mesh_.corner_vertex[c]]);
+    return box;
+  }
 
-  Index build(std::vector<Index>& groups, std::size_t begin, std::size_t end)
+  // Divides some items along the axis on which the centers of their boxes are spread most, until `max_items` or fewer are left
+  // for `make_leaf(begin, end)`, which returns a node as this function does.
+  template <class Make_leaf>
+  Index build(std::vector<Index>& items, const std::vector<Bbox_3>& boxes, std::size_t begin, std::size_t end,
+              std::size_t max_items, const Make_leaf& make_leaf)
   {
-    const Index number = Index(node_.size());
-    node_.emplace_back();
+    if (end - begin <= max_items)
+      return make_leaf(begin, end);
+    const auto center = [&](Index i, int axis) { return (boxes[i].min)(axis) + (boxes[i].max)(axis); };
     Bbox_3 box, centers;
     for (std::size_t i = begin; i < end; ++i) {
-      box += box_[groups[i]];
-      centers += box_of_point(center(groups[i]));
+      box += boxes[items[i]];
+      centers += box_of_point({{center(items[i], 0), center(items[i], 1), center(items[i], 2)}});
     }
-    node_[number].box = box;
-    if (end - begin == 1) {
-      node_[number].group = groups[begin];
-      return number;
-    }
-    const Vector extent = high_corner(centers) - low_corner(centers);
-    const std::size_t axis = std::max_element(extent.begin(), extent.end()) - extent.begin();
+    const double spans[3] = {centers.x_span(), centers.y_span(), centers.z_span()};
+    const int axis = int(std::max_element(spans, spans + 3) - spans);
     const std::size_t middle = begin + (end - begin) / 2;
-    std::nth_element(groups.begin() + begin, groups.begin() + middle, groups.begin() + end, [&](Index x, Index y) {
-      const double a = center(x)[axis], b = center(y)[axis];
-      return a < b || (a == b && x < y);
+    const auto at = [&](std::size_t i) { return items.begin() + std::ptrdiff_t(i); };
+    std::nth_element(at(begin), at(middle), at(end), [&](Index i, Index j) {
+      const double a = center(i, axis), b = center(j, axis);
+      return a < b || (a == b && i < j);
     });
-    const Index left = build(groups, begin, middle), right = build(groups, middle, end);
+    const Index number = Index(node_.size());
+    node_.push_back({box, NONE, NONE, 0, 0});
+    const Index left = build(items, boxes, begin, middle, max_items, make_leaf),
+                right = build(items, boxes, middle, end, max_items, make_leaf);
     node_[number].left = left;
     node_[number].right = right;
     return number;
   }
 
-  Vector center(Index group) const { return 0.5 * (low_corner(box_[group]) + high_corner(box_[group])); }
+  Index build_group(Index group)
+  {
+    const auto faces = faces_[group];
+    std::vector<Bbox_3> boxes;
+    for (const Index f : faces)
+      boxes.push_back(box_of(f));
+    std::vector<Index> items(boxes.size());
+    std::iota(items.begin(), items.end(), Index(0));
+    const std::size_t first = order_.size();
+    return build(items, boxes, 0, items.size(), max_faces, [&](std::size_t begin, std::size_t end) {
+      Node leaf{Bbox_3(), NONE, NONE, first + begin, first + end};
+      for (std::size_t i = begin; i < end; ++i) {
+        leaf.box += boxes[items[i]];
+        order_.push_back(faces.begin()[items[i]]);
+      }
+      node_.push_back(leaf);
+      return Index(node_.size() - 1);
+    });
+  }
 
   const Flat_mesh& mesh_;
   Bucketed_items<Index> faces_; // per group
-  std::vector<Bbox_3> box_; // per group
+  std::vector<Index> order_;    // of the faces, in the leaves
+  std::vector<Index> root_of_;  // per group
   std::vector<Node> node_;
 };
 
