@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_ANGLE_IMPROVEMENT_H
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
@@ -26,15 +27,16 @@ public:
   // `within_bounds` returns the nearest point where a vertex may lie.
   Angle_improvement(const Border_arcs& border, const Flippable_triangulation& coarse, std::vector<Vector>& positions,
                     Fit_samples& samples, std::function<Vector(Index, const Vector&)> within_bounds,
-                    const Cancellation_point& cancellation)
+                    const Cancellation_point& cancellation, Execution execution)
     : border_(border), coarse_(coarse), positions_(positions), samples_(samples), within_bounds_(std::move(within_bounds)),
-      cancellation_(cancellation)
+      cancellation_(cancellation), execution_(execution)
   {}
 
   // The narrowest triangle comes first.
   void run(const Angle_worth& worth)
   {
     worth_ = worth;
+    is_near_.assign(positions_.size(), false);
     std::vector<std::pair<double, Index> > narrow;
     for (std::size_t t = 0; t < coarse_.triangles().size(); ++t) {
       cancellation_.poll();
@@ -43,13 +45,16 @@ public:
         narrow.emplace_back(angle, Index(t));
     }
     std::sort(narrow.begin(), narrow.end());
-    for (const auto& [angle, t] : narrow)
-      if (angle_of(t) < narrow_angle)
-        improve(t);
+    for (std::size_t first = 0; first < narrow.size(); first += at_a_time) {
+      std::vector<Index> triangles;
+      for (std::size_t i = first; i < (std::min)(narrow.size(), first + at_a_time); ++i)
+        triangles.push_back(narrow[i].second);
+      improve(triangles);
+    }
   }
 
 private:
-  static constexpr std::size_t max_valence = 32;
+  static constexpr std::size_t at_a_time = 32, max_valence = 32, steps_of_triangle = 512;
   static constexpr double min_turn_cosine = 0.8;
 
   struct Move
@@ -59,10 +64,61 @@ private:
     Vector to{{0, 0, 0}};
   };
 
+  // The triangles around a vertex that is to move.
+  struct Star
+  {
+    Trial_fan fan;
+    Vector normal{{0, 0, 0}};
+    double cost = 0, worth = 0, max_cosine = 1;
+  };
+
   double angle_of(Index t) const { return smallest_angle(positions_, coarse_.triangles()[t]); }
 
-  // Makes the best of the moves of its corners, if there is one.
-  void improve(Index t)
+  // Improves triangles in order. Moves of triangles that do not depend on moves for the triangles before are found in
+  // parallel.
+  void improve(const std::vector<Index>& triangles)
+  {
+    std::vector<char> is_independent;
+    for (const Index t : triangles) {
+      is_independent.push_back(!is_near_others(t));
+      mark(t, true);
+    }
+    for (const Index t : triangles)
+      mark(t, false);
+    cancellation_.poll(steps_of_triangle * triangles.size());
+    std::vector<Move> moves(triangles.size());
+    for_each_chunk(execution_, triangles.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+      if (is_independent[i])
+        moves[i] = best_move(triangles[i]);
+    });
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      if (!(angle_of(triangles[i]) < narrow_angle))
+        continue;
+      const Move move = is_independent[i] ? moves[i] : best_move(triangles[i]);
+      if (move.vertex != NONE)
+        make(move);
+    }
+  }
+
+  void mark(Index t, bool is_near)
+  {
+    for (const Index v : coarse_.triangles()[t])
+      is_near_[v] = is_near;
+  }
+
+  // Returns whether a corner of a marked triangle is a corner of a triangle around a corner of `t`.
+  bool is_near_others(Index t) const
+  {
+    for (const Index v : coarse_.triangles()[t])
+      for (const Index u : coarse_.around(v))
+        for (const Index w : coarse_.triangles()[u])
+          if (is_near_[w])
+            return true;
+    return false;
+  }
+
+  // Returns the best of the moves of the corners of a triangle; of vertex NONE if there is none.
+  Move best_move(Index t) const
   {
     Move best;
     for (int i = 0; i < 3; ++i) {
@@ -70,8 +126,7 @@ private:
       if (!border_.is_on_border(v) && coarse_.around(v).size() <= max_valence)
         try_moves(t, i, best);
     }
-    if (best.vertex != NONE)
-      make(best);
+    return best;
   }
 
   // Takes the move back if it does not pay with the distances of the triangles from the input counted, too.
@@ -95,22 +150,26 @@ private:
     return sum;
   }
 
-  void try_moves(Index t, int i, Move& best)
+  void try_moves(Index t, int i, Move& best) const
   {
     const Index v = coarse_.triangles()[t][std::size_t(i)];
-    const double before = look_at_star(v);
-    for (const Vector& place : places(t, i)) {
-      cancellation_.poll(16);
-      fan_.move_to(place);
+    Star star = star_of(v);
+    for (const Vector& place : places(t, i, star.normal)) {
+      star.fan.move_to(place);
       // Distances are not computed where angles do not gain.
-      if (fan_.worth(worth_) <= worth_before_)
+      if (star.fan.worth(worth_) <= star.worth)
         continue;
       Vector better;
-      fan_.squared_distances(place, better);
-      const Vector to = within_bounds_(v, place + dot(better - place, normal_) * normal_);
-      fan_.move_to(to);
-      const double gain = before - (2 * samples_.weight() * fan_.squared_distances(to, better) - fan_.worth(worth_));
-      if (gain > best.gain && fan_.is_sound(max_cosine_, min_turn_cosine)) {
+      star.fan.squared_distances(place, better);
+      const Vector to = within_bounds_(v, place + dot(better - place, star.normal) * star.normal);
+      star.fan.move_to(to);
+      if (!star.fan.is_sound(star.max_cosine, min_turn_cosine))
+        continue;
+      // Distances are summed until the gain is less than the best.
+      const double worth = star.fan.worth(worth_), weight = 2 * samples_.weight();
+      const double gain =
+        star.cost - (weight * star.fan.squared_distances((star.cost + worth - best.gain) / weight) - worth);
+      if (gain > best.gain) {
         best.gain = gain;
         best.vertex = v;
         best.to = to;
@@ -118,33 +177,31 @@ private:
     }
   }
 
-  // Prepares the triangles around a vertex. Returns what they cost.
-  double look_at_star(Index v)
+  Star star_of(Index v) const
   {
-    fan_.clear();
-    normal_ = {{0, 0, 0}};
-    worth_before_ = 0;
+    Star star;
     double distances = 0, least = min_angle;
     for (const Index t : coarse_.around(v)) {
       const Triangle& c = coarse_.triangles()[t];
       const Vector n = normal_of(positions_, c);
-      fan_.add_triangle(positions_[c[0]], positions_[c[1]], positions_[c[2]], coarse_.corner(t, v), n);
-      samples_.for_each_on(t, [this](const Fit_samples::Sample& s) { fan_.add_sample(s.position); });
-      normal_ = normal_ + n;
+      star.fan.add_triangle(positions_[c[0]], positions_[c[1]], positions_[c[2]], coarse_.corner(t, v), n);
+      samples_.for_each_on(t, [&](const Fit_samples::Sample& s) { star.fan.add_sample(s.position); });
+      star.normal = star.normal + n;
       const double angle = angle_of(t);
       least = (std::min)(least, angle);
-      worth_before_ += worth_(angle);
+      star.worth += worth_(angle);
       distances += 2 * samples_.cost_of_input(t);
     }
-    const double length = std::sqrt(dot(normal_, normal_));
-    normal_ = length > 0 ? (1 / length) * normal_ : normal_;
-    max_cosine_ = std::cos(least) + 1e-12;
-    return distances - worth_before_;
+    const double length = std::sqrt(dot(star.normal, star.normal));
+    star.normal = length > 0 ? (1 / length) * star.normal : star.normal;
+    star.max_cosine = std::cos(least) + 1e-12;
+    star.cost = distances - star.worth;
+    return star;
   }
 
   // Returns places for corner `i`: towards the mean of its neighbors, farther from the opposite edge, farther from the nearest
   // corner.
-  std::vector<Vector> places(Index t, int i) const
+  std::vector<Vector> places(Index t, int i, const Vector& normal) const
   {
     const Triangle& c = coarse_.triangles()[t];
     const Index v = c[std::size_t(i)];
@@ -155,7 +212,7 @@ private:
     const double size = std::sqrt((std::max)({square, dot(pa, pa), dot(pb, pb)}));
     std::vector<Vector> found;
     for (const double part : {0.25, 0.5, 1.})
-      found.push_back(p + part * (way - dot(way, normal_) * normal_));
+      found.push_back(p + part * (way - dot(way, normal) * normal));
     for (const Vector& d : {height, dot(pa, pa) < dot(pb, pb) ? pa : pb}) {
       const double length = std::sqrt(dot(d, d));
       if (length > 0)
@@ -171,11 +228,9 @@ private:
   Fit_samples& samples_;
   const std::function<Vector(Index, const Vector&)> within_bounds_;
   const Cancellation_point cancellation_;
+  const Execution execution_;
   Angle_worth worth_;
-  Trial_fan fan_;
-  // Of the star of the vertex that is to move:
-  Vector normal_{{0, 0, 0}};
-  double worth_before_ = 0, max_cosine_ = 1;
+  std::vector<char> is_near_; // of each vertex: whether it is a corner of a marked triangle
 };
 
 } // namespace internal

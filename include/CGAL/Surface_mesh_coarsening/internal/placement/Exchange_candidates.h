@@ -23,10 +23,18 @@ namespace internal {
 // Collapses the edge from a vertex to `into`, which moves to `place`.
 struct Vertex_removal
 {
-  double loss;
+  double loss; // estimated, until the removal is the best; then measured
   Index vertex, into;
-  bool is_measured;
-  Vector place;
+  bool is_measured = false, is_prepared = false; // with `measured` known
+  double measured = 0;
+  Vector place{{0, 0, 0}};
+
+  void take_measured()
+  {
+    loss = measured;
+    is_measured = true;
+  }
+  bool may_pay() const { return loss < std::numeric_limits<double>::infinity(); }
   // The least comes first.
   bool operator<(const Vertex_removal& r) const { return std::tie(loss, vertex) > std::tie(r.loss, r.vertex); }
 };
@@ -34,11 +42,19 @@ struct Vertex_removal
 // Splits the edge between the first two of the four corners of two triangles at `place`.
 struct Vertex_insertion
 {
-  double gain;
+  double gain; // estimated, until the insertion is the best; then measured
   Index t, u;
   std::array<Index, 4> corners;
-  bool is_measured;
-  Vector place;
+  bool is_measured = false, is_prepared = false; // with `measured` known
+  double measured = 0;
+  Vector place{{0, 0, 0}};
+
+  void take_measured()
+  {
+    gain = measured;
+    is_measured = true;
+  }
+  bool may_pay() const { return gain > 0; }
   bool operator<(const Vertex_insertion& i) const { return std::tie(gain, i.t, i.u) < std::tie(i.gain, t, u); }
 };
 
@@ -106,19 +122,28 @@ public:
   {
     const Index u = coarse_.across(t, i), a = triangle(t)[i], b = triangle(t)[(i + 1) % 3];
     return {insertion_part * (cost_[t] + cost_[u]), t, u,
-            {a, b, coarse_.opposite(t, i), coarse_.opposite(u, coarse_.corner(u, b))}, false, {}};
+            {a, b, coarse_.opposite(t, i), coarse_.opposite(u, coarse_.corner(u, b))}};
   }
 
-  void measure(Vertex_removal& r)
+  // Measures some removals, or some insertions.
+  template <class Candidate>
+  void prepare(std::vector<Candidate>& candidates) const
   {
-    fan_.clear();
+    for_each_chunk(execution_, candidates.size(), 1,
+                   [&](std::size_t i, std::size_t, std::size_t) { measure(candidates[i]); });
+  }
+
+private:
+  void measure(Vertex_removal& r) const
+  {
+    Trial_fan fan;
     double cost = 0, least = min_angle;
     const auto add = [&](Index t, const Triangle& now) {
       const bool remains = now[0] != now[1] && now[1] != now[2] && now[2] != now[0];
       if (remains)
-        fan_.add_triangle(positions_[now[0]], positions_[now[1]], positions_[now[2]],
+        fan.add_triangle(positions_[now[0]], positions_[now[1]], positions_[now[2]],
                           int(std::find(now.begin(), now.end(), r.into) - now.begin()), normal(t));
-      add_samples_of(t);
+      add_samples_of(t, fan);
       cost += cost_[t] - worth_(angle_[t]);
       least = (std::min)(least, angle_[t]);
     };
@@ -129,38 +154,37 @@ public:
         add(t, triangle(t));
     const Vector& p = positions_[r.into];
     Vector place;
-    double rest = best_place(p, 1, least, std::numeric_limits<double>::infinity(), r.place);
+    double rest = best_place(fan, p, 1, least, std::numeric_limits<double>::infinity(), r.place);
     if (!border_.is_on_border(r.into)) {
-      const double moved = best_place(0.5 * (p + positions_[r.vertex]), max_steps, least, rest, place);
+      const double moved = best_place(fan, 0.5 * (p + positions_[r.vertex]), max_steps, least, rest, place);
       if (moved < rest) {
         rest = moved;
         r.place = place;
       }
     }
-    r.loss = rest - cost;
-    r.is_measured = true;
+    r.measured = rest - cost;
+    r.is_prepared = true;
   }
 
-  void measure(Vertex_insertion& x)
+  void measure(Vertex_insertion& x) const
   {
-    fan_.clear();
+    Trial_fan fan;
     const Vector n = normal(x.t) + normal(x.u);
     const Vector &a = positions_[x.corners[0]], &b = positions_[x.corners[1]], &c = positions_[x.corners[2]],
                  &d = positions_[x.corners[3]];
     const Vector middle = 0.5 * (a + b);
-    fan_.add_triangle(a, middle, c, 1, n);
-    fan_.add_triangle(middle, b, c, 0, n);
-    fan_.add_triangle(b, middle, d, 1, n);
-    fan_.add_triangle(middle, a, d, 0, n);
-    add_samples_of(x.t);
-    add_samples_of(x.u);
+    fan.add_triangle(a, middle, c, 1, n);
+    fan.add_triangle(middle, b, c, 0, n);
+    fan.add_triangle(b, middle, d, 1, n);
+    fan.add_triangle(middle, a, d, 0, n);
+    add_samples_of(x.t, fan);
+    add_samples_of(x.u, fan);
     const double least = (std::min)({min_angle, angle_[x.t], angle_[x.u]});
-    const double rest = best_place(middle, max_steps, least, std::numeric_limits<double>::infinity(), x.place);
-    x.gain = cost_[x.t] + cost_[x.u] - worth_(angle_[x.t]) - worth_(angle_[x.u]) - rest;
-    x.is_measured = true;
+    const double rest = best_place(fan, middle, max_steps, least, std::numeric_limits<double>::infinity(), x.place);
+    x.measured = cost_[x.t] + cost_[x.u] - worth_(angle_[x.t]) - worth_(angle_[x.u]) - rest;
+    x.is_prepared = true;
   }
 
-private:
   // Factors of the quick estimates. Removing a pyramid increases the squared distance by the first factor times its height
   // squared times the area of its base; a vertex on the edge of two triangles saves the second fraction of their cost. With
   // these values, most of the best candidates are measured.
@@ -190,7 +214,7 @@ private:
   // That of the edges at a vertex whose collapse leaves the new surface closest to where the vertex is.
   Vertex_removal estimated_removal(Index v) const
   {
-    Vertex_removal best{std::numeric_limits<double>::infinity(), v, NONE, false, {}};
+    Vertex_removal best{std::numeric_limits<double>::infinity(), v, NONE};
     double area = 0, worth = 0, least = min_angle;
     for (const Index t : coarse_.around(v)) {
       const Vector n = normal(t);
@@ -249,21 +273,24 @@ private:
     return common == 2;
   }
 
-  void add_samples_of(Index t)
+  void add_samples_of(Index t, Trial_fan& fan) const
   {
-    samples_.for_each_on(t, [this](const Fit_samples::Sample& s) { fan_.add_sample(s.position); });
+    samples_.for_each_on(t, [&](const Fit_samples::Sample& s) { fan.add_sample(s.position); });
   }
 
-  // The least that the samples and angles of the fan cost, its vertex going from `p` to better places; infinite if the fan is
+  // The least that the samples and angles of a fan cost, its vertex going from `p` to better places; infinite if the fan is
   // sound nowhere.
-  double best_place(Vector p, int steps, double least_angle, double limit, Vector& place)
+  double best_place(Trial_fan& fan, Vector p, int steps, double least_angle, double limit, Vector& place) const
   {
     double best = std::numeric_limits<double>::infinity();
     for (int i = 0; i < steps; ++i) {
-      fan_.move_to(p);
-      Vector better;
-      const double cost = sample_weight() * fan_.squared_distances(p, better) - fan_.worth(worth_);
-      if (cost < best && cost < limit && fan_.is_sound(std::cos(least_angle) + 1e-12)) {
+      fan.move_to(p);
+      Vector better = p;
+      const double worth = fan.worth(worth_);
+      const double squares = i + 1 < steps ? fan.squared_distances(p, better)
+                                           : fan.squared_distances(((std::min)(best, limit) + worth) / sample_weight());
+      const double cost = sample_weight() * squares - worth;
+      if (cost < best && cost < limit && fan.is_sound(std::cos(least_angle) + 1e-12)) {
         best = cost;
         place = p;
       }
@@ -280,7 +307,6 @@ private:
   const Execution execution_;
   Angle_worth worth_;
   std::vector<double> cost_, angle_; // of each triangle
-  Trial_fan fan_;
 };
 
 } // namespace internal

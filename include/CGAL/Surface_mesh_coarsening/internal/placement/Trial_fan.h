@@ -96,6 +96,19 @@ public:
     return sum;
   }
 
+  // Returns the sum of the squared distances of the samples, or infinity if it is larger than `limit`.
+  double squared_distances(double limit) const
+  {
+    double sum = 0;
+    std::size_t nearest = 0;
+    for (const Vector& s : samples_) {
+      sum += closest(s, nearest).squared_distance;
+      if (sum > limit)
+        return std::numeric_limits<double>::infinity();
+    }
+    return sum;
+  }
+
 private:
   // The same as in the fit: the weights of sideways movements, and of movements as such.
   static constexpr double damping = 0.02, min_inertia = 0.001;

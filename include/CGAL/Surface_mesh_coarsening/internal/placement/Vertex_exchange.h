@@ -42,7 +42,7 @@ public:
     begin(worth);
     candidates_.for_each_insertion([this](const Vertex_insertion& x) { insertions_.push(x); });
     std::size_t exchanged = 0;
-    while (find_best_removal() && find_best_insertion()) {
+    while (find_best(removals_) && find_best(insertions_)) {
       const Vertex_removal removal = removals_.top();
       const Vertex_insertion insertion = insertions_.top();
       if (!(insertion.gain > min_ratio * removal.loss))
@@ -72,6 +72,7 @@ public:
 private:
   // Gain and loss are estimated before other vertices adapt, which lowers the loss more than the gain.
   static constexpr double min_ratio = 0.6;
+  static constexpr std::size_t at_a_time = 16, steps_of_candidate = 64;
 
   const Triangle& triangle(Index t) const { return coarse_.triangles()[t]; }
 
@@ -91,7 +92,7 @@ private:
     for (int i = 0; i < 3; ++i)
       if (coarse_.across(t, i) != NONE)
         insertions_.push(candidates_.insertion_at(t, i));
-    while (find_best_insertion() && find_best_removal()) {
+    while (find_best(insertions_) && find_best(removals_)) {
       const Vertex_removal removal = removals_.top();
       const Vertex_insertion insertion = insertions_.top();
       removals_.pop();
@@ -118,43 +119,54 @@ private:
     return false;
   }
 
-  bool find_best_removal()
+  bool is_touched(const Vertex_removal& r) const
   {
     const auto is_touched = [this](Index x) { return bool(is_touched_[x]); };
-    while (!removals_.empty()) {
-      Vertex_removal r = removals_.top();
-      if (!is_touched(r.vertex) && !is_touched(r.into) && !any_around(r.vertex, is_touched) && !any_around(r.into, is_touched)) {
-        if (r.is_measured)
-          return true;
-        cancellation_.poll(64);
-        removals_.pop();
-        candidates_.measure(r);
-        if (r.loss < std::numeric_limits<double>::infinity())
-          removals_.push(r);
+    return is_touched(r.vertex) || is_touched(r.into) || any_around(r.vertex, is_touched) || any_around(r.into, is_touched);
+  }
+
+  bool is_touched(const Vertex_insertion& x) const
+  {
+    return std::any_of(x.corners.begin(), x.corners.end(), [this](Index v) { return is_touched_[v]; });
+  }
+
+  // Measures candidates until the best one is measured. Returns whether there is one.
+  template <class Candidate>
+  bool find_best(std::priority_queue<Candidate>& candidates)
+  {
+    while (!candidates.empty()) {
+      Candidate best = candidates.top();
+      if (is_touched(best)) {
+        candidates.pop();
+      } else if (best.is_measured) {
+        return true;
+      } else if (best.is_prepared) {
+        candidates.pop();
+        best.take_measured();
+        if (best.may_pay())
+          candidates.push(best);
       } else {
-        removals_.pop();
+        prepare_best(candidates);
       }
     }
     return false;
   }
 
-  bool find_best_insertion()
+  // Measures several of the best in parallel. They remain where they are in the queue, so that how many they are does not matter.
+  template <class Candidate>
+  void prepare_best(std::priority_queue<Candidate>& candidates)
   {
-    while (!insertions_.empty()) {
-      Vertex_insertion x = insertions_.top();
-      if (!std::any_of(x.corners.begin(), x.corners.end(), [this](Index v) { return is_touched_[v]; })) {
-        if (x.is_measured)
-          return true;
-        cancellation_.poll(16);
-        insertions_.pop();
-        candidates_.measure(x);
-        if (x.gain > 0)
-          insertions_.push(x);
-      } else {
-        insertions_.pop();
-      }
+    std::vector<Candidate> best, prepared;
+    while (best.size() < at_a_time && !candidates.empty() && !candidates.top().is_measured) {
+      if (!is_touched(candidates.top()))
+        (candidates.top().is_prepared ? prepared : best).push_back(candidates.top());
+      candidates.pop();
     }
-    return false;
+    cancellation_.poll(steps_of_candidate * best.size());
+    candidates_.prepare(best);
+    for (const std::vector<Candidate>& some : {best, prepared})
+      for (const Candidate& c : some)
+        candidates.push(c);
   }
 
   bool do_overlap(const Vertex_removal& r, const Vertex_insertion& x) const
