@@ -10,9 +10,9 @@
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/place_and_exchange.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Initial_clustering.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 
 #include <algorithm>
 #include <cmath>

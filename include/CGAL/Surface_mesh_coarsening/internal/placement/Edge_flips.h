@@ -24,8 +24,9 @@ namespace internal {
 class Edge_flips
 {
 public:
-  // Flips pay for narrow triangles only if `avoids_narrowness`: where vertices stay with their clusters, it takes flips across
-  // sharp edges to avoid them.
+  // If `avoids_narrowness`, flips pay for narrow triangles, create no angle below 10 degrees, and exchange angles at a larger least
+  // rate. Otherwise vertices stay with their clusters, and it would take flips across sharp edges to avoid narrow
+  // triangles.
   Edge_flips(Flippable_triangulation& coarse, const std::vector<Vector>& positions, Fit_samples& samples, bool avoids_narrowness,
              const Cancellation_point& cancellation, Execution execution)
     : coarse_(coarse), positions_(positions), samples_(samples), avoids_narrowness_(avoids_narrowness),
@@ -54,7 +55,7 @@ public:
       return;
     const double mean = total / double(triangles.size());
     const double before = worth_.rate;
-    worth_.narrow_rate = avoids_narrowness_ ? narrow_part * mean : 0;
+    worth_.narrow_rate = narrow_part * mean;
     worth_.rate = rate_for(flips, budget, mean);
     if (is_steady && before > 0)
       worth_.rate = (std::min)((std::max)(worth_.rate, before / max_change), before * max_change);
@@ -133,7 +134,8 @@ private:
       return flip;
     const double angle_t = angle(sharpest_t), angle_u = angle(sharpest_u);
     flip.loss = of_t.angle + of_u.angle - angle_t - angle_u;
-    flip.narrowing = narrowness(angle_t) + narrowness(angle_u) - narrowness(of_t.angle) - narrowness(of_u.angle);
+    if (avoids_narrowness_)
+      flip.narrowing = narrowness(angle_t) + narrowness(angle_u) - narrowness(of_t.angle) - narrowness(of_u.angle);
     const double now = of_t.cost + of_u.cost;
     // If angles get worse, it may pay only if the distance gets smaller.
     const bool is_closer = flip.loss >= 0 && flip.narrowing >= 0;
@@ -155,7 +157,7 @@ private:
   double rate_for(const std::vector<Flip>& flips, double budget, double unit) const
   {
     constexpr double degrees_per_radian = 180 / CGAL_PI;
-    double low = -6, high = 0;
+    double low = avoids_narrowness_ ? -6 : -30, high = 0;
     for (int i = 0; i < 40; ++i) {
       const double middle = 0.5 * (low + high), rate = unit * std::exp(middle) * degrees_per_radian;
       const Angle_worth worth{rate, worth_.narrow_rate};
@@ -189,6 +191,7 @@ private:
 
   // The largest factor between the exchange rates of steady runs. With larger ones the rates oscillate.
   static constexpr double max_change = 3;
+  static constexpr double min_angle_otherwise = 7 * CGAL_PI / 180;
   // A radian of narrowness is worth this part of the mean cost of a triangle.
   static constexpr double narrow_part = 2;
   static constexpr std::size_t steps_of_flip = 64, triangles_of_part = 16;
@@ -201,7 +204,7 @@ private:
   const bool avoids_narrowness_;
   const Cancellation_point cancellation_;
   const Execution execution_;
-  const double sharpest_allowed_ = std::cos(min_angle);
+  const double sharpest_allowed_ = std::cos(avoids_narrowness_ ? min_angle : min_angle_otherwise);
   Angle_worth worth_;
   std::vector<Measures> measures_; // of each triangle
 };

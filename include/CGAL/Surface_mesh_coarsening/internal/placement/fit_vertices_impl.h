@@ -43,7 +43,7 @@ public:
       flips_(coarse_, positions, fit_.samples(), relocation.rounds > 0, surface.cancellation(), surface.execution()),
       exchange_(border, coarse_, positions, fit_.samples(), relocation, surface.cancellation(), surface.execution()),
       angles_(border, coarse_, positions, fit_.samples(), [this](Index x, const Vector& p) { return within_bounds(x, p); },
-              surface.cancellation())
+              surface.cancellation(), surface.execution())
   {}
 
   const std::vector<Triangle>& triangles() const { return coarse_.triangles(); }
@@ -72,8 +72,6 @@ public:
   // Ends the rounds, or some of them.
   void settle()
   {
-    if (relocation_.rounds == 0)
-      return;
     fit_.find_feet(1);
     // Narrow triangles that are left now remain, and are worth more.
     Angle_worth worth = flips_.worth();
