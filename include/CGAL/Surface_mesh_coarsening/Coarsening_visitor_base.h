@@ -36,8 +36,8 @@ struct Coarsening_visitor_base
   /// is called after each round of the minimization, or after some that are made together, where there are many clusters: with
   /// the number of rounds so far, the number of faces that changed cluster since the last call, and the energy.
   void round_done(std::size_t /* round */, std::size_t /* moves */, double /* energy */) {}
-  /// is called within `PLACEMENT`, `FEEDBACK` and `REPAIR`: `done` of at most `total` rounds of the fit, rounds of the feedback, or
-  /// faults to be repaired are done.
+  /// is called within `PLACEMENT`, `FEEDBACK` and `REPAIR`: `done` of at most `total` rounds of the fit, rounds of the feedback,
+  /// or faults to be repaired are done.
   void step_done(Coarsening_stage /* stage */, std::size_t /* done */, std::size_t /* total */) {}
   /// is called when a stage begins, after each round, before the output changes, and within the stages about every 16,000
   /// elementary steps; `false` ends the coarsening with `Coarsening_cancelled`.

@@ -40,22 +40,9 @@ struct Surface_error
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// The distance of two meshes, the deviation of their normals, and the shape of the triangles of the second. Lengths are in
-/// the units of the meshes, angles in degrees.
-struct Coarsening_quality
+/// the units of the meshes, angles in degrees. The members of the base are the larger values of the two directions.
+struct Coarsening_quality : Surface_error
 {
-  /// The root of the mean squared distance, the larger of the two directions.
-  double rms_distance = 0;
-  /// The mean distance, the larger of the two directions.
-  double mean_distance = 0;
-  /// The largest distance of a sample, the larger of the two directions.
-  double maximum_distance = 0;
-  /// The root of the mean squared angle between the normals of a mesh and the normals at the closest points of the other, the
-  /// larger of the two directions.
-  double rms_normal_deviation = 0;
-  /// The mean angle between the normals, likewise.
-  double mean_normal_deviation = 0;
-  /// The largest angle between the normals at a sample, likewise.
-  double maximum_normal_deviation = 0;
   /// The error at samples of the first mesh, with regard to the second.
   Surface_error from_mesh;
   /// The error at samples of the second mesh, with regard to the first.
@@ -88,16 +75,21 @@ inline Surface_error surface_error(const Triangle_mesh& from, const Triangle_mes
   return {s.rms(),         s.mean(), s.maximum, s.rms_normal_deviation(), s.mean_normal_deviation(), s.maximum_normal_deviation};
 }
 
+inline Surface_error larger_of(const Surface_error& a, const Surface_error& b)
+{
+  return {(std::max)(a.rms_distance, b.rms_distance),
+          (std::max)(a.mean_distance, b.mean_distance),
+          (std::max)(a.maximum_distance, b.maximum_distance),
+          (std::max)(a.rms_normal_deviation, b.rms_normal_deviation),
+          (std::max)(a.mean_normal_deviation, b.mean_normal_deviation),
+          (std::max)(a.maximum_normal_deviation, b.maximum_normal_deviation)};
+}
+
 inline void measure_surfaces(const Triangle_mesh& a, const Triangle_mesh& b, std::size_t samples, Coarsening_quality& quality)
 {
-  const Surface_error &forth = quality.from_mesh = surface_error(a, b, samples),
-                      &back = quality.from_coarse = surface_error(b, a, samples);
-  quality.rms_distance = (std::max)(forth.rms_distance, back.rms_distance);
-  quality.mean_distance = (std::max)(forth.mean_distance, back.mean_distance);
-  quality.maximum_distance = (std::max)(forth.maximum_distance, back.maximum_distance);
-  quality.rms_normal_deviation = (std::max)(forth.rms_normal_deviation, back.rms_normal_deviation);
-  quality.mean_normal_deviation = (std::max)(forth.mean_normal_deviation, back.mean_normal_deviation);
-  quality.maximum_normal_deviation = (std::max)(forth.maximum_normal_deviation, back.maximum_normal_deviation);
+  quality.from_mesh = surface_error(a, b, samples);
+  quality.from_coarse = surface_error(b, a, samples);
+  static_cast<Surface_error&>(quality) = larger_of(quality.from_mesh, quality.from_coarse);
 }
 
 inline void measure_borders(const Triangle_mesh& a, const Triangle_mesh& b, std::size_t samples, Coarsening_quality& quality)
@@ -120,8 +112,7 @@ inline void measure_borders(const Triangle_mesh& a, const Triangle_mesh& b, std:
 /// measures how well a mesh approximates another.
 ///
 /// Distances, and angles between normals, are measured from samples on each mesh to the other, and distances likewise along the
-/// borders. The samples are
-/// distributed over the faces by area, at points that depend on the mesh only. Polygons are triangulated as fans.
+/// borders. The samples are distributed over the faces by area, at points that depend on the mesh only. Polygons are triangulated as fans.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam CoarseFaceGraph a model of `FaceListGraph`

@@ -18,7 +18,7 @@ using CGAL::Surface_mesh_coarsening::Coarsening_quality;
 struct Measured_quality : Coarsening_quality
 {
   std::size_t self_intersections_of_input = 0; // counted if the result has any
-  // Those that the repair left, where the input has none; nothing without repair.
+  // The pairs that the repair left, where the input has none; nothing without repair.
   std::optional<std::size_t> self_intersections_left;
 };
 

@@ -3,15 +3,12 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_NORMAL_DEVIATION_ENERGY_H
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_NORMAL_DEVIATION_ENERGY_H
 
-#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Clustered_face.h>
-#include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Regularized_energy.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -26,6 +23,9 @@ namespace Surface_mesh_coarsening {
 /// in units of the mean area \f$ a \f$ of a cluster: it decides in flat regions, where normals do not deviate. Both balance where
 /// normals turn by about \f$ \sqrt{\lambda} \f$ within a cluster.
 class Normal_deviation_energy
+/// \cond SKIP_IN_MANUAL
+  : public internal::Regularized_energy
+/// \endcond
 {
 public:
   /// The default of \f$ \lambda \f$.
@@ -33,19 +33,11 @@ public:
 
   /// \param regularization the factor \f$ \lambda \f$ of the inertia, positive and finite
   /// \throws Invalid_input if it is not.
-  explicit Normal_deviation_energy(double regularization = default_regularization) : regularization_(regularization)
-  {
-    if (!(regularization > 0) || std::isinf(regularization))
-      throw Invalid_input("the regularization of the energy of normals is " + internal::number_text(regularization));
-  }
+  explicit Normal_deviation_energy(double regularization = default_regularization)
+    : internal::Regularized_energy(regularization, "energy of normals")
+  {}
 
   /// \cond SKIP_IN_MANUAL
-  struct Face_data
-  {
-    double mass;
-    internal::Vector centroid, normal;
-  };
-
   // Moments of the centroids and of the unit normals. The difference of the first two terms of the formula would consist of
   // roundings where normals deviate little. The inertia of the normals about their mean does not, and gives the same.
   struct Cluster_data
@@ -54,8 +46,6 @@ public:
   };
 
   void set_mean_area(double area) { mean_area_ = area; }
-
-  Face_data face_data(const Clustered_face& face) const { return {face.mass(), face.plain_centroid(), face.plain_normal()}; }
 
   void add(Cluster_data& x, const Face_data& face) const
   {
@@ -80,7 +70,7 @@ public:
   /// \endcond
 
 private:
-  double regularization_, mean_area_ = 1;
+  double mean_area_ = 1;
 };
 
 } // namespace Surface_mesh_coarsening

@@ -3,16 +3,13 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_QUADRIC_ENERGY_H
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_QUADRIC_ENERGY_H
 
-#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Clustered_face.h>
-#include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Regularized_energy.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -28,6 +25,9 @@ namespace Surface_mesh_coarsening {
 /// vanish, so that clusters are well shaped there. Both balance where normals turn by about \f$ 2 \sqrt{\lambda} \f$ within a
 /// cluster.
 class Quadric_energy
+/// \cond SKIP_IN_MANUAL
+  : public internal::Regularized_energy
+/// \endcond
 {
 public:
   /// The default of \f$ \lambda \f$.
@@ -35,19 +35,11 @@ public:
 
   /// \param regularization the factor \f$ \lambda \f$ of the inertia, positive and finite
   /// \throws Invalid_input if it is not.
-  explicit Quadric_energy(double regularization = default_regularization) : regularization_(regularization)
-  {
-    if (!(regularization > 0) || std::isinf(regularization))
-      throw Invalid_input("the regularization of the quadric energy is " + internal::number_text(regularization));
-  }
+  explicit Quadric_energy(double regularization = default_regularization)
+    : internal::Regularized_energy(regularization, "quadric energy")
+  {}
 
   /// \cond SKIP_IN_MANUAL
-  struct Face_data
-  {
-    double mass;
-    internal::Vector centroid, normal;
-  };
-
   // The sums of m n n^T (upper triangle), m d n and m d^2, with the distance d of a plane from an origin in the cluster. Sums
   // about an origin far away would lose the digits that the residual consists of.
   struct Cluster_data : internal::Moments
@@ -57,8 +49,6 @@ public:
     double constant = 0;
     bool has_origin = false;
   };
-
-  Face_data face_data(const Clustered_face& face) const { return {face.mass(), face.plain_centroid(), face.plain_normal()}; }
 
   void add(Cluster_data& x, const Face_data& face) const
   {
@@ -119,8 +109,6 @@ private:
     const double y0 = s[0] / p0, y1 = (s[1] - l10 * y0) / p1, y2 = (s[2] - l20 * y0 - l21 * y1) / p2;
     return y0 * y0 + y1 * y1 + y2 * y2;
   }
-
-  double regularization_;
 };
 
 } // namespace Surface_mesh_coarsening
