@@ -227,8 +227,9 @@ po::options_description described_options()
     ("distances",
      "give each vertex of OUTPUT the number 'distance' (.ply): the largest distance from the result of the faces that it "
      "stands for, in the mesh's unit of length")
-    ("threads", text()->value_name("T")->default_value("1"),
-     "upper bound for the number of threads; the result does not depend on it. More than one need oneTBB")
+    ("threads", text()->value_name("T"),
+     "upper bound for the number of threads, as many as there are processors by default; the result does not depend on it. "
+     "More than one need oneTBB")
     ("quiet", "print nothing but errors")
     ("version", "print the version")
     ("help,h", "print this text");
@@ -398,7 +399,8 @@ Options checked_options(const po::variables_map& values)
   options.measure = values.count("measure") > 0;
   options.quiet = values.count("quiet") > 0;
   options.distances = values.count("distances") > 0;
-  options.threads = static_cast<unsigned>(to_count("threads", *given(values, "threads"), 1, 1000000));
+  if (const auto text = given(values, "threads"))
+    options.threads = static_cast<unsigned>(to_count("threads", *text, 1, 1000000));
   for (const char* option : {"features", "patches"})
     if (values.count(option) && (options.levels > 0 || options.maximum_distance))
       throw Wrong_usage("--" + std::string(option) + " goes with a number of vertices or a level, and without --levels");

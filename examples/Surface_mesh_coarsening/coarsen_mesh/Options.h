@@ -52,7 +52,7 @@ struct Options
   bool hole_length_is_relative = false; // to the diagonal
   bool repair = false, subdivide = false, measure = false, quiet = false;
   bool distances = false; // numbers of the result's vertices
-  unsigned threads = 1;
+  std::optional<unsigned> threads; // all if not given
 };
 
 // The type of a mesh file that the options name, also of a standard stream.

@@ -264,8 +264,10 @@ void run(const Options& options)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   // Applies to the process. Its destructor would start a thread, for which memory may be lacking.
-  [[maybe_unused]] static const auto* const limit =
-    new tbb::global_control(tbb::global_control::max_allowed_parallelism, options.threads);
+  if (options.threads) {
+    [[maybe_unused]] static const auto* const limit =
+      new tbb::global_control(tbb::global_control::max_allowed_parallelism, *options.threads);
+  }
 #endif
   Stage_times times;
   Progress_line progress(!options.quiet);

@@ -73,7 +73,8 @@ Json parameters_of(const Options& options)
   result["hole_length_is_relative"] = options.hole_length_is_relative;
   result["subdivide"] = options.subdivide;
   result["distances"] = options.distances;
-  result["threads"] = {{"allowed", options.threads}, {"used", (std::min)(options.threads, max_threads())}};
+  result["threads"] = {{"allowed", options.threads.value_or(max_threads())},
+                       {"used", (std::min)(options.threads.value_or(max_threads()), max_threads())}};
   return result;
 }
 
