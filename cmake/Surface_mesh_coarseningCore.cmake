@@ -8,6 +8,7 @@ function(surface_mesh_coarsening_add_core name source)
   add_library(${name} STATIC EXCLUDE_FROM_ALL ${source})
   target_link_libraries(${name} PUBLIC Surface_mesh_coarsening::headers)
   target_compile_definitions(${name} PUBLIC CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE)
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON) # for plugins and modules
   find_package(TBB QUIET)
   if(TBB_FOUND)
     include(CGAL_TBB_support)
