@@ -14,6 +14,14 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON) # for clang-tidy
 # Headers of CGAL, Boost and Eigen are system headers of imported targets: only the project's headers can warn.
 add_compile_options(-Wall -Wextra)
 
+# Distributions have no static oneTBB and Assimp.
+if(SURFACE_MESH_COARSENING_STATIC_TOOL)
+  set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
+  set(Boost_USE_STATIC_LIBS ON)
+  set(CMAKE_DISABLE_FIND_PACKAGE_TBB ON)
+  set(SURFACE_MESH_COARSENING_ASSIMP OFF)
+endif()
+
 find_program(CCACHE ccache)
 mark_as_advanced(CCACHE)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # cpack -G DEB makes Debian packages of the build tree: the library, which is headers and sources and fits every architecture, the
-# tool if it has been built, and the Python module where Python was found.
+# tool if it has been built, and the Python module where Python was found. With SURFACE_MESH_COARSENING_STATIC_TOOL, cpack -G TGZ makes
+# an archive with the tool alone, which needs no other package.
 
 if(NOT PROJECT_IS_TOP_LEVEL)
   return()
@@ -25,6 +26,13 @@ if(SURFACE_MESH_COARSENING_BUILD_EXAMPLES)
 endif()
 if(TARGET surface_mesh_coarsening_python)
   list(APPEND CPACK_COMPONENTS_ALL Python)
+endif()
+
+if(SURFACE_MESH_COARSENING_STATIC_TOOL)
+  set(CPACK_COMPONENTS_ALL Tools)
+  set(CPACK_ARCHIVE_COMPONENT_INSTALL ON)
+  set(CPACK_PACKAGING_INSTALL_PREFIX /)
+  set(CPACK_ARCHIVE_TOOLS_FILE_NAME coarsen_mesh-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR})
 endif()
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
