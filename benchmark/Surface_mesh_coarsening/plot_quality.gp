@@ -3,7 +3,7 @@
 # Plots quality.csv, the output of compare_peers for several numbers of vertices of each of the `models`, to quality.png: distance
 # against shape, a panel for each model and a line for each method from many vertices, below, to few.
 
-set terminal pngcairo size 1100,920 font ",9"
+set terminal pngcairo size 2200,1840 font ",9" fontscale 2 linewidth 2 pointscale 2
 set output "quality.png"
 set datafile separator comma
 set datafile missing NaN # lines go on past the rows of other methods

@@ -26,6 +26,9 @@ using coarsening_support::Rgb;
 using coarsening_support::draw_scale;
 using coarsening_support::scale_color;
 
+// Sizes are given for a screen of some 100 pixels per inch; pictures have so many pixels for each.
+constexpr std::size_t resolution = 2;
+
 struct Panel
 {
   Image image;
@@ -52,7 +55,7 @@ inline void posterize(Image& image)
 // Writes the panels as DIRECTORY/NAME_I.png, and DIRECTORY/NAME.gp, which composes them to DIRECTORY/figures/NAME.png.
 inline void compose(const std::filesystem::path& directory, const std::string& name, std::vector<std::vector<Panel> > rows)
 {
-  const std::size_t caption_height = 26, gap = 12;
+  const std::size_t caption_height = 26 * resolution, gap = 12 * resolution;
   std::size_t columns = 0, width = 0, total_height = 0;
   std::vector<std::size_t> heights;
   for (const auto& row : rows) {
@@ -67,7 +70,7 @@ inline void compose(const std::filesystem::path& directory, const std::string& n
   const std::size_t total_width = columns * (width + gap);
   const auto at = [](double pixels, std::size_t total) { return std::to_string(pixels / double(total)); };
   std::string script = "set terminal pngcairo size " + std::to_string(total_width) + "," + std::to_string(total_height) +
-                       " font 'DejaVu Sans,10'\nset output 'figures/" + name +
+                       " font 'DejaVu Sans,10' fontscale " + std::to_string(resolution) + "\nset output 'figures/" + name +
                        ".png'\nunset border\nunset tics\nunset key\nset multiplot\n";
   std::size_t number = 0, row_top = 0; // from the upper edge, as all that follows
   for (std::size_t r = 0; r < rows.size(); row_top += heights[r++] + caption_height)
@@ -80,13 +83,14 @@ inline void compose(const std::filesystem::path& directory, const std::string& n
       const std::string file = name + "_" + std::to_string(number++) + ".png";
       script += "unset label\nset label '" + panel.caption + "' at screen " +
                 at(double(c * (width + gap)) + double(width + gap) / 2, total_width) + "," +
-                at(double(total_height) - double(row_top + heights[r]) - 12, total_height) + " center\n";
-      if (!panel.scale_low.empty() && image.width > 160 && image.height > 20) {
-        const std::size_t x0 = 16 + 8 * panel.scale_low.size(), x1 = x0 + 90, y0 = image.height - 10, y1 = image.height;
+                at(double(total_height) - double(row_top + heights[r] + 12 * resolution), total_height) + " center\n";
+      if (!panel.scale_low.empty() && image.width > 160 * resolution && image.height > 20 * resolution) {
+        const std::size_t x0 = (16 + 8 * panel.scale_low.size()) * resolution, x1 = x0 + 90 * resolution,
+                          y0 = image.height - 10 * resolution, y1 = image.height, space = 6 * resolution;
         draw_scale(image, x0, x1, y0, y1);
         const std::string y = std::to_string(image.height - (y0 + y1) / 2);
-        script += "set label '" + panel.scale_low + "' at first " + std::to_string(x0 - 6) + "," + y +
-                  " right front\nset label '" + panel.scale_high + "' at first " + std::to_string(x1 + 6) + "," + y + " left front\n";
+        script += "set label '" + panel.scale_low + "' at first " + std::to_string(x0 - space) + "," + y +
+                  " right front\nset label '" + panel.scale_high + "' at first " + std::to_string(x1 + space) + "," + y + " left front\n";
       }
       write_file(directory / file, coarsening_support::png_bytes(image));
       script += "set lmargin at screen " + at(double(left), total_width) + "\nset rmargin at screen " +

@@ -75,7 +75,15 @@ inline std::string vertices_of(const Mesh& mesh) { return counted(mesh.number_of
 
 inline Camera camera_for(const Mesh& mesh, const Vector& view, const Vector& up, double panel_size = 300)
 {
-  return Camera(std::vector<Point>(mesh.points().begin(), mesh.points().end()), view, up, panel_size);
+  return Camera(std::vector<Point>(mesh.points().begin(), mesh.points().end()), view, up, resolution * panel_size);
+}
+
+// Lines are as wide as on a picture of the panel's size.
+inline Image drawn(Scene scene, const Camera& camera)
+{
+  for (Scene::Line& line : scene.lines)
+    line.width *= resolution;
+  return render(scene, camera);
 }
 
 inline Camera fandisk_camera(const Mesh& mesh, double panel_size = 300)
@@ -129,7 +137,7 @@ inline Image polygons(const Mesh& mesh, const Camera& camera)
     return triangles.is_border(e) ||
            faces[triangles.face(triangles.halfedge(e, 0))] != faces[triangles.face(triangles.halfedge(e, 1))];
   };
-  return render(make_scene(triangles, true, pale, is_drawn, 0.7, 0.55), camera);
+  return drawn(make_scene(triangles, true, pale, is_drawn, 0.7, 0.55), camera);
 }
 
 // Draws further edges, bold and black.

@@ -36,7 +36,7 @@ Image with_lines(const Mesh& mesh, const Marks& marks, const Camera& camera, boo
 {
   Scene scene = make_scene(mesh, smooth, smooth ? pale : bluish, any_edge, 0.9, ink);
   add_bold(scene, mesh, [&](Edge e) { return marks[e]; });
-  return render(scene, camera);
+  return drawn(scene, camera);
 }
 
 // Without features, the lines are the edges of 30 degrees and more that the result happens to have.
@@ -74,7 +74,7 @@ void picture_features(const Setting& setting)
           {{{with_lines(mesh, lines, camera, true, 0.2), "input, edges of 30 degrees and more", "", ""},
             {without_features(mesh, camera, SMC::Centroid_placement()), "without features, centroids", "", ""},
             {without_features(mesh, camera, SMC::Fitted_placement()), "without features, fitted", "", ""}},
-           {{render(clusters, camera), "clusters astride the lines", "", ""},
+           {{drawn(clusters, camera), "clusters astride the lines", "", ""},
             {centroids, "with features, centroids", "", ""},
             {with_features(mesh, camera, SMC::Fitted_placement(), labels), "with features, fitted", "", ""}}});
 }
@@ -84,7 +84,7 @@ Image with_border(const Mesh& mesh, const Camera& camera)
 {
   Scene scene = mesh_scene(mesh);
   add_bold(scene, mesh, [&](Edge e) { return mesh.is_border(e); }, 2);
-  return render(scene, camera);
+  return drawn(scene, camera);
 }
 
 void picture_borders(const Setting& setting)
@@ -94,7 +94,7 @@ void picture_borders(const Setting& setting)
   const Coarse coarse = coarsened<SMC::Weighted_area_weight>(mesh, 400, 10, SMC::Fitted_placement());
   compose(setting.directory, "borders",
           {{{polygons(mesh, camera), "input, " + vertices_of(mesh), "", ""},
-            {render(cluster_scene(mesh, coarse.labels), camera), "clusters", "", ""},
+            {drawn(cluster_scene(mesh, coarse.labels), camera), "clusters", "", ""},
             {with_border(coarse.mesh, camera), "result, " + vertices_of(coarse.mesh), "", ""}}});
 }
 
@@ -112,7 +112,7 @@ void picture_holes(const Setting& setting)
   Scene scene = make_scene(mesh, true, pale, any_edge, 0.7, 0.35);
   add_bold(scene, mesh, [&](Edge e) { return mesh.is_border(e); }, 2);
   compose(setting.directory, "holes",
-          {{{render(scene, camera), "input, " + vertices_of(mesh), "", ""},
+          {{{drawn(scene, camera), "input, " + vertices_of(mesh), "", ""},
             {with_border(kept, camera), "holes kept, " + vertices_of(kept), "", ""},
             {with_border(without, camera), std::to_string(filling.number(coarsen_mesh_tool::Hole_state::FILLED)) + " holes filled before, " + vertices_of(without), "",
              ""}}});

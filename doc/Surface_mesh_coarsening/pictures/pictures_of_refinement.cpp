@@ -80,8 +80,8 @@ void picture_refinement(const Setting& setting)
         mean += step.solution[v] / 3;
       return scale_color(mean / greatest);
     };
-    rows[0].push_back({render(make_scene(step.mesh, true, color, is_drawn, 1, 0.7), camera), "", "", ""});
-    rows[1].push_back({render(make_scene(step.coarse, false, solution, any_edge, 1, 0.7), camera),
+    rows[0].push_back({drawn(make_scene(step.mesh, true, color, is_drawn, 1, 0.7), camera), "", "", ""});
+    rows[1].push_back({drawn(make_scene(step.coarse, false, solution, any_edge, 1, 0.7), camera),
                        "solution, " + vertices_of(step.coarse), "", ""});
   }
   rows[0][0].caption = "part of the area in each cluster";

@@ -56,13 +56,13 @@ void picture_pipeline(const Setting& setting)
   clustering.extract_dual_mesh(coarse, SMC::Centroid_placement());
 
   compose(setting.directory, "pipeline",
-          {{{render(make_scene(mesh, true, pale, any_edge, 0.7, 0.55), camera),
+          {{{drawn(make_scene(mesh, true, pale, any_edge, 0.7, 0.55), camera),
              "input, " + vertices_of(mesh), "", ""},
-            {render(make_scene(mesh, true, density_color, no_edge, 1, 0), camera), "densities", "1", "50"},
-            {render(make_scene(mesh, true, seed_color, no_edge, 1, 0), camera), number_of_seeds + " seeds", "", ""}},
-           {{render(cluster_scene(mesh, grown), camera), "growth and merging", "", ""},
-            {render(cluster_scene(mesh, labels_of(mesh, clustering)), camera), "minimization", "", ""},
-            {render(mesh_scene(coarse), camera), "dual, " + vertices_of(coarse), "", ""}}});
+            {drawn(make_scene(mesh, true, density_color, no_edge, 1, 0), camera), "densities", "1", "50"},
+            {drawn(make_scene(mesh, true, seed_color, no_edge, 1, 0), camera), number_of_seeds + " seeds", "", ""}},
+           {{drawn(cluster_scene(mesh, grown), camera), "growth and merging", "", ""},
+            {drawn(cluster_scene(mesh, labels_of(mesh, clustering)), camera), "minimization", "", ""},
+            {drawn(mesh_scene(coarse), camera), "dual, " + vertices_of(coarse), "", ""}}});
 }
 
 // Clusters above, results below.
@@ -74,8 +74,8 @@ struct Comparison
 
   void add(const Coarse& coarse, const std::string& caption)
   {
-    rows[0].push_back({render(cluster_scene(mesh, coarse.labels), camera), "", "", ""});
-    rows[1].push_back({render(mesh_scene(coarse.mesh), camera), caption, "", ""});
+    rows[0].push_back({drawn(cluster_scene(mesh, coarse.labels), camera), "", "", ""});
+    rows[1].push_back({drawn(mesh_scene(coarse.mesh), camera), caption, "", ""});
   }
 };
 
@@ -113,7 +113,7 @@ void picture_placements(const Setting& setting)
     Mesh coarse;
     clustering.extract_dual_mesh(coarse, placement);
     const SMC::Coarsening_quality q = SMC::measure_coarsening(mesh, coarse, 30000);
-    panels.push_back({render(mesh_scene(coarse), camera),
+    panels.push_back({drawn(mesh_scene(coarse), camera),
                       name + ", " + rounded(100 * q.rms_distance / q.diagonal, 2) + " %", "", ""});
   };
   add(SMC::Centroid_placement(), "centroid");
@@ -131,8 +131,8 @@ void picture_quads(const Setting& setting)
   const Coarse coarse = coarsened<SMC::Weighted_area_weight>(mesh, 200, 20);
   compose(setting.directory, "quads",
           {{{polygons(mesh, camera), "input, " + counted(mesh.number_of_faces()) + " faces", "", ""},
-            {render(cluster_scene(mesh, coarse.labels), camera), "clusters", "", ""},
-            {render(mesh_scene(coarse.mesh), camera), "result, " + vertices_of(coarse.mesh), "", ""}}});
+            {drawn(cluster_scene(mesh, coarse.labels), camera), "clusters", "", ""},
+            {drawn(mesh_scene(coarse.mesh), camera), "result, " + vertices_of(coarse.mesh), "", ""}}});
 }
 
 // An overview of the package, with the defaults of the tool.
@@ -143,8 +143,8 @@ void picture_overview(const Setting& setting)
   const Coarse coarse = coarsened<SMC::Weighted_area_weight>(bunny, 1000, 10, SMC::Fitted_placement());
   compose(setting.directory, "overview",
           {{{polygons(bunny, camera), vertices_of(bunny), "", ""},
-            {render(cluster_scene(bunny, coarse.labels), camera), counted(coarse.mesh.number_of_vertices()) + " clusters", "", ""},
-            {render(mesh_scene(coarse.mesh), camera), vertices_of(coarse.mesh), "", ""}}});
+            {drawn(cluster_scene(bunny, coarse.labels), camera), counted(coarse.mesh.number_of_vertices()) + " clusters", "", ""},
+            {drawn(mesh_scene(coarse.mesh), camera), vertices_of(coarse.mesh), "", ""}}});
 }
 
 } // namespace

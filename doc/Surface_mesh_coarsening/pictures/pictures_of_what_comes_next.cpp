@@ -133,7 +133,7 @@ Image textured(const Mesh& mesh, const Camera& camera, std::size_t parts, double
     return texture[h] != texture[mesh.prev(g)] || texture[g] != texture[mesh.prev(h)];
   };
   add_bold(scene, mesh, is_seam);
-  return render(scene, camera);
+  return drawn(scene, camera);
 }
 
 // The field is a wave around a point, on vertices.
@@ -146,7 +146,7 @@ Image with_field(const Mesh& mesh, const std::vector<double>& field, const Camer
       value += w[i] * field[mesh.target(h)];
     return scale_color(value);
   };
-  return render(painted_scene(mesh, ink == 0, parts, color, any_edge, 0.9, ink), camera);
+  return drawn(painted_scene(mesh, ink == 0, parts, color, any_edge, 0.9, ink), camera);
 }
 
 void picture_properties(const Setting& setting)
@@ -196,8 +196,8 @@ void picture_distance(const Setting& setting)
       SMC::parameters::cluster_weight(SMC::Weighted_area_weight()).maximum_density(10.).vertex_placement(SMC::Fitted_placement()));
     const std::vector<double> away = face_distances(mesh, coarse, [] {});
     const auto color = [&](Face f) { return scale_color(100 * away[f] / diagonal / percent); };
-    rows[0].push_back({render(mesh_scene(coarse), camera), vertices_of(coarse), "", ""});
-    rows[1].push_back({render(make_scene(mesh, true, color, no_edge, 1, 0), camera),
+    rows[0].push_back({drawn(mesh_scene(coarse), camera), vertices_of(coarse), "", ""});
+    rows[1].push_back({drawn(make_scene(mesh, true, color, no_edge, 1, 0), camera),
                        "at most " + rounded(percent, 1) + " %; proved: " +
                          rounded(100 * report.distance_bound / diagonal, 2) + " %",
                        "0", rounded(percent, 1) + " %"});
@@ -233,10 +233,10 @@ void picture_levels(const Setting& setting)
     Scene scene = make_scene(
       mesh, true, [&](Face f) { return palette_color(colors[coarsest[f]]); }, is_between(labels), 0.9, 0.5);
     add_bold(scene, mesh, is_between(coarsest), 1.6);
-    rows[0].push_back({render(scene, camera), "", "", ""});
+    rows[0].push_back({drawn(scene, camera), "", "", ""});
     Mesh result;
     levels.extract_dual_mesh(level, result, SMC::Fitted_placement());
-    rows[1].push_back({render(mesh_scene(result), camera), vertices_of(result), "", ""});
+    rows[1].push_back({drawn(mesh_scene(result), camera), vertices_of(result), "", ""});
   }
   compose(setting.directory, "levels", rows);
 }

@@ -81,7 +81,7 @@ void plot_error_and_shape(const Setting& setting)
                             measured_placements<SMC::Density_variance_weight>(mesh, 3) +
                             measured(mesh, edge_collapsed(mesh, fandisk_vertices));
   write_file(setting.directory / "error_and_shape.dat", table);
-  std::string script = R"(set terminal pngcairo size 760,480 font 'DejaVu Sans,10'
+  std::string script = R"(set terminal pngcairo size 1520,960 font 'DejaVu Sans,10' fontscale 2 linewidth 2 pointscale 2
 set output 'figures/error_and_shape.png'
 set xlabel 'RMS distance, % of the diagonal'
 set ylabel 'mean smallest angle, degrees'
@@ -128,7 +128,7 @@ void plot_scaling(const Setting& setting)
     table += timed([&] { edge_collapsed(mesh, vertices); }) + "\n";
   }
   write_file(setting.directory / "scaling.dat", table);
-  write_file(setting.directory / "scaling.gp", R"(set terminal pngcairo size 640,440 font 'DejaVu Sans,10'
+  write_file(setting.directory / "scaling.gp", R"(set terminal pngcairo size 1280,880 font 'DejaVu Sans,10' fontscale 2 linewidth 2 pointscale 2
 set output 'figures/scaling.png'
 set xlabel 'faces of the input'
 set ylabel 'processor seconds'
