@@ -444,8 +444,8 @@ BOOST_AUTO_TEST_CASE(report_and_certificate)
 
   double sum = 0;
   for (const char* stage :
-       {"read", "preparation", "seeding", "growth", "minimization", "triangulation", "placement", "error feedback", "repair of the result",
-        "check", "write"}) {
+       {"read", "preparation", "seeding", "growth", "minimization", "triangulation", "placement", "error feedback",
+        "repair of the result", "check", "write"}) {
     BOOST_REQUIRE(report["seconds"][stage].is_number());
     BOOST_TEST(report["seconds"][stage].get<double>() >= 0);
     sum += report["seconds"][stage].get<double>();

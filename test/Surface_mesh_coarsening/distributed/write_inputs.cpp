@@ -20,8 +20,8 @@ void write(std::ostream& stream, T value)
   stream.write(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-// A property of vertices before and one of faces after those that are read, so that their places count. `numbers` are those of
-// the vertices, if there are several pieces.
+// Has a property of vertices before the properties that are read, and one of faces after them, so that their places count.
+// `numbers` are the numbers of the vertices, if there are several pieces.
 void write_ply(const std::string& file, const Soup& soup, const std::vector<std::uint32_t>& numbers = {})
 {
   std::ofstream stream(file, std::ios::binary);
