@@ -32,5 +32,5 @@ if(VALGRIND AND TARGET coarsen_mesh AND NOT CMAKE_CXX_FLAGS MATCHES "sanitize")
     "3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n")
   surface_mesh_coarsening_add_run(valgrind COMMAND ${VALGRIND} --quiet --error-exitcode=9 --leak-check=full
     --show-leak-kinds=definite,possible --errors-for-leak-kinds=definite,possible
-    $<TARGET_FILE:coarsen_mesh> ${small_mesh} coarse.off -n 5 --report report.json --clusters clusters.ply)
+    $<TARGET_FILE:coarsen_mesh> ${small_mesh} coarse.off -n 5 --threads 1 --report report.json --clusters clusters.ply)
 endif()

@@ -104,9 +104,9 @@ const auto defaults = SMC::parameters::repair_output(true); // to begin a chain 
 BOOST_AUTO_TEST_CASE(default_settings)
 {
   using namespace generated;
-  BOOST_TEST(bytes_per_face("ellipsoid", test::to_mesh(scaled(triangle_sphere(7), 3, 2, 1)), defaults) <= 150);
-  BOOST_TEST(bytes_per_face("torus", test::to_mesh(triangulated(torus(250, 250))), defaults) <= 150);
-  BOOST_TEST(bytes_per_face("rough square", test::to_mesh(with_noise(triangulated(grid(250, 250)), 0.2)), defaults) <= 150);
+  BOOST_TEST(bytes_per_face("ellipsoid", test::to_mesh(scaled(triangle_sphere(7), 3, 2, 1)), defaults) <= 140);
+  BOOST_TEST(bytes_per_face("torus", test::to_mesh(triangulated(torus(250, 250))), defaults) <= 140);
+  BOOST_TEST(bytes_per_face("rough square", test::to_mesh(with_noise(triangulated(grid(250, 250)), 0.2)), defaults) <= 140);
 }
 
 BOOST_AUTO_TEST_CASE(placements)
@@ -117,5 +117,5 @@ BOOST_AUTO_TEST_CASE(placements)
   BOOST_TEST(bytes_per_face("centroid, no repair", mesh, plain.vertex_placement(SMC::Centroid_placement())) <= 100);
   BOOST_TEST(bytes_per_face("quadric, no repair", mesh, plain.vertex_placement(SMC::Quadric_placement())) <= 100);
   BOOST_TEST(bytes_per_face("quadric", mesh, defaults.vertex_placement(SMC::Quadric_placement())) <= 100);
-  BOOST_TEST(bytes_per_face("fitted", mesh, defaults.vertex_placement(SMC::Fitted_placement())) <= 150);
+  BOOST_TEST(bytes_per_face("fitted", mesh, defaults.vertex_placement(SMC::Fitted_placement())) <= 140);
 }

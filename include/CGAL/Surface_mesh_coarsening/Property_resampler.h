@@ -272,7 +272,7 @@ private:
     }
     for (std::size_t x = 0; x < surfaces_.number_of_vertices(); ++x) {
       internal::Majority<Type> votes;
-      for (const Index f : surfaces_.search().faces(Index(x)))
+      for (const Index f : surfaces_.faces(Index(x)))
         visit(f, [&](double weight, const Type& value) { votes.add(weight, value); });
       put(to, coarse_numbering_.vertices[x], votes.empty() ? value_at(surfaces_.sources()[x]) : votes.value());
     }

@@ -53,24 +53,26 @@ class Nearest_point_search
 public:
   // Omits faces of group NONE.
   Nearest_point_search(const Flat_mesh& mesh, const std::vector<Index>& group_of_face, std::size_t groups)
-    : mesh_(mesh), faces_(numbers_below(Index(group_of_face.size())), groups, [&](Index f) { return group_of_face[f]; }),
-      root_of_(groups, NONE)
+    : mesh_(mesh), root_of_(groups, NONE)
   {
+    const Bucketed_items<Index> faces(numbers_below(Index(group_of_face.size())), groups,
+                                      [&](Index f) { return group_of_face[f]; });
     std::vector<Index> all;
     std::vector<Bbox_3> boxes(groups);
+    std::size_t leaves = 0;
     for (std::size_t x = 0; x < groups; ++x) {
-      for (const Index f : faces_[x])
+      for (const Index f : faces[x])
         boxes[x] += box_of(f);
-      if (!faces_[x].empty())
+      if (!faces[x].empty())
         all.push_back(Index(x));
+      leaves += number_of_leaves(faces[x].size());
     }
-    order_.reserve(faces_.items().size());
+    node_.reserve(2 * leaves);
+    order_.reserve(faces.items().size());
     if (!all.empty())
       build(all, boxes, 0, all.size(), 1,
-            [&](std::size_t begin, std::size_t) { return root_of_[all[begin]] = build_group(all[begin]); });
+            [&](std::size_t begin, std::size_t) { return root_of_[all[begin]] = build_group(faces[all[begin]]); });
   }
-
-  Bucketed_items<Index>::Range faces(Index group) const { return faces_[group]; }
 
   // May return any point whose squared distance is at most `near_enough`.
   Nearest_point operator()(const Vector& p, Index first_group, double near_enough = -1) const
@@ -89,14 +91,22 @@ public:
   }
 
 private:
-  static constexpr std::size_t max_faces = 8; // of a leaf
+  static constexpr std::size_t max_faces = 16; // of a leaf
 
   struct Node
   {
     Bbox_3 box;
-    Index left, right;       // NONE in a leaf
-    std::size_t first, last; // of the faces of a leaf
+    bool is_leaf;
+    Index first, second; // the children; in a leaf, the range of its faces
   };
+
+  static std::size_t number_of_leaves(std::size_t faces)
+  {
+    std::size_t leaves = faces == 0 ? 0 : 1;
+    for (; leaves * max_faces < faces; leaves *= 2) {
+    }
+    return leaves;
+  }
 
   // Omits what is below another node.
   void improve_below(Index root, Index omitted, const Vector& p, Nearest_point& nearest, double near_enough) const
@@ -109,15 +119,15 @@ private:
       // By rounding, a foot point may be nearer than the box.
       if (number == omitted || squared_distance_from_box(p, n.box) > (1 + 1e-12) * nearest.squared_distance)
         continue;
-      if (n.left == NONE) {
-        for (std::size_t i = n.first; i < n.last && nearest.squared_distance > near_enough; ++i)
+      if (n.is_leaf) {
+        for (Index i = n.first; i < n.second && nearest.squared_distance > near_enough; ++i)
           improve(mesh_, p, order_[i], nearest);
         continue;
       }
-      const bool left_first =
-        squared_distance_from_box(p, node_[n.left].box) < squared_distance_from_box(p, node_[n.right].box);
-      stack.push_back(left_first ? n.right : n.left);
-      stack.push_back(left_first ? n.left : n.right);
+      const bool is_first_nearer =
+        squared_distance_from_box(p, node_[n.first].box) < squared_distance_from_box(p, node_[n.second].box);
+      stack.push_back(is_first_nearer ? n.second : n.first);
+      stack.push_back(is_first_nearer ? n.first : n.second);
     }
   }
 
@@ -152,25 +162,24 @@ private:
       return a < b || (a == b && i < j);
     });
     const Index number = Index(node_.size());
-    node_.push_back({box, NONE, NONE, 0, 0});
-    const Index left = build(items, boxes, begin, middle, max_items, make_leaf),
-                right = build(items, boxes, middle, end, max_items, make_leaf);
-    node_[number].left = left;
-    node_[number].right = right;
+    node_.push_back({box, false, NONE, NONE});
+    const Index first = build(items, boxes, begin, middle, max_items, make_leaf),
+                second = build(items, boxes, middle, end, max_items, make_leaf);
+    node_[number].first = first;
+    node_[number].second = second;
     return number;
   }
 
-  Index build_group(Index group)
+  Index build_group(const Bucketed_items<Index>::Range& faces)
   {
-    const auto faces = faces_[group];
     std::vector<Bbox_3> boxes;
     for (const Index f : faces)
       boxes.push_back(box_of(f));
     std::vector<Index> items(boxes.size());
     std::iota(items.begin(), items.end(), Index(0));
-    const std::size_t first = order_.size();
+    const Index first = Index(order_.size());
     return build(items, boxes, 0, items.size(), max_faces, [&](std::size_t begin, std::size_t end) {
-      Node leaf{Bbox_3(), NONE, NONE, first + begin, first + end};
+      Node leaf{Bbox_3(), true, Index(first + begin), Index(first + end)};
       for (std::size_t i = begin; i < end; ++i) {
         leaf.box += boxes[items[i]];
         order_.push_back(faces.begin()[items[i]]);
@@ -181,9 +190,8 @@ private:
   }
 
   const Flat_mesh& mesh_;
-  Bucketed_items<Index> faces_; // per group
-  std::vector<Index> order_;    // of the faces, in the leaves
-  std::vector<Index> root_of_;  // per group
+  std::vector<Index> order_;   // of the faces, in the leaves
+  std::vector<Index> root_of_; // per group
   std::vector<Node> node_;
 };
 

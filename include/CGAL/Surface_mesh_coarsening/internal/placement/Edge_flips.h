@@ -24,8 +24,8 @@ namespace internal {
 class Edge_flips
 {
 public:
-  // If `avoids_narrowness`, flips pay for narrow triangles, create no angle below 10 degrees, and exchange angles at a larger least
-  // rate. Otherwise vertices stay with their clusters, and it would take flips across sharp edges to avoid narrow
+  // If `avoids_narrowness`, flips pay for narrow triangles, create no angle below 10 degrees, and exchange angles at a larger
+  // least rate. Otherwise vertices stay with their clusters, and it would take flips across sharp edges to avoid narrow
   // triangles.
   Edge_flips(Flippable_triangulation& coarse, const std::vector<Vector>& positions, Fit_samples& samples, bool avoids_narrowness,
              const Cancellation_point& cancellation, Execution execution)

@@ -14,6 +14,11 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
@@ -137,63 +142,71 @@ inline bool is_nearer(const Clustered_faces& surface, const Fitted_mesh& mesh, c
   return distance.squared(mesh.triangles, mesh.positions) < plain_distance;
 }
 
+// Continues a fit with rounds that exchange vertices, and some without. Returns the nearest mesh on the way, or nothing if it
+// is the plain fit.
+inline std::optional<Fitted_mesh> best_after_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, std::size_t rounds,
+                                                       double mean_angle, const Cancellation_point& cancellation)
+{
+  // After the last exchange.
+  constexpr std::size_t last_rounds = 2;
+  fit.keep_rate();
+  std::size_t exchanged = 1;
+  for (std::size_t i = 0; i < rounds && exchanged > 0; ++i) {
+    exchanged = fit.advance(true);
+    if (exchanged > 0 && i + 1 < rounds)
+      fit.find_feet();
+    cancellation.step_done(Coarsening_stage::FEEDBACK, i + 1, rounds + last_rounds);
+  }
+  std::optional<Fitted_mesh> best;
+  for (std::size_t i = 0; i <= last_rounds; ++i) {
+    fit.settle();
+    Fitted_mesh mesh = fit.mesh();
+    if (mesh.improves(best ? *best : plain, mean_angle))
+      best = std::move(mesh);
+    if (i < last_rounds) {
+      fit.advance(false);
+      cancellation.step_done(Coarsening_stage::FEEDBACK, rounds + i + 1, rounds + last_rounds);
+    }
+  }
+  return best;
+}
+
 CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_faces& surface, const Border_arcs& border,
                                                       std::size_t rounds, double mean_angle, std::vector<Triangle>& triangles,
                                                       std::vector<Vector>& positions, const Vertex_relocation& relocation)
 {
   // Before the last rounds, one in so many samples will do.
   constexpr std::size_t rounds_with_all = 3, step_before = 4;
-  // After the last exchange.
-  constexpr std::size_t last_rounds = 2;
+  if (relocation.destinations.empty())
+    place_by_quadrics(surface, border, positions);
+  std::optional<Vertex_fit> fit(std::in_place, surface, border, mean_angle, triangles, positions, relocation);
   if (!relocation.destinations.empty()) {
-    Vertex_fit fit(surface, border, mean_angle, triangles, positions, relocation);
-    fit.find_feet();
-    fit.exchange_at_destinations();
-    triangles = fit.triangles();
+    fit->find_feet();
+    fit->exchange_at_destinations();
+    triangles = fit->triangles();
     return 0;
   }
-  place_by_quadrics(surface, border, positions);
-  Vertex_fit fit(surface, border, mean_angle, triangles, positions, relocation);
   for (std::size_t left = rounds; left > 0; --left) {
-    fit.find_feet(left > rounds_with_all ? step_before : 1);
-    fit.advance(false);
+    fit->find_feet(left > rounds_with_all ? step_before : 1);
+    fit->advance(false);
     surface.cancellation().step_done(Coarsening_stage::PLACEMENT, rounds + 1 - left, rounds);
   }
-  fit.settle();
-  triangles = fit.triangles();
+  fit->settle();
+  triangles = fit->triangles();
   if (relocation.rounds == 0)
     return 0;
   relocation.begins();
-  const Fitted_mesh plain = fit.mesh();
-  Fitted_mesh best = plain;
-  fit.keep_rate();
-  bool is_plain = true;
-  std::size_t exchanged = 1;
-  for (std::size_t i = 0; i < relocation.rounds && exchanged > 0; ++i) {
-    exchanged = fit.advance(true);
-    if (exchanged > 0 && i + 1 < relocation.rounds)
-      fit.find_feet();
-    surface.cancellation().step_done(Coarsening_stage::FEEDBACK, i + 1, relocation.rounds + last_rounds);
-  }
-  for (std::size_t i = 0; i <= last_rounds; ++i) {
-    fit.settle();
-    Fitted_mesh mesh = fit.mesh();
-    if (mesh.improves(best, mean_angle)) {
-      best = std::move(mesh);
-      is_plain = false;
-    }
-    if (i < last_rounds) {
-      fit.advance(false);
-      surface.cancellation().step_done(Coarsening_stage::FEEDBACK, relocation.rounds + i + 1, relocation.rounds + last_rounds);
-    }
-  }
+  const Fitted_mesh plain = fit->mesh();
+  std::optional<Fitted_mesh> best =
+    best_after_exchanges(*fit, plain, relocation.rounds, mean_angle, surface.cancellation());
+  fit.reset(); // its samples take memory
   double plain_distance = 0;
-  if (is_plain || !is_nearer(surface, best, plain, plain_distance)) {
+  if (!best || !is_nearer(surface, *best, plain, plain_distance)) {
     best = plain;
     relocation.undo();
   }
-  triangles = best.triangles;
-  positions = best.positions;
+  triangles = best->triangles;
+  positions = best->positions;
   return plain_distance;
 }
 

@@ -55,7 +55,7 @@ private:
     sort_unique(clusters);
     faces_.clear();
     for (const Index y : clusters)
-      for (const Index f : surfaces_.search().faces(y)) {
+      for (const Index f : surfaces_.faces(y)) {
         faces_.push_back(f);
         stamp_[f] = x;
         sector_[f] = NONE;

@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_TRANSFER_SURFACE_CORRESPONDENCE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_TRANSFER_SURFACE_CORRESPONDENCE_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
 
@@ -25,7 +26,9 @@ public:
                     std::vector<Vector> positions, std::vector<Triangle> triangles)
     : mesh_(std::move(mesh)), area_(std::move(areas)), centroid_(std::move(centroids)), cluster_(std::move(clusters)),
       position_(std::move(positions)), triangles_(std::move(triangles)), around_(position_.size()),
-      dual_area_(position_.size(), 0), search_(mesh_, cluster_, position_.size())
+      dual_area_(position_.size(), 0),
+      faces_(numbers_below(Index(cluster_.size())), position_.size(), [this](Index f) { return cluster_[f]; }),
+      search_(mesh_, cluster_, position_.size())
   {
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       for (const Index x : triangles_[t]) {
@@ -44,6 +47,7 @@ public:
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<Index>& around(Index x) const { return around_[x]; }
   std::size_t number_of_vertices() const { return position_.size(); }
+  Bucketed_items<Index>::Range faces(Index x) const { return faces_[x]; }
   const Nearest_point_search& search() const { return search_; }
 
   // A third of the area of the triangles around a vertex.
@@ -143,6 +147,7 @@ private:
   std::vector<Triangle> triangles_;
   std::vector<std::vector<Index> > around_;
   std::vector<double> dual_area_;
+  Bucketed_items<Index> faces_; // per cluster
   Nearest_point_search search_;
   // Computed on demand:
   std::vector<Nearest_point> sources_, triangle_sources_;
