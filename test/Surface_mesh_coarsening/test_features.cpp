@@ -641,6 +641,30 @@ BOOST_AUTO_TEST_CASE(regions_between_lines)
   }
 }
 
+// Error feedback moves vertices, with triangles around them, from one patch to another.
+BOOST_AUTO_TEST_CASE(patches_after_exchanges)
+{
+  // A cube's sides, numbered by their normals.
+  const auto side = [](const Mesh& mesh, Face f) {
+    const auto n = PMP::compute_face_normal(f, mesh);
+    int largest = 0;
+    for (int i = 1; i < 3; ++i)
+      if (std::abs(n[i]) > std::abs(n[largest]))
+        largest = i;
+    return 10 * (largest + 1) + (n[largest] > 0);
+  };
+  Mesh mesh = test::to_mesh(generated::triangulated(generated::cube_grid(6))), output;
+  const auto patch = mesh.add_property_map<Face, int>("f:patch", -1).first;
+  for (const Face f : mesh.faces())
+    patch[f] = side(mesh, f);
+  const auto of_output = output.add_property_map<Face, int>("f:patch", -1).first;
+  const auto report = SMC::coarsen_mesh(mesh, 60, output, SMC::parameters::face_patch_map(patch).error_feedback(7),
+                                        SMC::parameters::face_patch_map(of_output));
+  BOOST_TEST(report.exchanged_vertices > 0);
+  for (const Face f : output.faces())
+    BOOST_TEST(of_output[f] == side(output, f));
+}
+
 BOOST_AUTO_TEST_CASE(refusals)
 {
   for (const double angle : {-1., 181., std::numeric_limits<double>::quiet_NaN()})

@@ -45,12 +45,14 @@ public:
         narrow.emplace_back(angle, Index(t));
     }
     std::sort(narrow.begin(), narrow.end());
-    for (std::size_t first = 0; first < narrow.size(); first += at_a_time) {
-      std::vector<Index> triangles;
-      for (std::size_t i = first; i < (std::min)(narrow.size(), first + at_a_time); ++i)
-        triangles.push_back(narrow[i].second);
-      improve(triangles);
+    std::vector<Index> triangles;
+    for (const auto& [angle, t] : narrow) {
+      if (triangles.size() == at_a_time || is_near_others(t))
+        improve(triangles);
+      triangles.push_back(t);
+      mark(t, true);
     }
+    improve(triangles);
   }
 
 private:
@@ -74,30 +76,21 @@ private:
 
   double angle_of(Index t) const { return smallest_angle(positions_, coarse_.triangles()[t]); }
 
-  // Improves triangles in order. Moves of triangles that do not depend on moves for the triangles before are found in
-  // parallel.
-  void improve(const std::vector<Index>& triangles)
+  // Improves the marked triangles and forgets them. Their moves do not depend on each other and are found in parallel.
+  void improve(std::vector<Index>& triangles)
   {
-    std::vector<char> is_independent;
-    for (const Index t : triangles) {
-      is_independent.push_back(!is_near_others(t));
-      mark(t, true);
-    }
-    for (const Index t : triangles)
-      mark(t, false);
     cancellation_.poll(steps_of_triangle * triangles.size());
     std::vector<Move> moves(triangles.size());
     for_each_chunk(execution_, triangles.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
-      if (is_independent[i])
+      if (angle_of(triangles[i]) < narrow_angle)
         moves[i] = best_move(triangles[i]);
     });
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      if (!(angle_of(triangles[i]) < narrow_angle))
-        continue;
-      const Move move = is_independent[i] ? moves[i] : best_move(triangles[i]);
+    for (const Move& move : moves)
       if (move.vertex != NONE)
         make(move);
-    }
+    for (const Index t : triangles)
+      mark(t, false);
+    triangles.clear();
   }
 
   void mark(Index t, bool is_near)
