@@ -104,6 +104,11 @@ void compare(const std::string& name, const Mesh& mesh, std::size_t number, std:
     }
   double first_median = 0;
   for (std::size_t i = 0; i < methods.size(); ++i) {
+    if (times[i].clock.empty()) {
+      std::cout << name << ',' << mesh.number_of_faces() << ',' << number << ",\"" << methods[i].name << "\",,\"failed\",0"
+                << std::string(13, ',') << std::endl;
+      continue;
+    }
     const std::vector<double> clock = sorted(times[i].clock), processor = sorted(times[i].processor);
     const double median = quantile(processor, 0.5);
     if (i == 0)

@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #if __has_include(<CGAL/Polygon_mesh_processing/approximated_centroidal_Voronoi_diagram_remeshing.h>)
 #  include <CGAL/Polygon_mesh_processing/approximated_centroidal_Voronoi_diagram_remeshing.h>
 #  define COARSENING_HAS_ACVD
@@ -45,6 +46,7 @@
 #include <cstddef>
 #include <ctime>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -172,12 +174,15 @@ typedef CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_and_line_polici
 #endif
 
 #ifdef COARSENING_HAS_ACVD
-// Works in place.
+// Works in place. Takes one connected component, and can crash on others.
 template <class NamedParameters>
 Method acvd(const std::string& name, const NamedParameters& np)
 {
   return {name, [np](const Mesh& mesh, std::size_t number, Result& result) {
             Mesh copy = mesh;
+            const auto component = copy.add_property_map<Face, std::size_t>("f:component").first;
+            if (CGAL::Polygon_mesh_processing::connected_components(copy, component) != 1)
+              throw std::invalid_argument("takes one connected component only");
             const Stopwatch watch;
             CGAL::Polygon_mesh_processing::approximated_centroidal_Voronoi_diagram_remeshing(copy, number, np);
             const Seconds seconds = watch.seconds();
