@@ -9,9 +9,9 @@
 /// An energy is a function of sums over the faces of a cluster. `Face_data` holds the terms of a face, `Cluster_data` the sums
 /// of a cluster, which `add()` and `remove()` update when a face joins or leaves. `energy()` computes the energy from the sums.
 ///
-/// The energy must depend only on the set of faces of a cluster, not on the order in which they joined, up to rounding errors: the
-/// proof that the minimization terminates requires this. The energy must be finite and must not be negative. The validity of the
-/// clusters and of the output, and the number of clusters, do not depend on the energy.
+/// The energy must depend only on the set of faces of a cluster, not on the order in which they joined, up to rounding errors:
+/// the proof that the minimization terminates requires this. The energy must be finite and must not be negative. The validity of
+/// the clusters and of the output, and the number of clusters, do not depend on the energy.
 ///
 /// Several threads may call the functions of one object at the same time.
 ///

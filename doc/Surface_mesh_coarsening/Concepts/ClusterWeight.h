@@ -3,8 +3,8 @@
 /// \ingroup PkgSurfaceMeshCoarseningConcepts
 /// \cgalConcept
 ///
-/// The concept `ClusterWeight` describes the factor \f$ w_i \f$ of a cluster in the energy (8).
-/// The factor is part of `CGAL::Surface_mesh_coarsening::Weighted_inertia_energy`. To replace the whole energy, use `ClusterEnergy`.
+/// The concept `ClusterWeight` describes the factor \f$ w_i \f$ of a cluster in the energy (8). The factor is part of
+/// `CGAL::Surface_mesh_coarsening::Weighted_inertia_energy`. To replace the whole energy, use `ClusterEnergy`.
 ///
 /// A weight is a function of the densities and areas of the faces of a cluster. The minimization computes weights once or twice
 /// per trial move, so it does not pass the faces. `Face_data` holds the terms of a face, and `Cluster_data` the sums of a

@@ -24,12 +24,13 @@ public:
   /// is called when `stage` has ended, but not if it ended with an exception.
   void stage_ends(CGAL::Surface_mesh_coarsening::Coarsening_stage stage);
 
-  /// is called after each round of the minimization; if there are many clusters, after several rounds that are run together. `round`
-  /// is the number of rounds so far, `moves` the number of faces that changed cluster since the last call, `energy` the energy (8).
+  /// is called after each round of the minimization; if there are many clusters, after several rounds that are run together.
+  /// `round` is the number of rounds so far, `moves` the number of faces that changed cluster since the last call, `energy` the
+  /// energy (8).
   void round_done(std::size_t round, std::size_t moves, double energy);
 
-  /// is called within the stages `PLACEMENT`, `FEEDBACK` and `REPAIR`, if they take several steps. `done` of at most `total` steps
-  /// are completed. A step is a round of the fit, a round of the feedback, or the repair of a fault.
+  /// is called within the stages `PLACEMENT`, `FEEDBACK` and `REPAIR`, if they take several steps. `done` of at most `total`
+  /// steps are completed. A step is a round of the fit, a round of the feedback, or the repair of a fault.
   void step_done(CGAL::Surface_mesh_coarsening::Coarsening_stage stage, std::size_t done, std::size_t total);
 
   /// is called at the beginning and at the end of each stage, after each round of the minimization, and possibly at other

@@ -24,8 +24,8 @@ public:
   /// Optional: whether several threads may call the placement at a time, with `CGAL::Parallel_tag`; `false` if it is missing.
   static constexpr bool may_run_in_parallel = unspecified_value;
 
-  /// Optional: whether all positions are points of vertices of the input, which the repair of the output then preserves; `false` if
-  /// it is missing.
+  /// Optional: whether all positions are points of vertices of the input, which the repair of the output then preserves; `false`
+  /// if it is missing.
   static constexpr bool is_at_input_vertices = unspecified_value;
 
   /// returns the position of the vertex of cluster `cluster`, in the coordinates of `surface`, which are relative to a local
