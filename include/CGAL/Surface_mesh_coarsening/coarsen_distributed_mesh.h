@@ -204,7 +204,7 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_density}
 ///     \cgalParamDescription{the density of the face whose normal deviates most from the normals around it, in \f$ [1, 10^{20}]
-///     \f$}
+///                           \f$}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`10`}
 ///     \cgalParamExtra{not used if `face_density_map` is given; densities are not raised near borders}
@@ -222,7 +222,7 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{convergence_tolerance}
 ///     \cgalParamDescription{the relative gain of a round at which the minimization of cells ends. The minimization of faces ends
-///     at a hundredth of this gain.}
+///                           at a hundredth of this gain.}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.001`}
 ///   \cgalParamNEnd
@@ -255,11 +255,11 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`262144`; in the refinement, the number of faces of 1000 clusters if it is larger, up to `4194304`}
 ///     \cgalParamExtra{a block is larger if the centers of more faces coincide up to a millionth of the extent of the mesh, or if
-///     a single cluster has more faces}
+///                     a single cluster has more faces}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{scratch_directory}
 ///     \cgalParamDescription{a directory for a file of this rank, which receives the faces that exceed `scratch_memory`. The file
-///     is removed when the process ends, also after a crash.}
+///                           is removed when the process ends, also after a crash.}
 ///     \cgalParamType{`std::string`}
 ///     \cgalParamDefault{empty: all faces are kept in memory}
 ///     \cgalParamExtra{the result does not depend on this parameter}
@@ -362,7 +362,7 @@ Distributed_report coarsen_distributed_mesh(const boost::mpi::communicator& comm
 ///   \cgalParamNBegin{face_name_map}
 ///     \cgalParamDescription{the names of faces in messages}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the number of a face in the sequence of all pieces, a
-///       `std::uint64_t`, as key and `std::string` as value type}
+///                    `std::uint64_t`, as key and `std::string` as value type}
 ///     \cgalParamDefault{names like "face 7 of piece 1"}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd

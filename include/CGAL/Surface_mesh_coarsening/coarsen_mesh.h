@@ -173,7 +173,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDescription{whether to repair the output: vertices are moved and edges are flipped where triangles intersect
 ///     that do not intersect in the input, or where triangles face away from the input. If this does not suffice, the mesh is
 ///     reclustered (see `Mwcvd_clustering::extract_embedded_dual_mesh()`). The report counts the faults found and the remaining
-///     faults.}
+///                           faults.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
@@ -189,7 +189,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{local_repairs}
 ///     \cgalParamDescription{the maximum number of relocations of vertices, with their clusters, to triangles that still
-///     intersect after the repair. With 0, the mesh is reclustered at once.}
+///                           intersect after the repair. With 0, the mesh is reclustered at once.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`Coarsening_defaults::local_repairs`, which is `5`}
 ///     \cgalParamExtra{not used without `repair_output`, nor if `error_feedback` is not used}
@@ -225,7 +225,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_component_area}
 ///     \cgalParamDescription{the minimum area of a connected component; smaller components are removed, and the report counts
-///     them}
+///                           them}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0`: every component is kept}
 ///     \cgalParamExtra{faces of removed components get the number of clusters as their cluster}
@@ -237,7 +237,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_to_cluster_map}
 ///     \cgalParamDescription{receives a cluster for each vertex of `input`: among the clusters of the incident faces, the cluster
-///     of largest area there}
+///                           of largest area there}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertices as keys and an integral value type}
 ///     \cgalParamDefault{the clusters are not written}
 ///     \cgalParamExtra{isolated vertices, and vertices of removed components, get the number of clusters}
