@@ -20,7 +20,7 @@ template <class ClusterWeight>
 constexpr double maximum_density_of_paper = std::is_same<ClusterWeight, Density_variance_weight>::value ? 3 : 50;
 /// \endcond
 
-/// begins a chain with those parameters of `paper()` that the constructor of `Mwcvd_clustering` accepts. To complete the method,
+/// begins a chain with the parameters of `paper()` that the constructor of `Mwcvd_clustering` accepts. To complete the method,
 /// call `minimize(Coarsening_defaults::number_of_iterations, 0)` and `extract_dual_mesh(output, Centroid_placement())`.
 template <class ClusterWeight>
 auto paper_clustering(const ClusterWeight& weight, double maximum_density = maximum_density_of_paper<ClusterWeight>)

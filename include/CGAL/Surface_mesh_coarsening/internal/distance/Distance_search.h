@@ -103,7 +103,7 @@ private:
   // Estimates are slightly smaller than bounds.
   double wanted() const { return 0.97 * local_distance_; }
 
-  // The distances of a quick placement are larger than those of the placement that starts from it.
+  // The distances of a quick placement are larger than the distances of the placement that starts from it.
   double quick_goal() const { return quick_ ? wanted() / usual_gain : wanted(); }
   static constexpr double usual_gain = 0.6;
 
@@ -264,8 +264,8 @@ private:
     state_.report = best;
   }
 
-  // Returns the distance of the result; infinity if the number is not attainable or triangles intersect. Keeps the result if it is
-  // close enough.
+  // Returns the distance of the result; infinity if the number is not attainable or triangles intersect. Keeps the result if it
+  // is close enough.
   double try_clustering(std::size_t n)
   {
     constexpr double infinite = std::numeric_limits<double>::infinity();

@@ -103,7 +103,7 @@ inline void mark_ends(const Flat_mesh& m, const Boundary_edge& e, std::vector<ch
   is_marked[m.corner_vertex[m.next_corner(e.face[0], e.corner)]] = true;
 }
 
-// The edges of each block, and those between blocks.
+// The edges of each block, and the edges between blocks.
 struct Distributed_edges
 {
   std::vector<Boundary_edges> of_block;

@@ -153,7 +153,7 @@ private:
   }
 
   // Returns the smallest rate at which all profitable flips together reduce the angles by at most `budget`. The rate is bounded,
-  // because such a rate need not exist. `unit` is a typical squared distance.
+  // because this rate need not exist. `unit` is a typical squared distance.
   double rate_for(const std::vector<Flip>& flips, double budget, double unit) const
   {
     constexpr double degrees_per_radian = 180 / CGAL_PI;
