@@ -3,33 +3,33 @@
 /// \ingroup PkgSurfaceMeshCoarseningConcepts
 /// \cgalConcept
 ///
-/// The concept `ClusterWeight` describes the factor \f$ w_i \f$ by which the energy (8) of a cluster is multiplied.
-/// It is part of `CGAL::Surface_mesh_coarsening::Weighted_inertia_energy`; to replace the whole energy, see `ClusterEnergy`.
+/// The concept `ClusterWeight` describes the factor \f$ w_i \f$ of a cluster in the energy (8). The factor is part of
+/// `CGAL::Surface_mesh_coarsening::Weighted_inertia_energy`. To replace the whole energy, use `ClusterEnergy`.
 ///
-/// A weight is a function of the faces of a cluster, of their densities and areas. It is asked for once or twice per trial
-/// move of the minimization, which is why it does not get to see the faces: it keeps what it needs of each face in a
-/// `Face_data`, and what it needs of each cluster in a `Cluster_data`, which is brought up to date when a face comes or goes.
+/// A weight is a function of the densities and areas of the faces of a cluster. The minimization computes weights once or twice
+/// per trial move, so it does not pass the faces. `Face_data` holds the terms of a face, and `Cluster_data` the sums of a
+/// cluster, which `add()` and `remove()` update when a face joins or leaves.
 ///
-/// The weight has to depend on the set of the faces of a cluster alone, not on the order in which they came: only then is
-/// the energy a function of the clustering, which the proof that the minimization ends relies on. It has to be finite and
-/// must not be negative.
+/// The weight must depend only on the set of faces of a cluster, not on the order in which they joined: the proof that the
+/// minimization terminates requires that the energy is a function of the clustering. The weight must be finite and must not be
+/// negative.
 ///
-/// A weight that is a function of a few sums is best derived from
-/// `CGAL::Surface_mesh_coarsening::Additive_cluster_weight`, which adds `weight_with()` and `weight_without()`.
+/// Derive a weight that is a function of a few sums from `CGAL::Surface_mesh_coarsening::Additive_cluster_weight`, which adds
+/// `weight_with()` and `weight_without()`.
 ///
-/// Most trial moves gain nothing. A weight may have a member
-/// `bool cannot_gain(const CGAL::Surface_mesh_coarsening::Trial_move& move) const` that says so from the moments of the two
-/// clusters, before any weight is computed. It returns `true` only if the energy does not fall. `Uniform_weight` and
-/// `Weighted_area_weight` have it.
+/// Most trial moves do not lower the energy. The optional member
+/// `bool cannot_gain(const CGAL::Surface_mesh_coarsening::Trial_move& move) const` rejects such moves by the moments of the two
+/// clusters, before any weight is computed. It returns `true` only if the energy does not decrease. `Uniform_weight` and
+/// `Weighted_area_weight` have this member.
 ///
-/// If a weight takes long to compute, bounds of it can spare most of the work. A weight may
-/// have two more members for this, `double min_weight_with(const Cluster_data& data, const Face_data& face, double weight) const`
-/// and `double min_weight_without(const Cluster_data& data, const Face_data& face, double weight) const`, where `weight` is that
-/// of the cluster now. They return numbers that are not larger than the weights with and without the face, also after
-/// rounding. `Maximum_density_weight` has them.
+/// If a weight is expensive to compute, lower bounds save most of the work. The optional members
+/// `double min_weight_with(const Cluster_data& data, const Face_data& face, double weight) const`
+/// and `double min_weight_without(const Cluster_data& data, const Face_data& face, double weight) const` receive the current
+/// weight of the cluster in `weight`. They return numbers that do not exceed the weights with and without the face, also after
+/// rounding. `Maximum_density_weight` has these members.
 ///
-/// An object that is not passed as named parameter `cluster_weight` is default constructed; otherwise the default
-/// constructor is not needed.
+/// An object that is not passed as named parameter `cluster_weight` is default constructed. If an object is passed, the
+/// default constructor is not needed.
 ///
 /// \cgalRefines{`CopyConstructible`}
 ///
@@ -43,35 +43,35 @@
 class ClusterWeight
 {
 public:
-  /// Optional: whether clusters become smaller where densities are raised; `true` if it is missing. With `false` no clustering is
-  /// repeated with other densities where triangles of the output intersect.
+  /// Optional: whether clusters become smaller where densities are raised; `true` if it is missing. If it is `false`, the mesh is
+  /// not reclustered with other densities where triangles of the output intersect.
   static constexpr bool depends_on_densities = unspecified_value;
 
-  /// What is kept of each face. It has to be a model of `CopyConstructible`.
+  /// The terms of a face, a model of `CopyConstructible`.
   typedef unspecified_type Face_data;
 
-  /// What is kept of each cluster. It has to be a model of `DefaultConstructible` and `CopyAssignable`; a default
-  /// constructed object is that of a cluster without faces.
+  /// The sums of a cluster, a model of `DefaultConstructible` and `CopyAssignable`. A default constructed object holds the sums
+  /// of a cluster without faces.
   typedef unspecified_type Cluster_data;
 
-  /// returns what is to be kept of a face of density `density` and area `area`. It may be called several times for a face.
+  /// returns the terms of a face with density `density` and area `area`. The function may be called several times for a face.
   Face_data face_data(double density, double area) const;
 
-  /// brings `data` up to date after face `face` has joined the cluster.
+  /// updates `data` after face `face` has joined the cluster.
   void add(Cluster_data& data, const Face_data& face) const;
 
-  /// brings `data` up to date after face `face` has left the cluster.
+  /// updates `data` after face `face` has left the cluster.
   void remove(Cluster_data& data, const Face_data& face) const;
 
-  /// returns the weight of the cluster of data `data`, whose mass, the sum of density times area over its faces, is `mass`,
-  /// and which has `faces` faces, at least one.
+  /// returns the weight of the cluster with data `data`. `mass` is its mass, the sum of density times area over its faces, and
+  /// `faces` is the number of its faces, at least one.
   double weight(const Cluster_data& data, double mass, std::size_t faces) const;
 
-  /// returns the weight that the cluster of data `data` would have with face `face`, which does not belong to it. `mass` and
-  /// `faces` are its mass and the number of its faces afterwards.
+  /// returns the weight of the cluster with data `data` after face `face`, which does not belong to it, has joined. `mass` and
+  /// `faces` are the mass of the cluster and the number of its faces after the move.
   double weight_with(const Cluster_data& data, const Face_data& face, double mass, std::size_t faces) const;
 
-  /// returns the weight that the cluster of data `data` would have without face `face`, which belongs to it. `mass` and
-  /// `faces` are its mass and the number of its faces afterwards, of which there is at least one.
+  /// returns the weight of the cluster with data `data` after face `face`, which belongs to it, has left. `mass` and `faces` are
+  /// the mass of the cluster and the number of its faces after the move, at least one.
   double weight_without(const Cluster_data& data, const Face_data& face, double mass, std::size_t faces) const;
 };

@@ -12,17 +12,17 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// The border of the mesh divided into arcs, one for each cluster on the border. The vertex of such a cluster lies on its
-/// arc, so the border of the coarse mesh is inscribed in the border of the mesh. The positions on the arcs minimize the
-/// distance of the two borders; an arc with a sharp corner has its vertex there.
+/// The border of the mesh, divided into arcs: one arc for each cluster on the border. The vertex of a cluster on the border lies
+/// on its arc, so the border of the coarse mesh is inscribed in the border of the mesh. The positions on the arcs minimize the
+/// distance between the two borders. An arc with a sharp corner has its vertex at the corner.
 ///
-/// If features are kept, feature lines are divided into arcs likewise, and clusters with a feature corner have their
+/// If features are kept, feature lines are divided into arcs in the same way, and a cluster with a feature corner has its
 /// vertex at that corner.
 class Border_arcs
 {
 public:
   /// \cond SKIP_IN_MANUAL
-  // `with_border`: whether the clusters on the border have their vertex there.
+  // `with_border`: whether clusters on the border have their vertex on the border.
   explicit Border_arcs(const internal::Clustered_faces& surface, bool with_border = true)
     : mesh_(surface.input().mesh), labels_(surface.labels()), features_(surface.features()),
       place_of_(surface.number_of_clusters(), internal::NONE)
@@ -105,7 +105,7 @@ private:
         set_place(Index(x), mesh_.points[features.corners()[x]]);
   }
 
-  // Returns the part of a polyline in a cluster; its vertex is at the feature corner if there is one.
+  // Returns the part of a polyline in a cluster. Its vertex is the feature corner if there is one.
   internal::Border_arc arc(const std::vector<Index>& vertices, Index cluster) const
   {
     std::vector<Vector> points;

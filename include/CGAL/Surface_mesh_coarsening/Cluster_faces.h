@@ -40,13 +40,13 @@ public:
   /// A range of faces.
   typedef Iterator_range<const face_descriptor*> Range;
 
-  /// sorts the faces by cluster, in time linear in their number.
+  /// sorts the faces by cluster, in time linear in the number of faces.
   ///
   /// \tparam FaceClusterMap a model of `ReadablePropertyMap` with the faces as keys and an integral value type
   /// \param mesh the mesh
-  /// \param clusters the clusters, as `coarsen_mesh()` writes them
-  /// \param number_of_clusters the number of clusters; faces with this label, which `coarsen_mesh()` writes for removed
-  /// components, belong to no cluster
+  /// \param clusters the clusters, as written by `coarsen_mesh()`
+  /// \param number_of_clusters the number of clusters. Faces with this label belong to no cluster; `coarsen_mesh()` writes it for
+  /// the faces of removed components
   /// \throws Invalid_input if a label is larger than the number of clusters.
   template <class FaceClusterMap>
   Cluster_faces(const FaceGraph& mesh, const FaceClusterMap& clusters, std::size_t number_of_clusters)

@@ -19,15 +19,15 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// Levels of detail from one clustering: a sequence of clusterings, each with one cluster less than the previous one.
+/// Levels of detail of one clustering: a sequence of clusterings, each with one cluster less than the previous one.
 ///
 /// Level `n` has `n` clusters, numbered from 0. Each cluster of a level is a union of clusters of any finer level, and each
-/// level is valid in the sense of `is_valid_clustering()`. From a level to the next coarser one, the two clusters are merged
-/// whose merge adds least to the energy with the weights of formula (9); the cluster of largest number is merged into its
-/// `parent()`.
+/// level is valid in the sense of `is_valid_clustering()`. Each level results from the next finer level by the merge of two
+/// clusters that increases the energy least, with the weights of formula (9). The cluster with the largest number is merged
+/// into its `parent()`.
 ///
-/// The finest level is the given clustering. Memory is proportional to its number of clusters, and the triangles of any level
-/// are computed in time linear in their number.
+/// The finest level is the given clustering. The memory is linear in its number of clusters. The triangles of a level are
+/// computed in time linear in their number.
 ///
 /// \tparam Clustering an instance of `Mwcvd_clustering`
 template <class Clustering>
@@ -38,10 +38,10 @@ class Cluster_levels
 public:
   /// merges clusters as long as the topology allows it.
   ///
-  /// \param clustering a clustering with clusters, which must not change while the levels are in use
-  /// \throws std::logic_error if it has no clusters.
-  /// \throws Invalid_input if it keeps features.
-  /// \throws Coarsening_cancelled if its visitor cancels.
+  /// \param clustering a clustering with clusters; it must not change while the levels are in use
+  /// \throws std::logic_error if the clustering has no clusters.
+  /// \throws Invalid_input if the clustering keeps features.
+  /// \throws Coarsening_cancelled if the visitor of the clustering cancels.
   explicit Cluster_levels(const Clustering& clustering)
     : clustering_(clustering), levels_(clustering.state())
   {}
@@ -51,8 +51,8 @@ public:
   /// returns the number of clusters of the coarsest level.
   std::size_t coarsest() const { return levels_.coarsest(); }
 
-  /// returns the cluster into which `cluster` is merged from level `cluster + 1` to level `cluster`. It has a smaller
-  /// number.
+  /// returns the cluster into which `cluster` is merged between level `cluster + 1` and level `cluster`. Its number is smaller
+  /// than `cluster`.
   /// \pre `coarsest() <= cluster < finest()`; `Invalid_input` is thrown otherwise.
   std::size_t parent(std::size_t cluster) const
   {
@@ -61,8 +61,7 @@ public:
     return levels_.parent(Index(cluster));
   }
 
-  /// writes, for each cluster of level `fine`, the cluster of level `coarse` that contains it, in time linear in
-  /// `fine`.
+  /// writes, for each cluster of level `fine`, the cluster of level `coarse` that contains it. The time is linear in `fine`.
   /// \pre `coarsest() <= coarse <= fine <= finest()`; `Unreachable_number_of_vertices` or `Invalid_input` is thrown otherwise.
   template <class OutputIterator>
   OutputIterator parents(std::size_t fine, std::size_t coarse, OutputIterator out) const
@@ -76,9 +75,9 @@ public:
     return out;
   }
 
-  /// writes the triangles of the dual of a level, each an `std::array<std::size_t, 3>` of clusters, in time linear in their
-  /// number.
-  /// \throws Unreachable_number_of_vertices if there is no such level.
+  /// writes the triangles of the dual of a level, each as an `std::array<std::size_t, 3>` of clusters. The time is linear in the
+  /// number of triangles.
+  /// \throws Unreachable_number_of_vertices if the level does not exist.
   template <class OutputIterator>
   OutputIterator triangles(std::size_t level, OutputIterator out) const
   {
@@ -88,9 +87,9 @@ public:
     return out;
   }
 
-  /// writes the cluster of each face on a level. Faces of removed components get `level`.
+  /// writes the cluster of each face on a level. Faces of removed components get the value `level`.
   /// \tparam FaceClusterMap a model of `WritablePropertyMap` with the faces as keys and an integral value type
-  /// \throws Unreachable_number_of_vertices if there is no such level.
+  /// \throws Unreachable_number_of_vertices if the level does not exist.
   template <class FaceClusterMap>
   void write_clusters(std::size_t level, FaceClusterMap clusters) const
   {
@@ -109,10 +108,10 @@ public:
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \param level the number of clusters
   /// \param output is cleared and filled; its `i`-th vertex is the vertex of cluster `i`
-  /// \param placement computes the position of each cluster in the interior
+  /// \param placement computes the position of the vertex of each cluster in the interior
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits`
   /// of `output`
-  /// \throws Unreachable_number_of_vertices if there is no such level.
+  /// \throws Unreachable_number_of_vertices if the level does not exist.
   /// \throws Coarsening_cancelled if the visitor of the clustering cancels.
   ///
   /// The placement takes time linear in the number of faces.
@@ -134,17 +133,17 @@ public:
     filler.commit();
   }
 
-  /// estimates the distance of a level from the mesh: the largest distance, both ways, at vertices of the mesh and at points
-  /// of the level's triangles. It approximates the Hausdorff distance but does not bound it; `measure_coarsening()` computes
-  /// more measures.
+  /// estimates the distance between a level and the mesh: the largest distance in both directions, at vertices of the mesh and at
+  /// points of the triangles of the level. The result approximates the Hausdorff distance, but is no bound of it.
+  /// `measure_coarsening()` computes more measures.
   ///
   /// \tparam VertexPlacement a model of `VertexPlacement` or `GlobalVertexPlacement`
   /// \param level the number of clusters
-  /// \param placement computes the position of each cluster, as for `extract_dual_mesh()`
-  /// \throws Unreachable_number_of_vertices if there is no such level.
+  /// \param placement computes the position of the vertex of each cluster, as in `extract_dual_mesh()`
+  /// \throws Unreachable_number_of_vertices if the level does not exist.
   /// \throws Coarsening_cancelled if the visitor of the clustering cancels.
   ///
-  /// In addition to the placement, it takes time about linear in the number of faces.
+  /// In addition to the placement, the function takes time about linear in the number of faces.
   template <class VertexPlacement = Fitted_placement>
   double approximate_distance(std::size_t level, const VertexPlacement& placement = VertexPlacement()) const
   {

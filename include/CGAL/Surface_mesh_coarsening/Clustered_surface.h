@@ -17,14 +17,14 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// The input of a vertex placement: the faces with their geometry, cluster by cluster.
+/// The input of a vertex placement: the faces and their geometry, cluster by cluster.
 ///
 /// Faces, vertices and clusters are numbered from 0. Coordinates are relative to a local origin near the center of the
 /// mesh.
 class Clustered_surface
 {
 public:
-  /// the kernel of the points, whatever the kernel of the mesh
+  /// the kernel of the points, independent of the kernel of the mesh
   typedef Simple_cartesian<double> Kernel;
 
   /// the type of points
@@ -46,8 +46,7 @@ public:
   Range vertices(std::size_t face) const { return clusters_.vertices(face); }
   /// returns the position of a vertex.
   Point_3 point(std::size_t vertex) const { return internal::to_point(clusters_.point(vertex)); }
-  /// returns whether a vertex lies on the boundary of its cluster, that is, between several clusters or on the border of
-  /// the mesh.
+  /// returns whether a vertex lies on the boundary of its cluster: between several clusters, or on the border of the mesh.
   bool is_on_cluster_boundary(std::size_t vertex) const { return clusters_.is_on_cluster_boundary(vertex); }
   /// returns the centroid of a face.
   Point_3 centroid(std::size_t face) const { return internal::to_point(clusters_.centroid(face)); }
@@ -56,13 +55,13 @@ public:
   /// returns the density of a face.
   double density(std::size_t face) const { return clusters_.input().density[face]; }
 
-  /// returns the centroid (7) of a cluster: the mean of the centroids of its faces, weighted with density times area;
-  /// unweighted if the faces have no area. Coordinates are rounded to 43 binary digits of the largest, so that they
-  /// hardly ever depend on the compiler.
+  /// returns the centroid (7) of a cluster: the mean of the centroids of its faces, weighted by density times area, or unweighted
+  /// if the faces have no area. Coordinates are rounded to 43 binary digits relative to the largest one, so they rarely depend on
+  /// the compiler.
   Point_3 cluster_centroid(std::size_t cluster) const { return internal::to_point(clusters_.cluster_centroid(cluster)); }
 
-  /// returns the box that has to contain the vertex of a cluster: the bounding box of the vertices of its faces, enlarged by
-  /// half its diagonal on all sides.
+  /// returns the bounds of the vertex of a cluster: the bounding box of the vertices of its faces, enlarged by half its diagonal
+  /// on all sides.
   const Bbox_3& vertex_bounds(std::size_t cluster) const { return clusters_.vertex_bounds(cluster); }
 
   /// returns the point of `vertex_bounds()` closest to `p`, or the centroid of the cluster if `p` is not finite.

@@ -9,8 +9,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// The stages of a coarsening, in their order. Those from `SEEDING` on come again where the mesh is reclustered, `REPAIR` and
-/// `FEEDBACK` also by turns.
+/// The stages of a coarsening, in order. If the mesh is reclustered, the stages from `SEEDING` on are repeated. `REPAIR` and
+/// `FEEDBACK` may also alternate.
 enum class Coarsening_stage
 {
   PREPARATION,   ///< checks of the input, flat copies, face densities
@@ -19,28 +19,28 @@ enum class Coarsening_stage
   MINIMIZATION,  ///< rounds of moves that lower the energy
   TRIANGULATION, ///< the triangles of the dual mesh
   PLACEMENT,     ///< vertex placement
-  FEEDBACK,      ///< error feedback: relocation of vertices to large distances, or to intersections that remain
+  FEEDBACK,      ///< error feedback: relocation of vertices to regions of large distance, or to remaining intersections
   REPAIR         ///< repair of triangles that intersect or are reversed
 };
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// \cgalModels `CoarseningVisitor`
 ///
-/// A base class for visitors: does nothing and never cancels.
+/// A base class for visitors, which does nothing and never cancels.
 struct Coarsening_visitor_base
 {
   /// is called when `stage` begins.
   void stage_begins(Coarsening_stage /* stage */) {}
   /// is called when `stage` has ended.
   void stage_ends(Coarsening_stage /* stage */) {}
-  /// is called after each round of the minimization, or after some that are made together, where there are many clusters: with
-  /// the number of rounds so far, the number of faces that changed cluster since the last call, and the energy.
+  /// is called after each round of the minimization, or after several rounds that are run together if there are many clusters,
+  /// with the number of rounds so far, the number of faces that changed cluster since the last call, and the energy.
   void round_done(std::size_t /* round */, std::size_t /* moves */, double /* energy */) {}
-  /// is called within `PLACEMENT`, `FEEDBACK` and `REPAIR`: `done` of at most `total` rounds of the fit, rounds of the feedback,
-  /// or faults to be repaired are done.
+  /// is called within `PLACEMENT`, `FEEDBACK` and `REPAIR`: `done` of at most `total` steps are completed. A step is a round of
+  /// the fit, a round of the feedback, or the repair of a fault.
   void step_done(Coarsening_stage /* stage */, std::size_t /* done */, std::size_t /* total */) {}
   /// is called when a stage begins, after each round, before the output changes, and within the stages about every 16,000
-  /// elementary steps; `false` ends the coarsening with `Coarsening_cancelled`.
+  /// elementary steps. The return value `false` ends the coarsening with `Coarsening_cancelled`.
   bool go_further() { return true; }
 };
 

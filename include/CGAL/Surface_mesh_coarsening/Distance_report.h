@@ -19,7 +19,7 @@ struct Distance_report
   /// an upper bound of the two-sided Hausdorff distance between the input and the output, at most the requested
   /// distance.
   double distance_bound = 0;
-  /// the report of the clustering that has the output, or has it as a level. Its number of clusters is the number of the output.
+  /// the report of the clustering of which the output is the dual or a level. Its number of clusters is the number of the output.
   Coarsening_report clustering;
   /// the number of clusterings that were minimized.
   std::size_t clusterings = 0;

@@ -11,12 +11,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// Statistics of the coarsening of a distributed mesh. The base class has the same numbers on all ranks. Its seeds, splits,
-/// merges, moves, tests and initial energy are those of the clustering of cells.
+/// Statistics of the coarsening of a distributed mesh. The members of the base class are equal on all ranks. Its numbers of
+/// seeds, splits, merges, moves and tests, and its initial energy, describe the clustering of cells.
 struct Distributed_report
   : Coarsening_report
 {
-  /// the number of bytes that this rank has sent to others.
+  /// the number of bytes that this rank has sent to other ranks.
   std::uint64_t bytes_sent = 0;
   /// the number of bytes that this rank has written to its scratch file.
   std::uint64_t bytes_of_scratch = 0;

@@ -26,18 +26,18 @@ namespace Surface_mesh_coarsening {
 /// clusters the faces of a polygon mesh by a multiplicatively weighted centroidal Voronoi diagram, step by step.
 ///
 /// The steps follow the paper in this order: `seed()` or `seed_from_level()`, then `grow()`, then any number of rounds
-/// of the minimization. From `grow()` on the clustering is valid after every step: each cluster is a closed disc, and
-/// the dual is a triangulated 2-manifold with one vertex per cluster and, component by component, the genus, the number
-/// of border loops and the orientation of the mesh.
+/// of the minimization. After `grow()`, the clustering is valid after every step: each cluster is a closed disc, and
+/// the dual is a triangulated 2-manifold with one vertex per cluster. Each component of the dual has the genus, the number
+/// of border loops and the orientation of its component of the mesh.
 ///
-/// Only the constructor, `set_clusters()` and the functions that write into property maps access the mesh, and only for
-/// reading.
+/// Only the constructor, `set_clusters()` and the functions that write into property maps access the mesh. They do not modify
+/// it.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
-/// \tparam ClusterWeight a model of `ClusterWeight`, which multiplies the inertia of a cluster, or of `ClusterEnergy`, which
-/// replaces both
+/// \tparam ClusterWeight a model of `ClusterWeight`, which is the factor of the inertia of a cluster, or a model of
+/// `ClusterEnergy`, which replaces weight and inertia
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the clusters do
-/// not depend on it
+/// not depend on the tag
 template <class FaceGraph, class ClusterWeight = Weighted_area_weight, class ConcurrencyTag = Sequential_tag>
 class Mwcvd_clustering
 {
@@ -72,7 +72,7 @@ public:
   struct Accepted
   {};
 
-  // For functions that accept more parameters, and read these themselves.
+  // For functions that accept more parameters and read these parameters themselves.
   template <class NamedParameters>
   Mwcvd_clustering(Accepted, const FaceGraph& mesh, const NamedParameters& np)
   {
@@ -80,36 +80,36 @@ public:
     state_.energy = internal::energy_model(internal::chosen_energy<ClusterWeight>(np));
   }
 
-  Mwcvd_clustering(const Mwcvd_clustering&) = delete; // its parts refer to each other
+  Mwcvd_clustering(const Mwcvd_clustering&) = delete; // its members refer to each other
   Mwcvd_clustering& operator=(const Mwcvd_clustering&) = delete;
   /// \endcond
 
   /// \name Seeds and growth (sections 6 and 8.1)
   /// @{
 
-  /// finds seeds from which `grow()` computes exactly `number_of_clusters` clusters. The number is apportioned among
-  /// components by mass, which is area times density. The seeds of a component have the highest level that gives twice its
-  /// number, or just its number if the mesh is too coarse for that.
+  /// finds seeds from which `grow()` computes exactly `number_of_clusters` clusters. The number is apportioned among the
+  /// components by mass, which is area times density. The level of the seeds of a component is the highest level with twice the
+  /// number of seeds for the component or, if the mesh is too coarse for that, with at least the number itself.
   /// \return the number of seeds
-  /// \throws Unreachable_number_of_vertices if the mesh has fewer vertices, or if its topology needs more.
+  /// \throws Unreachable_number_of_vertices if the mesh has fewer vertices, or if its topology needs more clusters.
   std::size_t seed(std::size_t number_of_clusters)
   {
     internal::seed(state_, {internal::Seeding::FOR_NUMBER, number_of_clusters});
     return state_.report.seeds;
   }
 
-  /// finds seeds for `vertex_ratio` times the number of vertices of the mesh, rounded, at least 1; vertices of removed
-  /// components do not count.
+  /// finds seeds for a number of clusters that is `vertex_ratio` times the number of vertices of the mesh, rounded, and at least
+  /// 1. Vertices of removed components do not count.
   /// \return the number of seeds
   /// \throws Invalid_input if the ratio is not positive and finite.
   /// \throws Unreachable_number_of_vertices as `seed()` does.
   std::size_t seed_from_ratio(double vertex_ratio) { return seed(internal::number_of_vertices(state_, vertex_ratio)); }
 
-  /// The number of faces per cluster that subdivision provides with parameter `subdivide_input`. Clusters of this many faces
-  /// can be round.
+  /// The number of faces per cluster that the subdivision with parameter `subdivide_input` provides. A cluster of this many
+  /// faces can be round.
   static constexpr std::size_t faces_per_cluster = internal::faces_per_cluster;
 
-  /// takes all seeds whose neighborhoods of `level` steps are disjoint.
+  /// selects seeds whose neighborhoods of `level` steps are disjoint, as many as a traversal of the faces finds.
   /// \return the number of seeds, which is the number of clusters after `grow()` unless the topology of the mesh needs
   /// more
   std::size_t seed_from_level(std::size_t level)
@@ -120,7 +120,7 @@ public:
 
   /// grows the clusters from the seeds, one layer per round, until they cover the mesh.
   /// \pre `seed()` or `seed_from_level()` was called.
-  /// \throws std::logic_error if it was not.
+  /// \throws std::logic_error if neither was called.
   void grow() { internal::grow(state_); }
 
   /// reads the clusters from a property map instead of growing them.
@@ -153,14 +153,14 @@ public:
   /// \pre `grow()` or `set_clusters()` was called; `std::logic_error` is thrown otherwise.
   /// @{
 
-  /// runs one round: compares, for each edge between two clusters, the current energy with the energies after the face
-  /// on either side has joined the cluster across.
+  /// runs one round. For each edge between two clusters, the round compares the current energy with the energies after the face
+  /// on either side has joined the cluster on the other side.
   /// \return whether a face has changed cluster
   bool minimize_round() { return internal::minimize_round(state_); }
 
-  /// runs rounds until one lowers the energy by at most the relative amount `convergence_tolerance`, or changes nothing, or
-  /// until `number_of_iterations` have been run. With many clusters, several rounds are run at a time in blocks of clusters;
-  /// then energies are compared and the visitor is notified only after these.
+  /// runs rounds until a round lowers the energy by at most the relative amount `convergence_tolerance` or changes nothing, or
+  /// until `number_of_iterations` rounds have been run. If there are many clusters, several rounds are run together in blocks of
+  /// clusters. Then the energies are compared, and the visitor is notified, after these rounds only.
   /// \throws Invalid_input if the tolerance is negative or not a number.
   void minimize(std::size_t number_of_iterations = Coarsening_defaults::number_of_iterations,
                 double convergence_tolerance = Coarsening_defaults::convergence_tolerance)
@@ -170,8 +170,8 @@ public:
     internal::minimize(state_, {number_of_iterations, convergence_tolerance});
   }
 
-  /// returns the energy of the clustering: formula (8), in the sixth (weighted area) or fourth power of the unit of length, or
-  /// the sum of the energies of a `ClusterEnergy`.
+  /// returns the energy of the clustering: the value of formula (8), in the sixth (weighted area) or fourth power of the unit of
+  /// length, or the sum of the energies of a `ClusterEnergy`.
   double energy() const { return internal::energy(state_); }
   /// @}
 
@@ -181,10 +181,10 @@ public:
   /// returns the number of clusters.
   std::size_t number_of_clusters() const { return state_.number_of_clusters(); }
 
-  /// returns the statistics so far.
+  /// returns the current statistics.
   const Coarsening_report& report() const { return state_.report; }
 
-  /// writes the seeds, and after `grow()` one face of each cluster.
+  /// writes the seeds; after `grow()`, one face of each cluster.
   template <class OutputIterator>
   OutputIterator seeds(OutputIterator out) const
   {
@@ -193,8 +193,8 @@ public:
     return out;
   }
 
-  /// returns the cluster of a face. If the faces of a component are subdivided internally, this is the cluster of the
-  /// largest part of the face. Faces of removed components get `number_of_clusters()`.
+  /// returns the cluster of a face. If the faces of a component are subdivided internally, the function returns the cluster of
+  /// the largest part of the face. For faces of removed components it returns `number_of_clusters()`.
   std::size_t cluster(face_descriptor f) const { return internal::cluster_of_face(state_, numbering_.number_of(f)); }
 
   /// writes the cluster of each face, see `cluster()`.
@@ -207,8 +207,8 @@ public:
       put(clusters, numbering_.faces[i], Value(internal::cluster_of_face(state_, Index(i))));
   }
 
-  /// writes the boundary-edge count (section 7) of each vertex: the number of its edges between two clusters or on the
-  /// border.
+  /// writes the boundary-edge count (section 7) of each vertex: the number of incident edges that lie between two clusters or
+  /// on the border.
   /// \tparam VertexBoundaryCountMap a model of `WritablePropertyMap` with the vertices as keys and an integral value type
   template <class VertexBoundaryCountMap>
   void write_boundary_counts(VertexBoundaryCountMap counts) const
@@ -229,8 +229,8 @@ public:
   /// \tparam VertexPlacement a model of `VertexPlacement` or `GlobalVertexPlacement`
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \param output is cleared and filled
-  /// \param placement computes the position of each cluster in the interior; vertices of clusters on the border or on
-  /// features lie there
+  /// \param placement computes the position of the vertex of each cluster in the interior; vertices of clusters on the border or
+  /// on features lie on the border or on the features
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `geom_traits`,
   /// `edge_is_constrained_map`, `vertex_is_constrained_map` and `face_patch_map` of `output`
   /// \pre `grow()` or `set_clusters()` was called; `std::logic_error` is thrown otherwise.
@@ -244,14 +244,15 @@ public:
                    output, np, [](const auto&) {});
   }
 
-  /// does the same; if triangles remain intersecting, reclusters the mesh with four times the densities in their clusters,
-  /// which gives more clusters there and fewer elsewhere. The result with the fewest intersections is selected.
+  /// replaces `output` by the dual triangulation, as `extract_dual_mesh()` does. If triangles still intersect after the repair,
+  /// the function raises the densities in their clusters by a factor of four and reclusters the mesh, which gives more clusters
+  /// there and fewer elsewhere. It selects the result with the fewest intersections.
   ///
   /// Seeding, growth and minimization are repeated at most 4 times, and once more to restore the selected result. They are
   /// not repeated if the weight is `Uniform_weight`, which does not depend on densities, if parameter `repair_output` is
-  /// `false`, if clusters were given, edited or frozen, or if intersecting pairs of triangles number more than half the
-  /// clusters. The parameters are the parameters of `extract_dual_mesh()`. `Coarsening_report::clusterings` counts the
-  /// clusterings. Densities remain raised.
+  /// `false`, if clusters were given, edited or frozen, or if the number of intersecting pairs of triangles exceeds half the
+  /// number of clusters. The parameters are the parameters of `extract_dual_mesh()`. `Coarsening_report::clusterings` is the
+  /// number of clusterings. The densities remain raised.
   template <class Output, class VertexPlacement = Fitted_placement,
             class NamedParameters = parameters::Default_named_parameters>
   void extract_embedded_dual_mesh(Output& output, const VertexPlacement& placement = VertexPlacement(),
@@ -263,12 +264,12 @@ public:
   /// @}
 
   /// \name Steering
-  /// These functions let an application edit the clusters between rounds of the minimization. They keep the clustering valid.
-  /// All throw `std::logic_error` if there are no clusters yet, and `Invalid_input` if there is no cluster of the given
-  /// number.
+  /// These functions let an application edit the clusters between rounds of the minimization. The clustering remains valid.
+  /// All functions throw `std::logic_error` if there are no clusters yet, and `Invalid_input` if the given cluster does not
+  /// exist.
   /// @{
 
-  /// freezes a cluster: no face joins or leaves it, until it is thawed or the mesh is reclustered.
+  /// freezes a cluster: no face joins or leaves the cluster until it is thawed or the mesh is reclustered.
   void freeze_cluster(std::size_t cluster, bool is_frozen = true) { internal::freeze_cluster(state_, cluster, is_frozen); }
 
   /// thaws a cluster.
@@ -277,10 +278,10 @@ public:
   /// returns whether a cluster is frozen.
   bool is_frozen(std::size_t cluster) const { return internal::is_frozen(state_, cluster); }
 
-  /// splits a cluster into two of similar extent. The new one gets the next number.
+  /// splits a cluster into two clusters of similar extent. The new cluster gets the next number.
   /// \throws Invalid_input if features are kept.
-  /// \return the number of the new cluster; empty if the cluster is frozen, or if no valid split was found, for example of
-  /// a single face
+  /// \return the number of the new cluster; empty if the cluster is frozen, or if no valid split was found, for example for a
+  /// cluster of a single face
   std::optional<std::size_t> split_cluster(std::size_t cluster)
   {
     if (!internal::split_cluster(state_, cluster))
@@ -288,15 +289,15 @@ public:
     return number_of_clusters() - 1;
   }
 
-  /// removes a cluster: its faces join the neighbor for which the sum of the inertias grows least, among the neighbors that
-  /// are not frozen and allow it. The last cluster gets the number of the removed one.
+  /// removes a cluster: its faces join a neighbor that is not frozen and can receive them. Among these neighbors, the function
+  /// selects the neighbor for which the sum of the inertias increases least. The last cluster gets the number of the removed one.
   /// \throws Invalid_input if features are kept.
-  /// \return whether this was possible. It is not if the cluster is frozen, or if the topology of the mesh needs it.
+  /// \return whether the cluster was removed. It remains if it is frozen, or if the topology of the mesh needs it.
   bool remove_cluster(std::size_t cluster) { return internal::remove_cluster(state_, cluster); }
   /// @}
 
   /// \cond SKIP_IN_MANUAL
-  // Calls `before` with the positions of the vertices when everything that can fail is done, and `output` is still unchanged.
+  // Calls `before` with the positions of the vertices after all steps that can fail, while `output` is still unchanged.
   template <class Output, class VertexPlacement, class NamedParameters, class Before>
   void extract_embedded_dual_mesh(Output& output, const VertexPlacement& placement, const NamedParameters& np,
                                   const Before& before)

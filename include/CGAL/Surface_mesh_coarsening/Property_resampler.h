@@ -23,23 +23,23 @@ namespace Surface_mesh_coarsening {
 /// The ways to transfer values of a mesh to its coarse mesh.
 enum class Transfer_policy
 {
-  /// The value at the nearest point of the mesh: for colors, fields. Values without means are taken from the element that
-  /// contains the point, or from its nearest corner.
+  /// The value at the nearest point of the mesh, for example for colors and fields. A value whose type has no means is the value
+  /// of the element that contains the point, or of the nearest corner of that element.
   INTERPOLATED,
-  /// The integral over the cluster divided by the coarse area: for densities of conserved quantities. The integrals
-  /// over the two meshes are equal up to rounding.
+  /// The integral over the cluster divided by the coarse area, for densities of conserved quantities. The integrals
+  /// over the two meshes are equal up to rounding errors.
   CONSERVATIVE,
-  /// The value of largest area: for labels, materials. Ties go to the smallest value.
+  /// The value with the largest area, for example for labels and materials. Of equal areas, the smallest value is selected.
   MAJORITY
 };
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// transfers property maps of a mesh to its coarse mesh.
 ///
-/// Values with means are numbers, colors (`CGAL::IO::Color`), points and vectors of a kernel, and `std::array` of numbers;
-/// `bool` has none. Whole numbers and colors are rounded.
+/// Types with means are numbers, colors (`CGAL::IO::Color`), points and vectors of a kernel, and `std::array` of numbers.
+/// `bool` has no means. Integers and colors are rounded.
 ///
-/// Positions of the two meshes may have changed after the coarsening, but not their elements. Values of removed components
+/// The positions of the two meshes may have changed since the coarsening, but not their elements. Values of removed components
 /// (see named parameter `minimum_component_area` of `coarsen_mesh()`) are ignored.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
@@ -54,14 +54,14 @@ class Property_resampler
   using Value = typename boost::property_traits<Map>::value_type;
 
 public:
-  /// prepares the transfer. The meshes have to live as long as the object.
+  /// prepares the transfer. The meshes must exist as long as the object.
   ///
   /// \tparam FaceClusterMap a model of `ReadablePropertyMap` with the faces as keys and an integral value type
   /// \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \param mesh the input of `coarsen_mesh()`
-  /// \param clusters the `face_cluster_map` that it wrote
-  /// \param coarse its output
+  /// \param clusters the `face_cluster_map` written by `coarsen_mesh()`
+  /// \param coarse the output of `coarsen_mesh()`
   /// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
   /// `mesh`
   /// \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
@@ -79,11 +79,11 @@ public:
   {}
 
   /// \cond SKIP_IN_MANUAL
-  Property_resampler(const Property_resampler&) = delete; // its parts refer to each other
+  Property_resampler(const Property_resampler&) = delete; // its members refer to each other
   Property_resampler& operator=(const Property_resampler&) = delete;
   /// \endcond
 
-  /// writes the source of each vertex of the coarse mesh, the nearest point of the mesh.
+  /// writes the source of each vertex of the coarse mesh, which is the nearest point of the mesh.
   /// \tparam VertexSourceMap a model of `WritablePropertyMap` with the vertices of the coarse mesh as keys and
   /// `Surface_location<FaceGraph>` as value
   template <class VertexSourceMap>
@@ -94,12 +94,12 @@ public:
   }
 
   /// \name Transfer
-  /// The value types of `from` and `to` have to be equal. With `CONSERVATIVE`, values without means are rejected:
+  /// The value types of `from` and `to` must be equal. With `CONSERVATIVE`, values without means are rejected:
   /// `Invalid_input` is thrown before anything is written.
   /// @{
 
-  /// transfers values of vertices to vertices. A vertex of the mesh represents its share of the area of the faces around
-  /// it, a vertex of the coarse mesh a third of the triangles around it.
+  /// transfers values of vertices to vertices. A vertex of the mesh represents its share of the area of the incident faces, and a
+  /// vertex of the coarse mesh represents a third of the area of the incident triangles.
   template <class From, class To>
   void transfer_vertex_property(From from, To to, Transfer_policy policy = Transfer_policy::INTERPOLATED)
   {
@@ -118,7 +118,7 @@ public:
     }, [&](const internal::Nearest_point& p) { return Type(get(from, nearest_corner(location(p), mesh_))); });
   }
 
-  /// transfers values of faces to vertices: each vertex gets values of the faces of its cluster.
+  /// transfers values of faces to vertices: each vertex receives a value from the faces of its cluster.
   template <class From, class To>
   void transfer_face_property_to_vertices(From from, To to, Transfer_policy policy = Transfer_policy::INTERPOLATED)
   {
@@ -133,9 +133,9 @@ public:
                            [&](const internal::Nearest_point& p) { return value(p.face); });
   }
 
-  /// transfers values of faces to faces: interpolated, from the face of its three clusters nearest to the center of the
-  /// coarse face; by majority, from the faces nearest to it; conservative, as the mean of the densities of its three
-  /// clusters.
+  /// transfers values of faces to faces. An interpolated value is the value of the face that is nearest to the center of the
+  /// coarse face, among the faces of its three clusters. A majority value results from the faces nearest to the coarse face. A
+  /// conservative value is the mean of the densities of its three clusters.
   template <class From, class To>
   void transfer_face_property(From from, To to, Transfer_policy policy = Transfer_policy::INTERPOLATED)
   {
@@ -163,8 +163,8 @@ public:
     }
   }
 
-  /// transfers values of edges to edges: from the edge nearest to the midpoint of the coarse edge, in the face of its two
-  /// clusters nearest to it.
+  /// transfers values of edges to edges: the source is the edge nearest to the midpoint of the coarse edge, in the face nearest
+  /// to this midpoint among the faces of its two clusters.
   template <class From, class To>
   void transfer_edge_property(From from, To to)
   {
@@ -175,12 +175,12 @@ public:
     }
   }
 
-  /// transfers values of corners to corners, such as texture coordinates. A halfedge has the value of its target in its
-  /// face; border halfedges have none.
+  /// transfers values of corners to corners, such as texture coordinates. The value of a halfedge is the value of its target in
+  /// its face; border halfedges have no values.
   ///
-  /// Values are interpolated within a single face of the mesh, hence never across a seam. Around each vertex of the coarse
-  /// mesh, the coarse faces on one side of a seam get the same value; if the vertex does not lie on a seam between two of its
-  /// faces, each gets the value of the nearest point on its own side.
+  /// Values are interpolated within a single face of the mesh, and hence never across a seam. Around each vertex of the coarse
+  /// mesh, the coarse faces on one side of a seam get the same value. If the vertex does not lie on a seam between two of its
+  /// faces, each face gets the value of the nearest point on its own side.
   ///
   /// \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` with the edges of the mesh as keys and `bool` as value
   /// \param from the values
@@ -192,7 +192,8 @@ public:
     transfer_corners(from, to, [&](auto h) { return bool(get(is_seam, edge(h, mesh_))); });
   }
 
-  /// does the same; an edge is a seam if its two faces have different values at an end.
+  /// transfers values of corners to corners, as the previous function. An edge is a seam if its two faces have different values
+  /// at one of its ends.
   template <class From, class To>
   void transfer_corner_property(From from, To to)
   {

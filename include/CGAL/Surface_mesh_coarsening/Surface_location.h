@@ -18,11 +18,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// A point of the surface of a mesh: a face and coordinates in it.
+/// A point on the surface of a mesh, given by a face and coordinates in the face.
 ///
-/// In a triangle, coordinates are barycentric. In a larger polygon, they are mean value coordinates in its plane. If these
-/// would be negative, or would yield another point because the polygon is not planar, they are barycentric coordinates in
-/// one of the triangles of a fan, and 0 for the other corners. Coordinates are never negative and their sum is 1.
+/// In a triangle, the coordinates are barycentric. In a larger polygon, they are mean value coordinates in the plane of the
+/// polygon. If mean value coordinates would be negative, or would yield another point because the polygon is not planar, the
+/// coordinates are barycentric in one of the triangles of a fan, and 0 for the other corners. Coordinates are never negative, and
+/// their sum is 1.
 ///
 /// \tparam FaceGraph a model of `FaceGraph`
 template <class FaceGraph>
@@ -33,8 +34,8 @@ struct Surface_location
 
   /// the face.
   face_descriptor face = boost::graph_traits<FaceGraph>::null_face();
-  /// the coordinates: the first for the source of `halfedge(face, mesh)`, and so on around the face, in the order of
-  /// `CGAL::Polygon_mesh_processing::Face_location`.
+  /// the coordinates. The first one belongs to the source of `halfedge(face, mesh)`, and the others follow around the face, in
+  /// the order of `CGAL::Polygon_mesh_processing::Face_location`.
   std::vector<double> coordinates;
 };
 
@@ -56,7 +57,7 @@ auto halfedge_from_nearest_corner(const Surface_location<FaceGraph>& location, c
 /// \endcond
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// returns the corner of largest coordinate of a surface location.
+/// returns the corner with the largest coordinate of a surface location.
 /// \relates Surface_location
 template <class FaceGraph>
 typename boost::graph_traits<FaceGraph>::vertex_descriptor nearest_corner(const Surface_location<FaceGraph>& location,
@@ -75,7 +76,7 @@ Surface_location<FaceGraph> surface_location(const FaceGraph& mesh, const Number
   Surface_location<FaceGraph> location;
   location.face = n.faces[face_of_mesh];
   location.coordinates = coordinates_in_face(m, nearest, vector_area(m, nearest.face));
-  // The arrays may begin the face at another corner.
+  // The first corner of the face may be another one in the arrays.
   const Index first = n.number_of(source(halfedge(location.face, mesh), mesh));
   const Index shift = m.corner_of(nearest.face, first) - m.first_corner[nearest.face];
   std::rotate(location.coordinates.begin(), location.coordinates.begin() + shift, location.coordinates.end());

@@ -32,7 +32,7 @@ void refuse_across_ranks(const NamedParameters&, Parameter, const char* name)
     throw Invalid_input(std::string("the parameter ") + name + " is not available for distributed meshes");
 }
 
-// The same for a parameter that may be given where it says no.
+// The same for a parameter that is accepted if its value is `false` or 0.
 template <class Parameter, class NamedParameters>
 void refuse_if_set(const NamedParameters& np, Parameter parameter, const char* name)
 {
@@ -86,7 +86,7 @@ void read_scratch(const NamedParameters& np, Distributed_choice& choice)
   choice.scratch_memory = std::uint64_t(choose_parameter(get_parameter(np, internal_np::scratch_memory_p), std::uint64_t(0)));
 }
 
-// The choice refers to the placement and to the parameters.
+// The choice refers to the placement and the parameters.
 template <class ConcurrencyTag, class Placement, class NamedParametersIn, class NamedParametersOut>
 Distributed_choice distributed_choice(std::size_t number_of_vertices, const Placement& placement, const NamedParametersIn& np_in,
                                       const NamedParametersOut& np_out)
@@ -123,7 +123,7 @@ Distributed_choice distributed_choice(std::size_t number_of_vertices, const Plac
   return choice;
 }
 
-// `put_clusters` receives the clusters of the faces of the piece of this rank, if the parameters want them.
+// `put_clusters` receives the clusters of the faces of the piece of this rank, if the parameters request them.
 template <class ConcurrencyTag, class OutputFaceGraph, class NamedParametersIn, class NamedParametersOut, class PutClusters>
 Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, const Face_source& source,
                                  std::size_t number_of_vertices, OutputFaceGraph& output, const NamedParametersIn& np_in,
@@ -160,18 +160,19 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 /// \endcond
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// coarsens a mesh that lies in pieces on the ranks of an MPI communicator to a triangle mesh with a given number of vertices.
+/// coarsens a mesh whose pieces are distributed over the ranks of an MPI communicator to a triangle mesh with a given number of
+/// vertices.
 ///
-/// All ranks of the communicator call this function with the same number and the same parameters. Pieces match where their
-/// vertices have the same global numbers; coordinates play no part in that. Vertices of one piece that have the same number are
-/// one vertex, too. A piece may be any set of faces, and it may be empty.
+/// All ranks of the communicator call this function with the same number and the same parameters. Vertices with equal global
+/// numbers are the same vertex, in one piece or in several; coordinates are not compared. A piece may be any set of faces, and it
+/// may be empty.
 ///
-/// The output is what `coarsen_mesh()` promises: a 2-manifold with exactly `number_of_vertices` vertices, and the connected
-/// components, genus, border loops and orientation of the input. It is the same to the last bit for any number of ranks and
-/// threads, and for any distribution of the faces over the pieces. See \ref smc_distributed for the method, its costs and its
-/// limits.
+/// The output has the properties of the output of `coarsen_mesh()`: it is a 2-manifold with exactly `number_of_vertices`
+/// vertices, and with the connected components, genus, border loops and orientation of the input. It is identical to the last bit
+/// for any number of ranks and threads, and for any distribution of the faces over the pieces. See \ref smc_distributed for the
+/// method, its costs and its limits.
 ///
-/// The header needs Boost.MPI, which the rest of the package does not.
+/// This header needs Boost.MPI. The rest of the package does not.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` for several threads on each rank
 /// \tparam FaceGraph a model of `FaceListGraph`
@@ -180,13 +181,13 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 /// \tparam NamedParametersIn a sequence of named parameters
 /// \tparam NamedParametersOut a sequence of named parameters
 /// \param communicator the ranks
-/// \param piece the piece of this rank. No two faces of all pieces may have the same edge in the same direction: two faces of the
-///              same vertices, and orientations that differ, are refused, and so are two edges with the same ends.
+/// \param piece the piece of this rank. Among all pieces, no two faces may have the same edge in the same direction. Two faces
+/// with the same vertices, incompatible orientations, and two edges with the same ends are rejected.
 /// \param vertex_numbers the global numbers of the vertices of the piece
 /// \param number_of_vertices the number of vertices of the output
-/// \param output receives the coarse mesh on rank 0. On other ranks it is not touched, unless `output_on_all_ranks` is `true`.
-/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below. With a parameter
-///              of `coarsen_mesh()` that is not listed, the function throws `Invalid_input`, unless its value is `false` or 0.
+/// \param output receives the coarse mesh on rank 0. On other ranks it does not change, unless `output_on_all_ranks` is `true`.
+/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below. The function
+/// throws `Invalid_input` for a parameter of `coarsen_mesh()` that is not listed, unless its value is `false` or 0.
 /// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -202,31 +203,32 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///     \cgalParamExtra{Only one of `cluster_weight` and `cluster_energy` can be given.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_density}
-///     \cgalParamDescription{the density of the face whose normal deviates most from those around it, in \f$ [1, 10^{20}] \f$}
+///     \cgalParamDescription{the density of the face whose normal deviates most from the normals around it, in \f$ [1, 10^{20}]
+///                           \f$}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`10`}
 ///     \cgalParamExtra{not used if `face_density_map` is given; densities are not raised near borders}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_density_map}
-///     \cgalParamDescription{densities to be used instead of computed ones, in \f$ [10^{-20}, 10^{20}] \f$}
+///     \cgalParamDescription{densities that replace the computed densities, in \f$ [10^{-20}, 10^{20}] \f$}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the faces as keys and values that `CGAL::to_double()` accepts}
 ///     \cgalParamDefault{densities from the deviation of normals}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{the largest number of rounds of the minimization, of cells and, again, of faces}
+///     \cgalParamDescription{the maximum number of rounds of the minimization, for cells and for faces}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`1000`}
-///     \cgalParamExtra{faces have 80 rounds at most; those of several tasks 20 in each of four passes}
+///     \cgalParamExtra{there are at most 80 rounds for faces, and at most 20 in each of four passes for faces of several tasks}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{convergence_tolerance}
-///     \cgalParamDescription{the relative gain of a round with which the minimization of cells ends; that of faces ends with a
-///                           hundredth of it}
+///     \cgalParamDescription{the relative gain of a round at which the minimization of cells ends. The minimization of faces ends
+///                           at a hundredth of this gain.}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.001`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_placement}
 ///     \cgalParamDescription{the position of the vertex of a cluster}
-///     \cgalParamType{a model of `VertexPlacement`; one of `GlobalVertexPlacement`, as `Fitted_placement`, is refused}
+///     \cgalParamType{a model of `VertexPlacement`; models of `GlobalVertexPlacement`, such as `Fitted_placement`, are rejected}
 ///     \cgalParamDefault{`Centroid_placement()`}
 ///     \cgalParamExtra{clusters on the border have their vertex on the border, unless `place_on_borders` is `false`}
 ///   \cgalParamNEnd
@@ -236,8 +238,8 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{merge_by_area}
-///     \cgalParamDescription{whether clusters of cells are merged to the number of vertices by their area, and not by mass and
-///       number of faces}
+///     \cgalParamDescription{whether clusters of cells are merged to the number of vertices by their area, instead of by mass and
+///                           number of faces}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -245,26 +247,27 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///     \cgalParamDescription{whether all ranks receive the output}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`: only rank 0 does}
-///     \cgalParamExtra{all ranks have to give the same value}
+///     \cgalParamExtra{all ranks must pass the same value}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{faces_per_block}
-///     \cgalParamDescription{the number of faces that are worked on together. The result depends on it, as it does not on ranks}
+///     \cgalParamDescription{the number of faces of a block, which are processed together. The result depends on this number, but
+///                           not on the ranks}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{`262144`, and in the refinement as many as 1000 clusters have, if that is more, up to `4194304`}
-///     \cgalParamExtra{there are more where the centers of more faces coincide up to a millionth of the extent of the mesh, and
-///                     where a single cluster has more}
+///     \cgalParamDefault{`262144`; in the refinement, the number of faces of 1000 clusters if it is larger, up to `4194304`}
+///     \cgalParamExtra{a block is larger if the centers of more faces coincide up to a millionth of the extent of the mesh, or if
+///                     a single cluster has more faces}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{scratch_directory}
-///     \cgalParamDescription{a directory for a file of this rank, which receives the faces that `scratch_memory` has no room for.
-///       The file vanishes with the process, however that ends.}
+///     \cgalParamDescription{a directory for a file of this rank, which receives the faces that exceed `scratch_memory`. The file
+///                           is removed when the process ends, also after a crash.}
 ///     \cgalParamType{`std::string`}
 ///     \cgalParamDefault{empty: all faces are kept in memory}
-///     \cgalParamExtra{the result does not depend on it}
+///     \cgalParamExtra{the result does not depend on this parameter}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{scratch_memory}
-///     \cgalParamDescription{the number of bytes of faces that are kept in memory, besides the block that is worked on}
+///     \cgalParamDescription{the number of bytes of faces that are kept in memory in addition to the current block}
 ///     \cgalParamType{`std::uint64_t`}
-///     \cgalParamDefault{`0`: with a scratch directory, only blocks that are worked on are in memory}
+///     \cgalParamDefault{`0`: with a scratch directory, only current blocks are in memory}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_cluster_map}
 ///     \cgalParamDescription{receives the cluster of each face of `piece`}
@@ -277,13 +280,13 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, piece)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an object that gives the coordinates of points}
-///     \cgalParamType{a class with functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` and the functions that give them,
+///     \cgalParamDescription{an object that provides the coordinates of points}
+///     \cgalParamType{a class with functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` and the functions that return them,
 ///                    as every \cgal kernel has}
 ///     \cgalParamDefault{a kernel deduced from the point type}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is notified of the progress on its rank, and may cancel: then the function throws on all ranks}
+///     \cgalParamDescription{is notified of the progress on its rank and may cancel; the function then throws on all ranks}
 ///     \cgalParamType{a model of `CoarseningVisitor`}
 ///     \cgalParamDefault{`Coarsening_visitor_base`}
 ///   \cgalParamNEnd
@@ -296,21 +299,24 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, output)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an object that makes points}
-///     \cgalParamType{a class with the functor `Construct_point_3` and the function that gives it, as every \cgal kernel has}
+///     \cgalParamDescription{an object that constructs points}
+///     \cgalParamType{a class with the functor `Construct_point_3` and the function that returns it, as every \cgal kernel has}
 ///     \cgalParamDefault{a kernel deduced from the point type}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return what was done, in numbers.
+/// \return statistics of the coarsening.
 ///
-/// \throws Unreachable_number_of_vertices if the number of vertices cannot be reached; it carries the nearest number that can.
+/// \throws Unreachable_number_of_vertices if the number of vertices cannot be reached; the exception carries the nearest
+/// attainable number.
 /// \throws Invalid_input if the pieces have no faces, do not form a 2-manifold, contradict each other, or have a coordinate that
-/// is not finite, if a parameter is out of range or not available, or if the ranks want different numbers of vertices. Messages
+/// is not finite, if a parameter is out of range or not available, or if the ranks pass different numbers of vertices. Messages
 /// name the piece and the face, or the number of the vertex.
-/// \throws Coarsening_cancelled if the visitor of a rank said so.
-/// \throws std::runtime_error if a rank has failed otherwise, say for want of memory or of room for its scratch file.
-/// All ranks throw the same, and the output is as before the call then.
+/// \throws Coarsening_cancelled if the visitor of a rank cancels.
+/// \throws std::runtime_error if a rank fails for another reason, for example because memory or space for its scratch file is
+/// exhausted.
+///
+/// All ranks throw the same exception, and the output does not change.
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class VertexNumberMap, class OutputFaceGraph,
           class NamedParametersIn = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters>
@@ -335,28 +341,28 @@ Distributed_report coarsen_distributed_mesh(const boost::mpi::communicator& comm
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// coarsens a mesh whose pieces are read face by face, for example from a file.
 ///
-/// No rank needs memory for its piece: with parameter `scratch_directory`, a mesh can be larger than memory. All else is as in
-/// `coarsen_distributed_mesh()`, except that a face is known by its number in the sequence of its piece, from 0, and that
-/// `vertex_point_map` and `geom_traits` of `np_in` have no meaning.
+/// No rank needs memory for its piece: with parameter `scratch_directory`, a mesh can be larger than memory. Otherwise the
+/// function behaves as the previous overload, except that a face is identified by its number in the sequence of its piece, from
+/// 0, and that `vertex_point_map` and `geom_traits` of `np_in` have no effect.
 ///
 /// \tparam FaceSource a function object. `source(receive)` calls `receive(numbers, points)` for each face of the piece of this
-///                    rank, in the same order each time. `numbers` is a `std::vector<std::uint64_t>` of the global numbers of its
-///                    vertices, counterclockwise, and `points` a `std::vector<std::array<double, 3> >` of their coordinates.
-///                    What it throws is thrown on all ranks, as `Invalid_input` if it is one, or as `std::runtime_error`.
+/// rank, in the same order in each call. `numbers` is a `std::vector<std::uint64_t>` of the global numbers of its vertices,
+/// counterclockwise, and `points` is a `std::vector<std::array<double, 3> >` of their coordinates. If the function object throws,
+/// all ranks throw `Invalid_input` if the exception is of this class, and `std::runtime_error` otherwise.
 ///
 /// \param communicator the ranks
 /// \param source passes the faces of the piece of this rank. It is called three times.
 /// \param number_of_vertices the number of vertices of the output
-/// \param output receives the coarse mesh on rank 0. On other ranks it is not touched, unless `output_on_all_ranks` is `true`.
-/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" as in `coarsen_distributed_mesh()`. The maps
-///              `face_density_map` and `face_cluster_map` have a `std::size_t` as key, the number of the face in its piece.
-/// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" as in `coarsen_distributed_mesh()`
+/// \param output receives the coarse mesh on rank 0. On other ranks it does not change, unless `output_on_all_ranks` is `true`.
+/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" as in the previous overload. The keys of the
+///              maps `face_density_map` and `face_cluster_map` are `std::size_t`, the number of the face in its piece.
+/// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" as in the previous overload
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{face_name_map}
 ///     \cgalParamDescription{the names of faces in messages}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the number of a face in the sequence of all pieces, a
-///       `std::uint64_t`, as key and `std::string` as value type}
+///                    `std::uint64_t`, as key and `std::string` as value type}
 ///     \cgalParamDefault{names like "face 7 of piece 1"}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd

@@ -30,11 +30,11 @@ void read_clusters(Clustering&, const CGAL::internal_np::Param_not_found&)
   throw Invalid_input("start_from_face_clusters(true) was given without a face_cluster_map");
 }
 
-// What only the functions with this name accept.
+// The parameters that only the functions with this name accept.
 typedef Parameter_list<internal_np::start_from_face_clusters_t, internal_np::vertex_boundary_count_t> Coarsen_mesh_parameters;
 
-// Seeds by `seed` and grows, unless the caller gives the clusters: then `number` clusters, or any number if it is
-// 0.
+// Calls `seed` and grows the clusters, unless the caller passes clusters: then their number must be `number`, or may be any
+// number if `number` is 0.
 template <class ConcurrencyTag, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
 Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
                                std::size_t number, const Seed& seed)
@@ -83,13 +83,13 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 /// coarsens a polygon mesh to a given number of vertices by a multiplicatively weighted centroidal Voronoi diagram of its
 /// faces.
 ///
-/// The output is a triangle mesh, a 2-manifold without isolated vertices. It has exactly `number_of_vertices` vertices
-/// and, component by component, the genus, the number of border loops and the orientation of the input. The input is not
-/// modified. The same input and parameters give the same output.
+/// The output is a triangle mesh, a 2-manifold without isolated vertices, with exactly `number_of_vertices` vertices. Each
+/// component of the output has the genus, the number of border loops and the orientation of its component of the input. The
+/// input is not modified. The same input and parameters give the same output.
 ///
-/// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, the second of
-/// which needs oneTBB; the result does not depend on the tag nor on the number of threads. In parallel, many threads read
-/// `input` at a time, and one thread reads property maps
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`. `Parallel_tag`
+/// needs oneTBB. The result depends neither on the tag nor on the number of threads. In parallel, several threads read `input` at
+/// a time, and one thread reads property maps
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam OutputFaceGraph a model of `MutableFaceGraph`
 /// \tparam NamedParametersIn a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -98,8 +98,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 /// \param input a 2-manifold polygon mesh: any number of components, borders, faces of any number of sides
 /// \param number_of_vertices the number of vertices of the output, at least the minimum for the topology of the
 /// input and at most the number of vertices of the input
-/// \param output is cleared and filled; its `i`-th vertex is the vertex of cluster `i`. It may be the input: maps
-/// of `np_in` are then written before it is replaced, and `vertex_source_map` cannot be used.
+/// \param output is cleared and filled; its `i`-th vertex is the vertex of cluster `i`. The output may be the input. Then the
+/// maps of `np_in` are written before it is replaced, and `vertex_source_map` cannot be used.
 /// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 /// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
@@ -123,7 +123,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamExtra{not used if `face_density_map` is given}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{border_densities}
-///     \cgalParamDescription{whether densities are raised near borders that turn, so that more vertices lie there}
+///     \cgalParamDescription{whether densities are raised near curved borders, which places more vertices there}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///     \cgalParamExtra{not used if `face_density_map` is given}
@@ -135,15 +135,13 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{densities from the deviation of normals}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{the maximal number of rounds of the minimization; with 0, there are only seeds and
-///                           growth}
+///     \cgalParamDescription{the maximum number of rounds of the minimization; with 0, the minimization is omitted}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`1000`, which is rarely reached: `convergence_tolerance` ends the rounds earlier}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{convergence_tolerance}
-///     \cgalParamDescription{the relative gain of a round: the minimization ends with the first round that lowers the energy
-///                           by no more than this part of it. With 0, it ends with the first round without a change, as in
-///                           the paper}
+///     \cgalParamDescription{the relative gain of a round at which the minimization ends: it ends with the first round that
+///     lowers the energy by at most this fraction. With 0, it ends with the first round that changes nothing, as in the paper}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0.001`}
 ///   \cgalParamNEnd
@@ -154,79 +152,80 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamExtra{clusters on the border have their vertex on the border, unless `place_on_borders` is `false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{place_on_borders}
-///     \cgalParamDescription{whether clusters on the border have their vertex on the border. If not, the placement is asked for
-///       it, as for others.}
+///     \cgalParamDescription{whether clusters on the border have their vertex on the border. If not, the placement computes
+///                           their vertices, as for other clusters.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{merge_by_area}
 ///     \cgalParamDescription{whether clusters are merged to the number of vertices by their area, as in section 6 of the paper,
-///       and not by mass and number of faces}
+///                           instead of by mass and number of faces}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{boundary_count_check}
-///     \cgalParamDescription{whether moves in the minimization have to pass the check of section 7 of the paper, too, which is
-///       made for triangles; the report counts what it refuses, and what is refused besides}
-///     \cgalParamType{`bool`}
+///     \cgalParamDescription{whether moves in the minimization must also pass the check of section 7 of the paper, which is
+///                           defined for triangle meshes. The report counts the moves that fail this check, and the moves that
+///                           pass it but fail the check of this package.}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{repair_output}
-///     \cgalParamDescription{whether to move vertices and flip edges where triangles of the output intersect that do not in
-///                           the input, or face away from it, and to recluster the mesh if this does not suffice (see
-///                           `Mwcvd_clustering::extract_embedded_dual_mesh()`); the report counts the faults found and left}
+///     \cgalParamDescription{whether to repair the output: vertices are moved and edges are flipped where triangles intersect
+///     that do not intersect in the input, or where triangles face away from the input. If this does not suffice, the mesh is
+///     reclustered (see `Mwcvd_clustering::extract_embedded_dual_mesh()`). The report counts the faults found and the remaining
+///                           faults.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{error_feedback}
-///     \cgalParamDescription{the number of rounds of `Fitted_placement` that relocate vertices from places where they hardly
-///                           lower the distance to places where it is large. Clusters follow, and keep their number. If the
-///                           result is not nearer than the fit without these rounds, or has more intersections, it is
-///                           undone. With 0, the densities alone distribute the vertices.}
+///     \cgalParamDescription{the number of rounds of `Fitted_placement` that relocate vertices from regions where they hardly
+///                           lower the distance to regions where the distance is large. The clusters are relocated too, and keep
+///                           their number. The relocation is undone if the result is not closer to the input than the fit without
+///                           these rounds, or has more intersections. With 0, the densities alone distribute the vertices.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`Coarsening_defaults::error_feedback`, which is `7`; `0` if `face_density_map` is given}
 ///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, or if clusters are given, edited or
 ///                     frozen. Clusters on features and borders are not split.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{local_repairs}
-///     \cgalParamDescription{how many times at most vertices, with their clusters, are relocated from elsewhere to triangles that
-///                           still intersect after the repair. With 0, the mesh is reclustered at once.}
+///     \cgalParamDescription{the maximum number of relocations of vertices, with their clusters, to triangles that still
+///                           intersect after the repair. With 0, the mesh is reclustered at once.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`Coarsening_defaults::local_repairs`, which is `5`}
-///     \cgalParamExtra{not used without `repair_output`, and where `error_feedback` is not used}
+///     \cgalParamExtra{not used without `repair_output`, nor if `error_feedback` is not used}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{feature_angle}
-///     \cgalParamDescription{edges whose two faces have normals that differ by this angle in degrees or more are kept as
-///                           lines of edges of the output, and the corners where lines end or meet as vertices; in
-///                           \f$ [0, 180] \f$}
+///     \cgalParamDescription{the angle of features in degrees, in \f$ [0, 180] \f$. Edges between two faces whose normals differ
+///     by this angle or more are kept as lines of edges of the output. The corners where lines end or meet are kept as vertices.}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{`180`: no edge is kept for its angle}
+///     \cgalParamDefault{`180`: the angle of an edge does not make it a feature}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{further edges to keep; border edges need no mark}
+///     \cgalParamDescription{additional edges to keep; border edges need no mark}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the edges as keys and `bool` as value type}
 ///     \cgalParamDefault{no edge is marked}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_is_constrained_map}
-///     \cgalParamDescription{vertices to keep at their points, like corners}
+///     \cgalParamDescription{additional vertices to keep at their points, as corners}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertices as keys and `bool` as value type}
 ///     \cgalParamDefault{no vertex is marked}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_patch_map}
-///     \cgalParamDescription{regions: edges between faces of different numbers are kept}
+///     \cgalParamDescription{the number of the region of each face; edges between faces of different regions are kept}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the faces as keys and an integral value type}
 ///     \cgalParamDefault{there are no regions}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{subdivide_input}
 ///     \cgalParamDescription{whether to subdivide the faces of an internal copy into one quadrilateral per corner,
-///                           repeatedly, until there are 20 for each vertex of the output. Clusters of few faces are then
-///                           rounder, and `number_of_vertices` has no upper limit.}
+///                           repeatedly, until there are 20 faces for each vertex of the output. This makes clusters of few faces
+///                           rounder, and removes the upper limit of `number_of_vertices`.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///     \cgalParamExtra{the cluster of a face is the cluster of its largest part}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_component_area}
-///     \cgalParamDescription{connected components of smaller area are removed; the report counts them}
+///     \cgalParamDescription{the minimum area of a connected component; smaller components are removed, and the report counts
+///                           them}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`0`: every component is kept}
 ///     \cgalParamExtra{faces of removed components get the number of clusters as their cluster}
@@ -237,8 +236,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{the clusters are not written}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_to_cluster_map}
-///     \cgalParamDescription{receives a cluster for each vertex of `input`: the cluster of largest area among the faces
-///                           around it}
+///     \cgalParamDescription{receives a cluster for each vertex of `input`: among the clusters of the incident faces, the cluster
+///                           of largest area there}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertices as keys and an integral value type}
 ///     \cgalParamDefault{the clusters are not written}
 ///     \cgalParamExtra{isolated vertices, and vertices of removed components, get the number of clusters}
@@ -251,8 +250,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamExtra{the number of clusters has to be `number_of_vertices`; not possible if features are kept}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_boundary_count_map}
-///     \cgalParamDescription{receives the boundary-edge count of each vertex of `input`: the number of edges at it between two
-///                           clusters or on the border}
+///     \cgalParamDescription{receives the boundary-edge count of each vertex of `input`: the number of incident edges that lie
+///                           between two clusters or on the border}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertices as keys and an integral value type}
 ///     \cgalParamDefault{the counts are not written}
 ///   \cgalParamNEnd
@@ -274,7 +273,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{a kernel deduced from the point type}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is notified of the progress, and may cancel; it is copied unless passed as `std::ref(visitor)`}
+///     \cgalParamDescription{is notified of the progress and may cancel; it is copied unless it is passed as `std::ref(visitor)`}
 ///     \cgalParamType{a model of `CoarseningVisitor`}
 ///     \cgalParamDefault{`Coarsening_visitor_base`}
 ///   \cgalParamNEnd
@@ -297,22 +296,22 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertices of `output` as keys and `Surface_location<FaceGraph>` as
 ///                    value}
 ///     \cgalParamDefault{no sources are computed}
-///     \cgalParamExtra{the surface excludes removed components; faces of more than three sides are triangulated as
+///     \cgalParamExtra{removed components do not belong to the surface; faces of more than three sides are triangulated as
 ///                     fans}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{receives for each edge whether it belongs to a feature line}
+///     \cgalParamDescription{receives, for each edge, whether it belongs to a feature line}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the edges as keys and `bool` as value type}
 ///     \cgalParamDefault{not written}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_is_constrained_map}
-///     \cgalParamDescription{receives for each vertex whether it is a feature corner}
+///     \cgalParamDescription{receives, for each vertex, whether it is a feature corner}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertices as keys and `bool` as value type}
 ///     \cgalParamDefault{not written}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_patch_map}
-///     \cgalParamDescription{receives for each face the number of its region, as in the `face_patch_map` of the input; without
-///                           one, regions between feature lines are numbered from 0}
+///     \cgalParamDescription{receives, for each face, the number of its region, as in the `face_patch_map` of the input. If the
+///                           input has no such map, the regions between feature lines are numbered from 0.}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the faces as keys and an integral value type}
 ///     \cgalParamDefault{not written}
 ///   \cgalParamNEnd
@@ -320,7 +319,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///
 /// \return statistics of the coarsening.
 ///
-/// \throws Unreachable_number_of_vertices if the number of vertices cannot be reached; it carries the nearest
+/// \throws Unreachable_number_of_vertices if the number of vertices cannot be reached; the exception carries the nearest
 /// attainable number.
 /// \throws Invalid_input if the input has no faces, is not a 2-manifold or has a coordinate that is not finite, or if a
 /// parameter is out of range.
@@ -343,25 +342,26 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
 }
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// coarsens a polygon mesh to a part of its vertices, or to as many vertices as there are seeds of a level.
+/// coarsens a polygon mesh to a fraction of its vertices, to the number of seeds of a level, or to the number of given clusters.
 ///
-/// One of the following parameters in `np_in` takes the place of the number. Everything else is as in the overload that takes a
-/// number of vertices.
+/// One of the following parameters in `np_in` replaces the number of vertices. Otherwise the function behaves as the overload
+/// with a number of vertices.
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_ratio}
-///     \cgalParamDescription{the number of vertices of the output as a part of those of `input`, such as `0.1`. It is rounded,
-///       and at least 1. Isolated vertices, and those of components that are left out, do not count.}
+///     \cgalParamDescription{the number of vertices of the output divided by the number of vertices of `input`, for example
+///                           `0.1`. The resulting number is rounded, and at least 1. Isolated vertices and vertices of removed
+///                           components do not count.}
 ///     \cgalParamType{`double`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{neighborhood_level}
-///     \cgalParamDescription{the level of the neighborhoods of the seeds: the number of vertices is the number of seeds whose
-///                           neighborhoods of that many steps are disjoint (see `neighborhood_seeds()`), unless the topology of
-///                           the input needs more}
+///     \cgalParamDescription{the level of the neighborhoods of the seeds. The number of vertices is the number of seeds whose
+///                           neighborhoods of this many steps are disjoint (see `neighborhood_seeds()`), unless the topology of
+///                           the input needs more vertices.}
 ///     \cgalParamType{`std::size_t`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{start_from_face_clusters}
-///     \cgalParamDescription{`true`, if there shall be as many vertices as `face_cluster_map` holds clusters}
+///     \cgalParamDescription{`true` to get as many vertices as `face_cluster_map` has clusters}
 ///     \cgalParamType{`bool`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd

@@ -23,7 +23,7 @@ namespace Surface_mesh_coarsening {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// The placement for the first estimates of the number of vertices: the `Start` of a placement if it has one, otherwise the
+// The placement for the first estimates of the number of vertices: `Start` of the placement if it has this type, otherwise the
 // placement itself.
 template <class Placement, class = void>
 struct Quick_placement
@@ -40,18 +40,18 @@ struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
 /// \endcond
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// coarsens a polygon mesh as far as a bound of the distance allows.
+/// coarsens a polygon mesh to as few vertices as a bound of the distance permits.
 ///
-/// The output is the coarsest result found whose two-sided Hausdorff distance to the input is at most `maximum_distance`. A
-/// fine clustering is merged to levels of detail (see `Cluster_levels`). Among these the search brackets the number of
-/// vertices, with distances estimated at points of both surfaces: first with the placement's `Start`, if it has one (see
+/// The output is the coarsest result found whose two-sided Hausdorff distance to the input is at most `maximum_distance`. The
+/// function merges a fine clustering to levels of detail (see `Cluster_levels`), and brackets the number of vertices among these
+/// levels. It estimates distances at points of both surfaces, first with the placement's `Start`, if it has one (see
 /// `GlobalVertexPlacement`), then with the placement.
 /// `CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance()` bounds the distance of the result over both
-/// surfaces, not only at points; if the bound is too large, the search continues with a finer level.
-/// If the placement exchanges vertices (parameter `error_feedback`), the mesh is then clustered for some smaller numbers of
-/// vertices, up to three of them, since such a result is nearer than a level.
+/// surfaces, not only at points. If the bound is too large, the search continues with a finer level.
+/// If the placement exchanges vertices (parameter `error_feedback`), the mesh is then clustered for up to three smaller numbers
+/// of vertices, because the result of a clustering of its own is closer to the input than a level.
 ///
-/// The distance is measured between surfaces: polygons of the input are triangulated as fans around the corner of smallest
+/// The distance is measured between surfaces: polygons of the input are triangulated as fans around the corner with the smallest
 /// number, and degenerate triangles do not count. Otherwise the output has the properties of the output of
 /// `coarsen_mesh()`.
 ///
@@ -62,9 +62,9 @@ struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
 /// \tparam NamedParametersOut a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param input a 2-manifold polygon mesh
-/// \param maximum_distance the distance, in the unit of length of the mesh
-/// \param output is cleared and filled; its `i`-th vertex is the vertex of cluster `i`. It may be the input: maps
-/// of `np_in` are then written before it is replaced, and `vertex_source_map` cannot be used.
+/// \param maximum_distance the maximum distance, in the unit of length of the mesh
+/// \param output is cleared and filled; its `i`-th vertex is the vertex of cluster `i`. The output may be the input. Then the
+/// maps of `np_in` are written before it is replaced, and `vertex_source_map` cannot be used.
 /// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters": all parameters of
 /// `coarsen_mesh()` except `start_from_face_clusters`, `neighborhood_level` and `vertex_boundary_count_map`
 /// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters": the parameters of
@@ -72,9 +72,9 @@ struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
 ///
 /// \return statistics of the search.
 ///
-/// \throws Unreachable_distance if no such result is found, even with as many vertices as the input has.
+/// \throws Unreachable_distance if no result within the distance is found, even with as many vertices as the input has.
 /// \throws Invalid_input if `maximum_distance` is not positive and finite, and as `coarsen_mesh()` does.
-/// \throws Coarsening_cancelled if the visitor cancels. It is not called while the distance is being bounded.
+/// \throws Coarsening_cancelled if the visitor cancels. The visitor is not called while the distance is being bounded.
 ///
 /// The output does not change if an exception is thrown.
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph,

@@ -11,17 +11,17 @@ namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// computes the density of each face from the deviation of its normal from the normals around it (section 5.2 of the paper),
-/// and from the turn of borders.
+/// and from the curvature of borders.
 ///
 /// The deviation of a face is the mean of \f$ \| n - n_k \| \f$ over all pairs of a vertex of the face and a face \f$ k \f$
 /// around that vertex. It is mapped linearly from \f$ [0, m] \f$, with \f$ m \f$ the largest deviation, to \f$ [1, r] \f$,
 /// with \f$ r \f$ the maximum density. If no face deviates by more than \f$ 10^{-6} \f$, all densities are 1. Faces without
-/// area have no deviation. Around a vertex of more than 256 faces, each face is compared with 256 evenly spread ones.
+/// area have no deviation. Around a vertex of more than 256 faces, each face is compared with 256 evenly spread faces.
 ///
 /// Near a curved border, deviations are raised to at least \f$ 32 \sqrt{A} / (R + s) \f$, but not above \f$ 4 m \f$. Here
-/// \f$ A \f$ is the area of the face, \f$ R \f$ the radius of curvature of the border, measured over three edges on either
-/// side of a vertex, and \f$ s \f$ the distance from it, along edges, up to a tenth of the length of the border loop. The
-/// user manual explains these constants.
+/// \f$ A \f$ is the area of the face, and \f$ R \f$ is the radius of curvature of the border, measured over three edges on either
+/// side of a vertex. \f$ s \f$ is the distance from the border along edges, up to a tenth of the length of the border loop. Page
+/// \ref smc_theory explains these constants.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam FaceDensityMap a model of `WritablePropertyMap` with the faces as keys and values that `double` converts to
@@ -59,7 +59,7 @@ namespace Surface_mesh_coarsening {
 /// of range.
 ///
 /// The time is linear in the sum of the squared valences of the vertices, where valences above 256 count only once, plus
-/// \f$ k \log k \f$ with the number \f$ k \f$ of vertices near borders.
+/// \f$ k \log k \f$, where \f$ k \f$ is the number of vertices near borders.
 template <class FaceGraph, class FaceDensityMap, class NamedParameters = parameters::Default_named_parameters>
 void compute_face_densities(const FaceGraph& mesh, FaceDensityMap densities,
                             const NamedParameters& np = parameters::default_values())

@@ -9,8 +9,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// The numbers that library, tool and viewer take where none are given. The default weight is `Weighted_area_weight`, the
-/// default placement `Fitted_placement`.
+/// The default values in the library, the tool and the viewer. The default weight is `Weighted_area_weight`, and the default
+/// placement is `Fitted_placement`.
 struct Coarsening_defaults
 {
   //! [defaults]
@@ -20,12 +20,12 @@ struct Coarsening_defaults
   static constexpr std::size_t error_feedback = 7;
   /// of parameter `local_repairs`
   static constexpr std::size_t local_repairs = 5;
-  /// of parameter `number_of_iterations`: rounds end by the tolerance long before
+  /// of parameter `number_of_iterations`: the tolerance ends the minimization much earlier
   static constexpr std::size_t number_of_iterations = 1000;
-  /// of parameter `convergence_tolerance`: more rounds would lower the energy by about a percent, which neither distances nor
-  /// angles show
+  /// of parameter `convergence_tolerance`: more rounds would lower the energy by about one percent, without an effect on
+  /// distances or angles
   static constexpr double convergence_tolerance = 1e-3;
-  /// of parameter `feature_angle`: no edge is kept for its angle
+  /// of parameter `feature_angle`: the angle of an edge does not make it a feature
   static constexpr double feature_angle = 180;
   //! [defaults]
 };

@@ -11,29 +11,29 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// reports an input that violates a precondition: a mesh that is not a 2-manifold, a coordinate, density or label
-/// out of range. The message names the first offending element and its value.
+/// reports an input that violates a precondition: a mesh that is not a 2-manifold, or a coordinate, density or label that is
+/// out of range. The message names the first invalid element and its value.
 class Invalid_input
   : public std::invalid_argument
 {
 public:
-  /// \param message names the offending element and its value.
+  /// \param message names the invalid element and its value.
   explicit Invalid_input(const std::string& message) : std::invalid_argument(message) {}
 };
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// reports a number of vertices that cannot be reached: too small for the topology of the mesh, or larger than its
-/// number of vertices.
+/// reports a number of vertices that cannot be reached, because it is too small for the topology of the mesh, or larger than the
+/// number of vertices of the mesh.
 class Unreachable_number_of_vertices
   : public Invalid_input
 {
 public:
   /// \param message names the requested number and the reason.
-  /// \param nearest is the nearest attainable number of vertices.
+  /// \param nearest is the attainable number of vertices nearest to the requested number.
   Unreachable_number_of_vertices(const std::string& message, std::size_t nearest)
     : Invalid_input(message), nearest_(nearest) {}
 
-  /// returns the number of vertices nearest to the requested one with which the same call succeeds.
+  /// returns the attainable number of vertices nearest to the requested number. The same call succeeds with this number.
   std::size_t nearest() const noexcept { return nearest_; }
 
 private:

@@ -74,8 +74,8 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// constructs the dual triangulation of clusters of faces of any origin: one vertex per cluster, one triangle where
-/// three clusters meet, a fan of triangles where more do (section 8.3 of the paper).
+/// constructs the dual triangulation of clusters of faces of any origin. The triangulation has one vertex per cluster, one
+/// triangle where three clusters meet, and a fan of triangles where more than three clusters meet (section 8.3 of the paper).
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam FaceClusterMap a model of `ReadablePropertyMap` with the faces as keys and an integral value type
@@ -84,7 +84,7 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
 /// \tparam NamedParametersOut a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh a 2-manifold polygon mesh
-/// \param clusters the labels of the faces, any numbers; vertices are in the order of the labels
+/// \param clusters the labels of the faces, which may be any numbers; the vertices are in the order of the labels
 /// \param output is cleared and filled
 /// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `face_index_map`,
 /// `geom_traits`, `vertex_placement` and `repair_output` as in `coarsen_mesh()`, and `face_density_map`, which is 1 by default
@@ -92,7 +92,7 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
 /// `output`
 ///
 /// \throws Invalid_input if the mesh is not a 2-manifold, if a cluster is not a closed disc, or if two clusters meet
-/// such that the dual cannot be a simplicial surface. `output` then does not change.
+/// such that the dual is not a simplicial surface. The output does not change if an exception is thrown.
 template <class FaceGraph, class FaceClusterMap, class OutputFaceGraph,
           class NamedParametersIn = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters>
@@ -114,9 +114,9 @@ void extract_dual_mesh(const FaceGraph& mesh, const FaceClusterMap& clusters, Ou
 /// indices in braces, such as `std::vector<std::size_t>` and `std::array<std::size_t, 3>`
 ///
 /// \param mesh a 2-manifold polygon mesh
-/// \param clusters the labels of the faces, any numbers
-/// \param points the points are appended to it
-/// \param triangles receives the triangles, with indices into `points`
+/// \param clusters the labels of the faces, which may be any numbers
+/// \param points the points are appended to this range
+/// \param triangles the triangles are appended to this range, with indices into `points`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": the parameters of `np_in` in
 /// `extract_dual_mesh()`
 template <class FaceGraph, class FaceClusterMap, class PointRange, class PolygonRange,

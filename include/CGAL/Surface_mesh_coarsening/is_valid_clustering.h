@@ -14,14 +14,14 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// describes why labels of the faces of a mesh are not a valid clustering; returns an empty string if they are.
+/// describes why labels of the faces of a mesh are not a valid clustering. The description of a valid clustering is empty.
 ///
 /// A clustering is valid if
 /// - the faces of each cluster form a closed disc: they are connected across edges, the faces around any vertex are
 ///   consecutive, and there are no holes;
 /// - its dual triangulation is a simplicial surface: around a cluster, no neighbor occurs twice, there are at least
-///   three, and the cluster meets the border of the mesh in at most one arc. Neighbors are the clusters across edges
-///   and, where more than three clusters meet in a vertex, the clusters joined by the fan of triangles there.
+///   three neighbors, and the cluster meets the border of the mesh in at most one arc. Neighbors are the clusters across edges
+///   and, where more than three clusters meet in a vertex, the clusters that the fan of triangles connects.
 ///
 /// Then the dual triangulation is a 2-manifold with the Euler characteristic and the border loops of the mesh.
 ///
@@ -30,10 +30,10 @@ namespace Surface_mesh_coarsening {
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh a 2-manifold polygon mesh
-/// \param clusters the labels, any numbers
+/// \param clusters the labels, which may be any numbers
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `face_index_map` as in `coarsen_mesh()`
 ///
-/// \return the first fault, with the label of the cluster at fault.
+/// \return the first fault, with the label of its cluster.
 /// \throws Invalid_input if the mesh is not a 2-manifold.
 template <class FaceGraph, class FaceClusterMap, class NamedParameters = parameters::Default_named_parameters>
 std::string clustering_fault(const FaceGraph& mesh, const FaceClusterMap& clusters,

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// The error of a surface, at samples of it, with regard to another: distances to the closest points there, and the angles in
-/// degrees between the normals here and there.
+/// The error of a surface with respect to another surface, at samples of the first: the distances to the closest points of the
+/// second surface, and the angles in degrees between the normals at these pairs of points.
 struct Surface_error
 {
   /// The root of the mean squared distance.
@@ -39,15 +39,15 @@ struct Surface_error
 };
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// The distance of two meshes, the deviation of their normals, and the shape of the triangles of the second. Lengths are in
-/// the units of the meshes, angles in degrees. The members of the base are the larger values of the two directions.
+/// The distance between two meshes, the deviation of their normals, and the shape of the triangles of the second mesh. Lengths
+/// are in the unit of the meshes, angles in degrees. The members of the base class are the larger values of the two directions.
 struct Coarsening_quality : Surface_error
 {
-  /// The error at samples of the first mesh, with regard to the second.
+  /// The error at samples of the first mesh, with respect to the second.
   Surface_error from_mesh;
-  /// The error at samples of the second mesh, with regard to the first.
+  /// The error at samples of the second mesh, with respect to the first.
   Surface_error from_coarse;
-  /// The mean over the triangles of the second mesh of their smallest angle.
+  /// The mean, over the triangles of the second mesh, of the smallest angle of a triangle.
   double mean_smallest_angle = 0;
   /// The smallest angle of all triangles of the second mesh.
   double smallest_angle = 0;
@@ -55,12 +55,12 @@ struct Coarsening_quality : Surface_error
   double part_below_30_degrees = 0;
   /// The number of pairs of faces of the second mesh that intersect.
   std::size_t self_intersections = 0;
-  /// The root of the mean squared distance between the borders as curves, the larger of the two directions; 0 without
+  /// The root of the mean squared distance between the borders as curves, the larger value of the two directions; 0 without
   /// borders, and infinity if one mesh has a border and the other has none.
   double border_rms_distance = 0;
-  /// The mean distance between the borders, likewise.
+  /// The mean distance between the borders, defined in the same way.
   double border_mean_distance = 0;
-  /// The largest distance of a sample between the borders, likewise.
+  /// The largest distance of a sample between the borders, defined in the same way.
   double border_maximum_distance = 0;
   /// The diagonal of the bounding box of the first mesh.
   double diagonal = 0;
@@ -109,10 +109,11 @@ inline void measure_borders(const Triangle_mesh& a, const Triangle_mesh& b, std:
 /// \endcond
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// measures how well a mesh approximates another.
+/// measures how well a mesh approximates another mesh.
 ///
-/// Distances, and angles between normals, are measured from samples on each mesh to the other, and distances likewise along the
-/// borders. The samples are distributed over the faces by area, at points that depend on the mesh only. Polygons are triangulated as fans.
+/// The function measures distances, and angles between normals, from samples on each mesh to the other mesh. Along the borders it
+/// measures distances. Samples are distributed over the faces by area, at points that depend only on the mesh. Polygons are
+/// triangulated as fans.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam CoarseFaceGraph a model of `FaceListGraph`

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// finds faces that are spread evenly over a mesh, by their adjacency alone (section 6 of the paper).
+/// finds faces that are spread evenly over a mesh, by adjacency alone (section 6 of the paper).
 ///
 /// The faces are traversed in order. A face becomes a seed if its neighborhood, the faces within `level` steps across
 /// edges, is disjoint from the neighborhoods of earlier seeds. On a regular triangle mesh a neighborhood has
@@ -26,7 +26,7 @@ namespace Surface_mesh_coarsening {
 ///
 /// \param mesh a 2-manifold polygon mesh
 /// \param level the number of steps; with 0, every face is a seed
-/// \param seeds receives the seeds in the order of traversal
+/// \param seeds receives the seeds in the order of the traversal
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -38,11 +38,11 @@ namespace Surface_mesh_coarsening {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `seeds`, past the last seed.
+/// \return `seeds` past the last seed.
 ///
 /// \throws Invalid_input if the mesh is not a 2-manifold or the face index map is not a bijection.
 ///
-/// The time is linear in the number of faces, for every level.
+/// The time is linear in the number of faces for every level.
 template <class FaceGraph, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
 OutputIterator neighborhood_seeds(const FaceGraph& mesh, std::size_t level, OutputIterator seeds,
                                   const NamedParameters& np = parameters::default_values())

@@ -15,20 +15,20 @@ namespace Surface_mesh_coarsening {
 namespace parameters {
 
 /// \cond SKIP_IN_MANUAL
-// The largest density that table 1 of the paper has for most models.
+// The maximum density that table 1 of the paper lists for most models.
 template <class ClusterWeight>
 constexpr double maximum_density_of_paper = std::is_same<ClusterWeight, Density_variance_weight>::value ? 3 : 50;
 /// \endcond
 
-/// begins a chain with the parameters of `paper()` that the constructor of `Mwcvd_clustering` takes. Call
-/// `minimize(Coarsening_defaults::number_of_iterations, 0)` and `extract_dual_mesh(output, Centroid_placement())` then.
+/// begins a chain with the parameters of `paper()` that the constructor of `Mwcvd_clustering` accepts. To complete the method,
+/// call `minimize(Coarsening_defaults::number_of_iterations, 0)` and `extract_dual_mesh(output, Centroid_placement())`.
 template <class ClusterWeight>
 auto paper_clustering(const ClusterWeight& weight, double maximum_density = maximum_density_of_paper<ClusterWeight>)
 {
   //! [paper]
   return cluster_weight(weight)
     .maximum_density(maximum_density)
-    .border_densities(false)    // section 5.2 has none
+    .border_densities(false)    // section 5.2 has no border densities
     .merge_by_area(true)        // section 6
     .boundary_count_check(true) // section 7
     .place_on_borders(false)    // section 8.3: centroids everywhere
@@ -37,14 +37,14 @@ auto paper_clustering(const ClusterWeight& weight, double maximum_density = maxi
   //! [paper]
 }
 
-/// begins a chain with the parameters that make `coarsen_mesh()` do as the paper prints: its densities, the reduction to a fixed
-/// number by area, its check of boundary-edge counts, an end when a round changes nothing, vertices at centroids, on borders,
-/// too, and no repair. What is left of this package is the guarantee: `Coarsening_report::refused_by_guarantee` counts the moves
-/// that the paper allows and that are refused because the dual would be no surface.
+/// begins a chain with the parameters that run `coarsen_mesh()` as printed in the paper: its densities, its reduction to a fixed
+/// number by area, its check of boundary-edge counts, its end when a round changes nothing, vertices at centroids, also on
+/// borders, and no repair. Only the guarantee of this package is added: `Coarsening_report::refused_by_guarantee` counts the
+/// moves that the paper allows, but after which the dual would not be a surface.
 ///
-/// \param weight one of the weights of the paper: `Weighted_area_weight`, `Maximum_density_weight` or `Density_variance_weight`
-/// \param maximum_density the paper's \f$ \rho_{new} \f$: 3 for the variance and 50 for the others, but 5 for the area on the
-/// Horse, and for the maximum on the Horse and the Dragon
+/// \param weight a weight of the paper: `Weighted_area_weight`, `Maximum_density_weight` or `Density_variance_weight`
+/// \param maximum_density the paper's \f$ \rho_{new} \f$: 3 for the variance and 50 for the other weights, except for the area
+/// on the Horse and the maximum on the Horse and the Dragon, where it is 5
 template <class ClusterWeight>
 auto paper(const ClusterWeight& weight, double maximum_density = maximum_density_of_paper<ClusterWeight>)
 {

@@ -9,7 +9,8 @@
 
 /// \file parameters.h
 /// The named parameters of the package. A chain begins in `CGAL::Surface_mesh_coarsening::parameters` and continues
-/// with parameters of this package and of CGAL in any order. All functions of the package also accept packs of CGAL's
+/// with parameters of this package and of CGAL in any order. All functions of the package also accept chains that contain only
+/// parameters of CGAL.
 /// parameters alone.
 
 namespace CGAL {
@@ -22,7 +23,7 @@ namespace internal_np {
 #undef CGAL_add_named_parameter
 
 // Marks the tail of a pack. CGAL defines the `.name()` members of its class of named parameters in a header that a
-// package outside its tree cannot extend; the partial specialization for this tail below adds the members of this
+// package outside the CGAL source tree cannot extend. The partial specialization for this tail below adds the members of this
 // package.
 template <class Rest>
 struct Chain
@@ -96,7 +97,7 @@ namespace parameters {
 using CGAL::parameters::Default_named_parameters;
 using CGAL::parameters::default_values;
 
-/// adopts a pack of named parameters of CGAL, so that parameters of this package can follow:
+/// converts a pack of named parameters of CGAL, so that parameters of this package can follow:
 /// `parameters::adopt(np).neighborhood_level(5)`.
 template <class NamedParameters>
 auto adopt(const NamedParameters& np)

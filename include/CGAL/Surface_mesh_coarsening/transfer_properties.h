@@ -82,7 +82,7 @@ private:
     is_check_ = false;
   }
 
-  // The name of the property of the mesh that the clusters are, if they are one: what they say is of the mesh alone.
+  // The name of the property map of the mesh that holds the clusters, if any. Its values have no meaning for the coarse mesh.
   template <class Type>
   static std::string name_of(const Mesh& mesh,
                              const typename Mesh::template Property_map<typename Mesh::Face_index, Type>& clusters)
@@ -158,7 +158,7 @@ private:
   template <class Element, class Map>
   bool are_unit_vectors(const Map& map) const
   {
-    constexpr double tolerance = 1e-4; // of numbers of single precision and text
+    constexpr double tolerance = 1e-4; // covers the precision of `float` and of text
     const auto range = elements<Element>(mesh_);
     return std::all_of(range.begin(), range.end(), [&](Element e) {
       return !has_value(mesh_, e) || std::abs(CGAL::to_double(map[e].squared_length()) - 1) < tolerance;
@@ -230,14 +230,15 @@ private:
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// transfers all property maps of a `CGAL::Surface_mesh` to its coarse mesh, which gets property maps of the same names and
-/// types. Existing ones are overwritten.
+/// types. Existing maps are overwritten.
 ///
-/// Supported types are the numbers, `bool`, `std::string`, `CGAL::IO::Color`, `std::array` of 2, 3 or 4 `float` or `double`,
+/// Supported types are numbers, `bool`, `std::string`, `CGAL::IO::Color`, `std::array` of 2, 3 or 4 `float` or `double`,
 /// and the points and vectors of the kernel in two and three dimensions. Floating-point numbers, colors, points, vectors and
-/// arrays are interpolated unless `policies` overrides it; integers, `bool` and strings go by majority. `Property_resampler`
-/// describes the transfer of values of edges and halfedges; seams follow from the values of halfedges. Points are not
-/// transferred, nor properties that belong to the mesh, whose names begin with `v:connectivity` and the like, nor `clusters` if
-/// it is a property map of the mesh. Three-dimensional vectors that are all of unit length, such as normals, keep unit length.
+/// arrays are interpolated, and integers, `bool` and strings are transferred by majority, unless `policies` overrides it.
+/// `Property_resampler` describes the transfer of values of edges and halfedges; seams follow from the values of halfedges. The
+/// function does not transfer the points, the internal properties of the mesh, whose names begin with `v:connectivity` and the
+/// like, and `clusters` if it is a property map of the mesh. Three-dimensional vectors that are all of unit length, such as
+/// normals, keep unit length.
 ///
 /// \tparam P a point type
 /// \tparam Q a point type
@@ -246,8 +247,8 @@ private:
 /// \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the input of `coarsen_mesh()`
-/// \param clusters the `face_cluster_map` that it wrote
-/// \param coarse its output
+/// \param clusters the `face_cluster_map` written by `coarsen_mesh()`
+/// \param coarse the output of `coarsen_mesh()`
 /// \param policies the policies of properties of vertices and faces, by name
 /// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of `mesh`
 /// \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of

@@ -13,28 +13,28 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// The numbers of vertices that a mesh can be coarsened to.
+/// The range of the numbers of vertices to which a mesh can be coarsened.
 struct Vertex_number_range
 {
-  /// the smallest, which the topology of the mesh determines
+  /// the smallest number, which depends on the topology of the mesh
   std::size_t least = 0;
-  /// the largest, which is the number of vertices of the mesh, or of clusters that can be numbered where it is subdivided
+  /// the largest number: the number of vertices of the mesh or, if the mesh is subdivided, the maximum number of clusters
   std::size_t most = 0;
 };
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// finds the numbers of vertices that `coarsen_mesh()` accepts for a mesh: all from `least` to `most`.
+/// finds the range of the numbers of vertices that `coarsen_mesh()` accepts for a mesh: all numbers from `least` to `most`.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 /// \param mesh a 2-manifold polygon mesh
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" that the mesh is to be coarsened with: the range
-/// depends on `subdivide_input`, `minimum_component_area`, `feature_angle`, `edge_is_constrained_map`,
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", the parameters of the planned coarsening. The
+/// range depends on `subdivide_input`, `minimum_component_area`, `feature_angle`, `edge_is_constrained_map`,
 /// `vertex_is_constrained_map` and `face_patch_map`
 /// \throws Invalid_input as `coarsen_mesh()` does.
-/// \throws Coarsening_cancelled if the visitor said so.
+/// \throws Coarsening_cancelled if the visitor cancels.
 ///
-/// The time is that of a coarsening to very few vertices, without minimization.
+/// The function takes as long as a coarsening to very few vertices without minimization.
 template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters>
 Vertex_number_range vertex_number_range(const FaceGraph& mesh, const NamedParameters& np = parameters::default_values())
 {

@@ -16,16 +16,16 @@ namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningEnergies
 ///
-/// A face that belongs to a cluster, as a `ClusterEnergy` sees it. It may be a part of a face of the mesh, or a polygon that
-/// joins parts of several: where features are kept, where parameter `subdivide_input` is set, or where whole faces could not
-/// form the number of clusters.
+/// A face of a cluster, as passed to a `ClusterEnergy`. If features are kept, if parameter `subdivide_input` is set, or if whole
+/// faces could not form the number of clusters, the face may be a part of a face of the mesh, or a polygon that joins parts of
+/// several faces.
 ///
 /// Coordinates are relative to a local origin near the center of the mesh. If the extent of the mesh is not in
-/// \f$ [2^{-128}, 2^{128}] \f$, they are scaled by a power of two. All values are computed when they are asked for.
+/// \f$ [2^{-128}, 2^{128}] \f$, they are scaled by a power of two. Each function computes its value when it is called.
 class Clustered_face
 {
 public:
-  /// the kernel of points and vectors, whatever the kernel of the mesh
+  /// the kernel of points and vectors, independent of the kernel of the mesh
   typedef Simple_cartesian<double> Kernel;
   /// the type of points
   typedef Kernel::Point_3 Point_3;
@@ -45,9 +45,9 @@ public:
   }
   /// \endcond
 
-  /// returns the number of the face of the mesh that contains this one, in the order of `faces(mesh)`, or of parameter
-  /// `face_index_map`. Of a polygon that joins parts of several faces, it is the first of these. In
-  /// `coarsen_distributed_mesh()` the number has no meaning.
+  /// returns the number of the face of the mesh that contains this face, in the order of `faces(mesh)` or of parameter
+  /// `face_index_map`. For a polygon that joins parts of several faces, the function returns the number of the first of these
+  /// faces. In `coarsen_distributed_mesh()` the number has no meaning.
   std::size_t index() const { return input_.parent_of(face_); }
   /// returns the density.
   double density() const { return input_.density[face_]; }

@@ -16,30 +16,31 @@ namespace Surface_mesh_coarsening {
 /// \ingroup PkgSurfaceMeshCoarseningEnergies
 /// \cgalModels `ClusterEnergy`
 ///
-/// The deviation of normals: with unit normals \f$ n_j \f$ and masses \f$ m_j = \rho_j A_j \f$ of the faces of the cluster,
-/// \f[ \sum_j m_j - \left| \sum_j m_j n_j \right| + \frac{\lambda}{a} \sum_j m_j |g_j - z|^2. \f]
-/// The first two terms are half the distance \f$ L^{2,1} \f$ of \cgalCite{CAD04},
+/// The deviation of normals. With unit normals \f$ n_j \f$ and masses \f$ m_j = \rho_j A_j \f$ of the faces of the cluster, the
+/// energy is
+/// \f[ \sum_j m_j - \left| \sum_j m_j n_j \right| + \frac{\lambda}{a} \sum_j m_j |g_j - z|^2. \f] The first two terms are half
+/// the distance \f$ L^{2,1} \f$ of \cgalCite{CAD04},
 /// \f$ \sum_j m_j |n_j - N|^2 \f$ for the best unit vector \f$ N \f$. The last term is the inertia about the centroid \f$ z \f$
-/// in units of the mean area \f$ a \f$ of a cluster: it decides in flat regions, where normals do not deviate. Both balance where
-/// normals turn by about \f$ \sqrt{\lambda} \f$ within a cluster.
+/// in units of the mean area \f$ a \f$ of a cluster. It determines the clusters in flat regions, where normals do not deviate.
+/// The two parts balance where normals turn by about \f$ \sqrt{\lambda} \f$ within a cluster.
 class Normal_deviation_energy
 /// \cond SKIP_IN_MANUAL
   : public internal::Regularized_energy
 /// \endcond
 {
 public:
-  /// The default of \f$ \lambda \f$.
+  /// The default value of \f$ \lambda \f$.
   static constexpr double default_regularization = 0.1;
 
   /// \param regularization the factor \f$ \lambda \f$ of the inertia, positive and finite
-  /// \throws Invalid_input if it is not.
+  /// \throws Invalid_input if `regularization` is out of range.
   explicit Normal_deviation_energy(double regularization = default_regularization)
     : internal::Regularized_energy(regularization, "energy of normals")
   {}
 
   /// \cond SKIP_IN_MANUAL
-  // Moments of the centroids and of the unit normals. The difference of the first two terms of the formula would consist of
-  // roundings where normals deviate little. The inertia of the normals about their mean does not, and gives the same.
+  // Moments of the centroids and of the unit normals. Where normals deviate little, the difference of the first two terms of the
+  // formula would consist of rounding errors. The inertia of the normals about their mean gives the same value without this loss.
   struct Cluster_data
   {
     internal::Moments centroids, normals;

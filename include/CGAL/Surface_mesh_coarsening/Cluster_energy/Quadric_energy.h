@@ -17,31 +17,32 @@ namespace Surface_mesh_coarsening {
 /// \ingroup PkgSurfaceMeshCoarseningEnergies
 /// \cgalModels `ClusterEnergy`
 ///
-/// The residual of the quadric of the cluster: with unit normals \f$ n_j \f$ and masses \f$ m_j = \rho_j A_j \f$ of its faces,
-/// \f[ \min_x \sum_j m_j \left( (n_j \cdot (x - g_j))^2 + \lambda |x - g_j|^2 \right). \f]
-/// The first term sums the squared distances of a point from the planes of the faces, as the quadrics of \cgalCite{GH97} do;
-/// \cgalCite{VCP08} take such quadrics into a clustering of faces. Where the surface bends in one direction, clusters are
-/// longer in the other. The second term is the inertia, \f$ \lambda \f$ times: it decides in flat regions, where all quadrics
-/// vanish, so that clusters are well shaped there. Both balance where normals turn by about \f$ 2 \sqrt{\lambda} \f$ within a
-/// cluster.
+/// The residual of the quadric of the cluster. With unit normals \f$ n_j \f$ and masses \f$ m_j = \rho_j A_j \f$ of its faces,
+/// the energy is
+/// \f[ \min_x \sum_j m_j \left( (n_j \cdot (x - g_j))^2 + \lambda |x - g_j|^2 \right). \f] The first term sums the squared
+/// distances of a point from the planes of the faces, as the quadrics of \cgalCite{GH97} do;
+/// \cgalCite{VCP08} introduced such quadrics into a clustering of faces. Where the surface bends in one direction only, clusters
+/// are longer in the other direction. The second term is \f$ \lambda \f$ times the inertia. It determines the clusters in flat
+/// regions, where all quadrics vanish, and makes them well shaped there. The two terms balance where normals turn by about
+/// \f$ 2 \sqrt{\lambda} \f$ within a cluster.
 class Quadric_energy
 /// \cond SKIP_IN_MANUAL
   : public internal::Regularized_energy
 /// \endcond
 {
 public:
-  /// The default of \f$ \lambda \f$.
+  /// The default value of \f$ \lambda \f$.
   static constexpr double default_regularization = 0.1;
 
   /// \param regularization the factor \f$ \lambda \f$ of the inertia, positive and finite
-  /// \throws Invalid_input if it is not.
+  /// \throws Invalid_input if `regularization` is out of range.
   explicit Quadric_energy(double regularization = default_regularization)
     : internal::Regularized_energy(regularization, "quadric energy")
   {}
 
   /// \cond SKIP_IN_MANUAL
-  // The sums of m n n^T (upper triangle), m d n and m d^2, with the distance d of a plane from an origin in the cluster. Sums
-  // about an origin far away would lose the digits that the residual consists of.
+  // The sums of m n n^T (upper triangle), m d n and m d^2, where d is the distance of a plane from an origin in the cluster. Sums
+  // about an origin far from the cluster would lose the digits that form the residual.
   struct Cluster_data : internal::Moments
   {
     std::array<double, 6> matrix{};
@@ -71,7 +72,7 @@ public:
     if (!(pull > 0))
       return 0;
     using namespace internal;
-    // The quadric about the centroid: its value there is decreased by what the step to the optimum gains.
+    // The residual is the value of the quadric at the centroid minus the gain of the step to the optimum.
     const Vector center = x.centroid - x.origin;
     const std::array<double, 6>& a = x.matrix;
     const Vector slope{{x.vector[0] - a[0] * center[0] - a[1] * center[1] - a[2] * center[2],
@@ -99,7 +100,7 @@ private:
     x.constant += mass * d * d;
   }
 
-  // Returns s^T (A + pull I)^-1 s by the Cholesky factors, whose pivots are no less than `pull` but for roundings.
+  // Returns s^T (A + pull I)^-1 s by Cholesky factorization. Up to rounding errors, the pivots are at least `pull`.
   static double gain(const std::array<double, 6>& a, double pull, const internal::Vector& s)
   {
     const auto pivot = [pull](double x) { return std::sqrt((std::max)(x, pull)); };

@@ -17,15 +17,15 @@ namespace Surface_mesh_coarsening {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// An optional member of the concept `ClusterWeight`: `cannot_gain(trial_move)` judges moves by moments.
+// Optional member of the concept `ClusterWeight`: `cannot_gain(trial_move)` rejects moves by their moments.
 template <class Weight, class = void>
 constexpr bool judges_moves = false;
 template <class Weight>
 constexpr bool judges_moves<
   Weight, std::void_t<decltype(std::declval<const Weight&>().cannot_gain(std::declval<const Trial_move&>()))> > = true;
 
-// Optional members: `min_weight_with(data, face, weight)` and `min_weight_without(data, face, weight)` bound the weight
-// after a move from below; `weight` is the current one.
+// Optional members: `min_weight_with(data, face, weight)` and `min_weight_without(data, face, weight)` are lower bounds of the
+// weight after a move; `weight` is the current weight.
 template <class Weight, class = void>
 constexpr bool has_bounds = false;
 template <class Weight>
@@ -33,7 +33,7 @@ constexpr bool has_bounds<Weight, std::void_t<decltype(std::declval<const Weight
                                     std::declval<const typename Weight::Cluster_data&>(),
                                     std::declval<const typename Weight::Face_data&>(), 0.))> > = true;
 
-// An optional member of the concepts `ClusterWeight` and `ClusterEnergy`.
+// Optional member of the concepts `ClusterWeight` and `ClusterEnergy`.
 template <class Model, class = void>
 constexpr bool depends_on_densities = true;
 template <class Model>
@@ -46,7 +46,7 @@ constexpr bool depends_on_densities<Model, std::void_t<decltype(Model::depends_o
 /// \cgalModels `ClusterEnergy`
 ///
 /// The energy of the paper, \f$ w_i \sum_j \rho_j A_j |g_j - z_i|^2 \f$ (section 5.1, formula (8)): the weight of the cluster
-/// times the inertia of its faces about their centroid \f$ z_i \f$. Named parameter `cluster_weight` selects it.
+/// times the inertia of its faces about their centroid \f$ z_i \f$. Named parameter `cluster_weight` selects the weight.
 ///
 /// \tparam ClusterWeight a model of `ClusterWeight`
 template <class ClusterWeight = Weighted_area_weight>
@@ -69,7 +69,7 @@ public:
     typename ClusterWeight::Cluster_data data{};
   };
 
-  // An energy with the weight in it, which takes long to compute.
+  // An energy together with its weight, which is expensive to compute.
   struct Outcome
   {
     double weight = 0;
@@ -129,7 +129,7 @@ public:
   }
   void keep(Cluster_data& x, const Outcome& outcome) const { x.weight = outcome.weight; }
 
-  // Concludes from moments, or from bounds of the weights.
+  // Rejects a move by its moments, or by bounds of the weights.
   bool cannot_gain(const Cluster_data& source, const Cluster_data& target, const Face_data& face) const
   {
     const double rest = source.mass - face.mass, sum = target.mass + face.mass;

@@ -9,17 +9,17 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningWeights
-/// completes a weight that is a function of sums over the faces of a cluster: given `add()`, `remove()` and
-/// `weight()`, provides the other members that the concept `ClusterWeight` requires, the weight with one face more
-/// or less. Both are computed on a copy of the cluster's data, which should therefore be small.
+/// completes a weight that is a function of sums over the faces of a cluster. The weight defines `add()`, `remove()` and
+/// `weight()`. This class adds the two other functions that the concept `ClusterWeight` requires: the weight after a face has
+/// joined, and the weight after a face has left. Both are computed on a copy of the data of the cluster, which should be small.
 ///
 /// \tparam Derived the weight, derived from this class.
 template <class Derived>
 class Additive_cluster_weight
 {
 public:
-  /// returns the weight of a cluster with data `data` after face `face` has joined it; `mass` and `faces` are its mass
-  /// and number of faces then.
+  /// returns the weight of a cluster with data `data` after face `face` has joined. `mass` and `faces` are the mass of the
+  /// cluster and the number of its faces after the move.
   template <class Cluster_data, class Face_data>
   double weight_with(Cluster_data data, const Face_data& face, double mass, std::size_t faces) const
   {
@@ -27,8 +27,8 @@ public:
     return derived().weight(data, mass, faces);
   }
 
-  /// returns the weight of a cluster with data `data` after face `face` has left it; `mass` and `faces` are its mass
-  /// and number of faces then.
+  /// returns the weight of a cluster with data `data` after face `face` has left. `mass` and `faces` are the mass of the cluster
+  /// and the number of its faces after the move.
   template <class Cluster_data, class Face_data>
   double weight_without(Cluster_data data, const Face_data& face, double mass, std::size_t faces) const
   {

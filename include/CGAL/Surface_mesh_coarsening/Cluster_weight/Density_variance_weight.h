@@ -13,9 +13,9 @@ namespace Surface_mesh_coarsening {
 /// \ingroup PkgSurfaceMeshCoarseningWeights
 /// \cgalModels `ClusterWeight`
 ///
-/// One plus the sum of the squared deviations of the densities of the cluster's \f$ n \f$ faces from their mean,
+/// One plus the sum of the squared deviations of the densities of the \f$ n \f$ faces of the cluster from their mean,
 /// \f$ 1 + \sum_j \rho_j^2 - (\sum_j \rho_j)^2 / n \f$ (section 5.3, formulas (11) and (12) of the paper). Clusters
-/// stretch along lines of high density. The densities enter squared: the paper maps them to \f$ [1, 3] \f$.
+/// stretch along lines of high density. The weight is quadratic in the densities; the paper maps densities to \f$ [1, 3] \f$.
 class Density_variance_weight
   : public Additive_cluster_weight<Density_variance_weight>
 {

@@ -15,14 +15,14 @@ namespace Surface_mesh_coarsening {
 /// \cgalModels `ClusterWeight`
 ///
 /// The largest density of a face of the cluster, \f$ \max_j \rho_j \f$ (section 5.3, formula (10) of the paper), without
-/// the approximation of `Maximum_density_weight`. It stores the sorted densities of each cluster: a move takes time
-/// logarithmic in the number of faces of the cluster, and each face about 50 bytes.
+/// the approximation of `Maximum_density_weight`. The class stores the sorted densities of each cluster. A move takes time
+/// logarithmic in the number of faces of the cluster, and each face takes about 50 bytes.
 class Exact_maximum_density_weight
 {
 public:
   /// The density.
   typedef double Face_data;
-  /// The number of faces of the cluster per density.
+  /// The number of faces of the cluster for each density.
   typedef std::map<double, std::size_t> Cluster_data;
 
   /// returns the data of a face.

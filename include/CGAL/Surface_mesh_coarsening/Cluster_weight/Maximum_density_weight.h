@@ -19,8 +19,8 @@ namespace Surface_mesh_coarsening {
 /// The p-norm of the densities of the faces of the cluster, \f$ (\sum_j \rho_j^p)^{1/p} \f$, which approximates their
 /// maximum (section 8.4, formulas (10) and (13) of the paper). Clusters stretch along lines of high density.
 ///
-/// Powers of densities in \f$ [1, 50] \f$ span 17 decimal digits for `p` = 10. The sum is stored as a sum of two
-/// numbers, so that it remains accurate when the face of highest density leaves the cluster.
+/// For `p` = 10, the powers of densities in \f$ [1, 50] \f$ span 17 decimal digits. The sum is stored as a sum of two
+/// numbers, so it remains accurate when the face of highest density leaves the cluster.
 class Maximum_density_weight
   : public Additive_cluster_weight<Maximum_density_weight>
 {
@@ -36,7 +36,7 @@ public:
   };
 
   /// \param p the exponent, at least 1 and finite; the paper uses 10.
-  /// \throws Invalid_input if it is not.
+  /// \throws Invalid_input if `p` is out of range.
   explicit Maximum_density_weight(double p = 10)
     : p_(p), inverse_of_p_(1 / p), whole_p_(p >= 1 && p <= 64 && p == std::floor(p) ? unsigned(p) : 0)
   {
@@ -61,7 +61,7 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  // Lower bounds of the weights after a face has joined and after it has left, with the current weight `weight`. For
+  // Lower bounds of the weights after a face has joined and after a face has left; `weight` is the current weight. For
   // q = 1 / p and the share t of the face in the sum, (1 + t)^q >= 1 + q t - q (1 - q) t^2 / 2, and
   // (1 - t)^q >= 1 / (1 + q t / (1 - t)).
   double min_weight_with(const Cluster_data& data, Face_data power, double weight) const
@@ -80,7 +80,7 @@ public:
   /// \endcond
 
 private:
-  static constexpr double rounding = 1 - 1e-8; // bounds the rounding errors of sum and weight
+  static constexpr double rounding = 1 - 1e-8; // exceeds the rounding errors of sum and weight
 
   static double whole_power(double x, unsigned n)
   {

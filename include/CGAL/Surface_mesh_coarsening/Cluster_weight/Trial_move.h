@@ -8,15 +8,15 @@ namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningWeights
 ///
-/// The moments of two clusters before a face leaves the first of them, the source, for the second, the target. A model of
-/// `ClusterWeight` may conclude from them that the move gains nothing.
+/// The moments of two clusters before a face moves from the first cluster, the source, to the second cluster, the target. A model
+/// of `ClusterWeight` may conclude from these moments that the move does not lower the energy.
 ///
-/// Consider a face of mass \f$ m \f$ at distance \f$ d \f$ from the centroid of a cluster of mass \f$ M \f$. It
-/// decreases the inertia of the cluster by \f$ m M d^2 / (M - m) \f$ when it leaves, and increases it by
-/// \f$ m M d^2 / (M + m) \f$ when it joins.
+/// Consider a face of mass \f$ m \f$ at distance \f$ d \f$ from the centroid of a cluster of mass \f$ M \f$. If the face leaves
+/// the cluster, the inertia of the cluster decreases by \f$ m M d^2 / (M - m) \f$. If the face joins the cluster, the inertia
+/// increases by \f$ m M d^2 / (M + m) \f$.
 struct Trial_move
 {
-  /// the mass of the face, density times area; it is smaller than the mass of the source.
+  /// the mass of the face, which is density times area; it is smaller than the mass of the source.
   double face_mass;
   /// the mass of the source.
   double source_mass;

@@ -12,13 +12,13 @@ namespace Surface_mesh_coarsening {
 /// \ingroup PkgSurfaceMeshCoarseningWeights
 /// \cgalModels `ClusterWeight`
 ///
-/// The weight 1: the result is an ordinary centroidal Voronoi diagram with density, the baseline of figures 1 and 6 of
+/// The weight 1. The result is an ordinary centroidal Voronoi diagram with density, the baseline of figures 1 and 6 of
 /// the paper (remark in section 5.2).
 class Uniform_weight
   : public Additive_cluster_weight<Uniform_weight>
 {
 public:
-  /// Reclustering with other densities is not expected to help: sizes of clusters hardly depend on densities.
+  /// The sizes of clusters hardly depend on densities, so reclustering with other densities is not expected to help.
   static constexpr bool depends_on_densities = false;
 
   /// No data is stored per face.

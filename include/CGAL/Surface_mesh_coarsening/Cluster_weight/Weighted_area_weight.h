@@ -12,8 +12,8 @@ namespace Surface_mesh_coarsening {
 /// \ingroup PkgSurfaceMeshCoarseningWeights
 /// \cgalModels `ClusterWeight`
 ///
-/// The area of the cluster weighted with the densities of its faces, \f$ \sum_j \rho_j A_j \f$ (section 5.3, formula (9)
-/// of the paper). Clusters of high density become small and compact.
+/// The area of the cluster, weighted by the densities of its faces, \f$ \sum_j \rho_j A_j \f$ (section 5.3, formula (9)
+/// of the paper). Clusters of high density are small and compact.
 class Weighted_area_weight
   : public Additive_cluster_weight<Weighted_area_weight>
 {
@@ -31,7 +31,7 @@ public:
   void remove(Cluster_data&, const Face_data&) const {}
   /// returns the mass of the cluster.
   double weight(const Cluster_data&, double mass, std::size_t /* faces */) const { return mass; }
-  /// returns whether the energy does not decrease. With \f$ M \f$ as the weight it decreases if and only if
+  /// returns whether the energy does not decrease. If \f$ M \f$ is the weight, the energy decreases if and only if
   /// \f$ I + M d^2 > I' + M' d'^2 \f$.
   bool cannot_gain(const Trial_move& t) const
   {

@@ -16,14 +16,14 @@ namespace Surface_mesh_coarsening {
 /// \cgalModels `VertexPlacement`
 ///
 /// places the vertex of a cluster at the vertex of its faces that is closest to its centroid (Valette and Chassery:
-/// Approximated centroidal Voronoi diagrams for uniform polygonal mesh coarsening, 2004). Vertices shared with
-/// other clusters are used only if there is no other.
+/// Approximated centroidal Voronoi diagrams for uniform polygonal mesh coarsening, 2004). A vertex on the boundary to another
+/// cluster is used only if the cluster has no other vertices.
 class Closest_vertex_placement
 {
 public:
   /// may be called by several threads at a time.
   static constexpr bool may_run_in_parallel = true;
-  /// places vertices at vertices of the input; the repair keeps them there.
+  /// places vertices at vertices of the input, which the repair preserves.
   static constexpr bool is_at_input_vertices = true;
 
   /// returns the position of the vertex of cluster `cluster`.

@@ -22,12 +22,12 @@ namespace Surface_mesh_coarsening {
 /// \cgalModels `GlobalVertexPlacement`
 ///
 /// fits all vertices together to the input, starting from `Quadric_placement`. Each round finds the closest points of samples
-/// of the input on the coarse mesh, and of samples of the coarse mesh on the input, and solves a sparse linear least squares
-/// problem for the movements that bring them together. Between rounds it flips edges of the coarse mesh, preferring flips
-/// that lower the distance most for the loss in angles, until the mean over the triangles of their smallest angle has
-/// decreased to a bound.
+/// of the input on the coarse mesh, and of samples of the coarse mesh on the input. It then solves a sparse linear least squares
+/// problem for the movements of the vertices that bring these points together. Between rounds, edges of the coarse mesh are
+/// flipped. Flips with the best ratio of the decrease of the distance to the loss in angles come first, until the mean
+/// over the triangles of the smallest angle has decreased to a bound.
 ///
-/// If features are kept, polylines are fitted to their lines together with the surface; corners do not move.
+/// If features are kept, polylines are fitted to the feature lines together with the surface; corners do not move.
 class Fitted_placement
 {
 public:
@@ -35,9 +35,9 @@ public:
   typedef Quadric_placement Start;
 
   /// \param rounds the number of fits
-  /// \param mean_angle the mean over the triangles of their smallest angle, in degrees, that flips aim at: flips that lower
-  /// the distance are made while the mean is larger; if it is smaller at the start, flips that raise it are made if they
-  /// add little to the distance. Between 0 and 60.
+  /// \param mean_angle the mean over the triangles of their smallest angle that flips aim at, in degrees, between 0 and 60. While
+  /// the mean is larger, flips that lower the distance are made. If the mean is smaller at the start, flips that increase it and
+  /// add little to the distance are made.
   /// \throws Invalid_input if `mean_angle` is out of range.
   explicit Fitted_placement(std::size_t rounds = 5, double mean_angle = 40) : rounds_(rounds), mean_angle_(mean_angle)
   {
@@ -47,9 +47,9 @@ public:
 
   /// places the vertices of all clusters, and may flip edges of the coarse mesh.
   /// \param surface the clusters
-  /// \param border the vertices on the border, which do not move, and on feature lines, which may move
+  /// \param border the arcs of the vertices on the border, which do not move, and on feature lines, which may move
   /// \param triangles the triangles of the coarse mesh
-  /// \param positions the positions of the vertices; vertices on the border are placed already
+  /// \param positions the positions of the vertices; on entry, vertices on the border have their positions
   void operator()(const Clustered_surface& surface, const Border_arcs& border,
                   std::vector<std::array<std::uint32_t, 3> >& triangles,
                   std::vector<Clustered_surface::Point_3>& positions) const
@@ -60,7 +60,7 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  // The same, with rounds that exchange vertices. Returns the squared distance without these.
+  // The same with rounds that exchange vertices. Returns the squared distance without these rounds.
   double place_and_exchange(const internal::Clustered_faces& clusters, const Border_arcs& border,
                             std::vector<internal::Triangle>& triangles, std::vector<internal::Vector>& positions,
                             const internal::Vertex_relocation& relocation) const

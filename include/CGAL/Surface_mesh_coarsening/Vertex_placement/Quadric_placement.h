@@ -19,23 +19,23 @@ namespace Surface_mesh_coarsening {
 ///
 /// places the vertex of a cluster at the minimum of the sum over its faces of area times squared distance from the plane of
 /// the face (Valette, Kompatsiaris, Chassery: Adaptive polygonal mesh simplification with discrete centroidal Voronoi
-/// diagrams, 2005): on sharp edges and corners of the cluster, and on curved surfaces.
+/// diagrams, 2005). The vertex lies on sharp edges and corners of the cluster, and on curved surfaces.
 ///
-/// On planar parts and along straight edges, where the planes do not determine the position, the vertex is close to the
-/// centroid: a small part of the squared distance from the centroid is added to the sum. The vertex is never farther from
-/// the centroid of the cluster than its faces are.
+/// In planar regions and along straight edges, the planes do not determine the position. There the vertex is close to the
+/// centroid, because a small multiple of the squared distance from the centroid is added to the sum. The vertex is never farther
+/// from the centroid of the cluster than the faces of the cluster are.
 class Quadric_placement
 {
 public:
   /// may be called by several threads at a time.
   static constexpr bool may_run_in_parallel = true;
 
-  /// the default of `pull`.
+  /// the default value of `pull`.
   static constexpr double default_pull = 0.002;
 
-  /// \param pull the weight of the squared distance from the centroid, relative to the distance from the planes;
-  /// positive and at most 1.
-  /// \throws Invalid_input if it is not.
+  /// \param pull the weight of the squared distance from the centroid relative to the distances from the planes,
+  /// positive and at most 1
+  /// \throws Invalid_input if `pull` is out of range.
   explicit Quadric_placement(double pull = default_pull) : pull_(pull)
   {
     if (!(pull > 0 && pull <= 1))

@@ -24,8 +24,8 @@ Iterator_range<boost::counting_iterator<Number> > numbers_below(Number n)
   return {boost::counting_iterator<Number>(0), boost::counting_iterator<Number>(n)};
 }
 
-// The items of several groups in two arrays, group by group; items keep their order within a group. Built in linear
-// time. Boost has this only inside of its compressed_sparse_row_graph, which sorts edges and cannot be cancelled.
+// The items of several groups in two arrays, group by group. Items keep their order within a group. The construction takes linear
+// time. Boost has such a structure only inside its compressed_sparse_row_graph, which sorts edges and cannot be cancelled.
 template <class Item>
 class Bucketed_items
 {

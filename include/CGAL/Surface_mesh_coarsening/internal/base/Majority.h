@@ -21,7 +21,7 @@ struct Is_ordered<Value, std::void_t<decltype(std::declval<const Value&>() < std
   : std::true_type
 {};
 
-// Sums areas per value.
+// Sums areas for each value.
 template <class Value>
 class Majority
 {
@@ -29,7 +29,7 @@ public:
   void add(double area, const Value& value) { votes_.emplace_back(value, area); }
   bool empty() const { return votes_.empty(); }
 
-  // Returns the value of largest area. Among several, the smallest wins if values are ordered, otherwise the first.
+  // Returns the value of largest area. Of several, returns the smallest if values are ordered, otherwise the first.
   Value value()
   {
     if constexpr (Is_ordered<Value>::value)

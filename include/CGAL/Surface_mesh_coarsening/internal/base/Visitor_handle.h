@@ -57,7 +57,7 @@ public:
     if (go_further_ && !go_further_())
       throw Coarsening_cancelled();
   }
-  // Asks whether to continue after each `often` steps, counted over all loops.
+  // Calls `go_further()` of the visitor after each `often` steps, counted over all loops. Throws if the visitor cancels.
   void poll(std::size_t steps) const
   {
     steps_ += steps;
@@ -92,8 +92,8 @@ private:
   mutable std::size_t steps_ = 0;
 };
 
-// Asks the visitor about once a millisecond whether to continue. Copies share the count of steps, so sequences of short
-// loops are covered, too. Loops on several threads have none. It also notifies the visitor of stages and steps.
+// Checks about once a millisecond whether the visitor cancels. Copies share the count of steps, so sequences of short loops
+// are also covered. Loops on several threads must not use it. It also notifies the visitor of stages and steps.
 class Cancellation_point
 {
 public:

@@ -39,8 +39,8 @@ constexpr bool is_of_package = Parameter_list<CGAL::internal_np::vertex_point_t,
 #include <CGAL/Surface_mesh_coarsening/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
-// Compilers print the tag with the sentence. Parameters that no function of the package has are let pass: the same pack may go on
-// to functions of CGAL.
+// Compilers print the tag with the sentence. Parameters that no function of the package has are accepted, because the same pack
+// may be passed to functions of CGAL.
 template <class Tag, class List>
 constexpr bool check_parameter()
 {
@@ -85,13 +85,13 @@ struct Density_parameters
   : Parameter_list<internal_np::maximum_density_t, internal_np::border_densities_t>
 {};
 
-// Of a mesh with features, whether they are read or written.
+// The maps of features of a mesh, which are read or written.
 struct Feature_map_parameters
   : Parameter_list<CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::vertex_is_constrained_t,
                    CGAL::internal_np::face_patch_t>
 {};
 
-// Of all that clusters a mesh.
+// The parameters of all functions that cluster a mesh.
 struct Clustering_parameters
   : Parameter_lists<Geometry_parameters, Order_parameters, Density_parameters, Feature_map_parameters,
                     Parameter_list<internal_np::face_density_t, internal_np::cluster_weight_t, internal_np::cluster_energy_t,
@@ -102,7 +102,7 @@ struct Clustering_parameters
                                    CGAL::internal_np::visitor_t> >
 {};
 
-// Of all that goes from a mesh to a coarser one.
+// The parameters of all functions that compute a coarser mesh.
 struct Coarsening_parameters
   : Parameter_lists<Clustering_parameters,
                     Parameter_list<CGAL::internal_np::number_of_iterations_t, internal_np::convergence_tolerance_t,

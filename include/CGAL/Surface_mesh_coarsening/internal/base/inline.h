@@ -3,8 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_INLINE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_INLINE_H
 
-// Functions of the headers NAME_impl.h are inline if the package is used as headers alone. They are not if
-// CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE is defined: the core is then compiled once into a library.
+// Functions of the headers NAME_impl.h are inline if the package is used header-only. They are not inline if
+// CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE is defined; then the core is compiled once into a library.
 #ifdef CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE
 #define CGAL_SURFACE_MESH_COARSENING_INLINE
 #else

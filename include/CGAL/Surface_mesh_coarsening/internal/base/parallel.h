@@ -38,8 +38,8 @@ constexpr Execution execution()
   return is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL;
 }
 
-// Calls `run(i)` for the numbers from 0 to `n`, which are several, in parallel if `execution` says so. It is never inlined, so
-// that profilers separate parallel from serial work: `count_serial_part.sh` relies on that.
+// Calls `run(i)` for several numbers from 0 to `n`, in parallel if `execution` requests it. The function is never inlined, so
+// that profilers separate parallel from serial work; `count_serial_part.sh` relies on this.
 template <class Run>
 BOOST_NOINLINE void run_concurrently(Execution execution, std::size_t n, const Run& run)
 {
@@ -55,8 +55,8 @@ BOOST_NOINLINE void run_concurrently(Execution execution, std::size_t n, const R
 }
 
 // Calls `work(i, begin, end)` for the i-th of the chunks of `size` numbers from 0 to `n`. Chunks, and hence results
-// combined in order, do not depend on the number of threads. oneTBB leaves the choice of chunks to its partitioners, and the
-// package has to give the same bytes without it.
+// combined in order, do not depend on the number of threads. The partitioners of oneTBB choose chunks themselves, and the
+// package must give the same results without oneTBB.
 template <class Work>
 void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const Work& work)
 {
@@ -73,7 +73,7 @@ template <class Work>
 void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const Cancellation_point& cancellation,
                     const Work& work)
 {
-  constexpr std::size_t at_a_time = 16; // chunks
+  constexpr std::size_t at_a_time = 16; // number of chunks
   for (std::size_t first = 0; first < n; first += at_a_time * size) {
     const std::size_t last = (std::min)(n, first + at_a_time * size);
     cancellation.poll(last - first);
@@ -84,7 +84,7 @@ void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const 
 }
 
 // Calls `make(part, begin, end)` for the chunks of `size` numbers from 0 to `n`, several at a time, and then
-// `take(part)` for each of them in order. Parts are reused.
+// `take(part)` for each part in order. Parts are reused.
 template <class Part, class Make, class Take>
 void for_each_part(Execution execution, std::size_t n, std::size_t size, const Cancellation_point& cancellation, const Make& make,
                    const Take& take)
@@ -112,12 +112,12 @@ void for_each_number(Execution execution, std::size_t n, const Cancellation_poin
   });
 }
 
-// Calls `work(i)` for the numbers of each group in order. One thread at a time processes a group.
+// Calls `work(i)` for the numbers of each group in order. Each group is processed by one thread at a time.
 template <class Work>
 void for_each_in_groups(Execution execution, const std::vector<Index>& group, std::size_t number_of_groups,
                         const Cancellation_point& cancellation, const Work& work)
 {
-  constexpr std::size_t few = 4096; // starting threads would take longer
+  constexpr std::size_t few = 4096; // for fewer numbers, starting threads would take longer
   if (execution == Execution::SEQUENTIAL || group.size() < few) {
     for (std::size_t i = 0; i < group.size(); ++i) {
       cancellation.poll();
@@ -138,21 +138,21 @@ void for_each_in_groups(Execution execution, const std::vector<Index>& group, st
   }
 }
 
-// A cancellation point for loops on several threads. The visitor is asked on the thread that began the loop; the others learn of
-// its refusal.
+// A cancellation point for loops on several threads. The visitor is called on the thread that began the loop; the other threads
+// are informed if it cancels.
 class Shared_cancellation_point
 {
 public:
   explicit Shared_cancellation_point(const Cancellation_point& cancellation) : cancellation_(cancellation) {}
 
-  // To be called before the loop.
+  // Must be called before the loop.
   void begin()
   {
     thread_ = std::this_thread::get_id();
     is_refused_ = false;
   }
 
-  // Returns whether to go on. On the thread that began, a refusal leaves as an exception.
+  // Returns whether to continue. On the thread that began the loop, a cancellation throws an exception.
   bool poll(std::size_t steps)
   {
     if (std::this_thread::get_id() != thread_)

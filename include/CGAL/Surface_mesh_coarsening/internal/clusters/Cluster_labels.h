@@ -15,8 +15,9 @@ namespace internal {
 // The labels of the faces, the paper's boundary-edge count of each vertex (section 7), and the tests that keep every
 // cluster a closed disc.
 //
-// Each border loop is capped by one more cluster, labelled `cap` plus the number of the loop; no face has this label.
-// So a border edge is an edge between two clusters, and the count of a vertex is the number of runs of equal labels
+// Each border loop is capped by an additional cluster with label `cap` plus the number of the loop; no face has this label.
+// Hence a border edge is an edge between two clusters, and the count of a vertex is either zero or the number of runs of equal
+// labels around it.
 // around it unless it is zero.
 class Cluster_labels
 {
@@ -50,7 +51,7 @@ public:
     if (label < is_frozen_.size())
       is_frozen_[label] = is_frozen;
   }
-  // Whether a face may not change its cluster.
+  // Returns whether a face may not change its cluster.
   bool is_pinned(Index f) const { return !is_pinned_.empty() && is_pinned_[f]; }
   void pin(Index f)
   {
@@ -77,8 +78,8 @@ public:
     return false;
   }
 
-  // Returns whether cluster `to`, a closed disc, is one with face `f`, too: the part of the face's boundary that
-  // touches the cluster has to be one arc that contains an edge and is not the whole boundary.
+  // Returns whether cluster `to`, a closed disc, remains a closed disc if face `f` joins: the part of the boundary of the face
+  // that touches the cluster must be one arc that contains an edge and is not the whole boundary.
   bool stays_disc_with(Index f, Index to) const
   {
     const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1];
@@ -87,7 +88,7 @@ public:
     for (Index c = begin; c != end; ++c) {
       const bool across = label_across(c) == to;
       edges += across;
-      // A vertex between two edges is touched if one of them is, or if a face around it has the label.
+      // A vertex between two edges is touched if one of the edges is, or if an incident face has the label.
       if (!previous && (across || touches(mesh_.corner_vertex[c], to)))
         ++arcs_begun;
       if (arcs_begun > 1)
@@ -97,8 +98,8 @@ public:
     return edges > 0 && edges < end - begin && arcs_begun == 1;
   }
 
-  // Returns whether the cluster of face `f`, a closed disc, is one without the face, too: the part of the face's
-  // boundary on the boundary of the cluster has to be one arc and not the whole boundary.
+  // Returns whether the cluster of face `f`, a closed disc, remains a closed disc if the face leaves: the part of the boundary of
+  // the face on the boundary of the cluster must be one arc and not the whole boundary.
   bool stays_disc_without(Index f) const
   {
     const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1], from = label_[f];
@@ -116,8 +117,7 @@ public:
     return edges > 0 && edges < end - begin && arcs_begun == 1;
   }
 
-  // Moves face `f` to another cluster and updates the counts of its vertices, in time that depends on the degree of the
-  // face only.
+  // Moves face `f` to another cluster and updates the counts of its vertices. The time depends only on the degree of the face.
   void move(Index f, Index to)
   {
     const Index from = label_[f];
@@ -147,8 +147,8 @@ public:
   void recount() { boundary_count_ = recounted(); }
 
 private:
-  // Walking around a vertex of this valence for each of its faces would take quadratic time. There, the faces of each
-  // label are counted instead, hub by hub: threads that move faces at different hubs change different counts.
+  // A walk around a vertex of high valence, a hub, for each of its faces would take quadratic time. At a hub, the faces of each
+  // label are counted instead, separately for each hub: threads that move faces at different hubs change different counts.
   static constexpr Index hub_valence = 64;
   bool is_hub(Index v) const { return mesh_.first_in_star[v + 1] - mesh_.first_in_star[v] > hub_valence; }
   typedef std::unordered_map<Index, Index> Faces_of_labels;

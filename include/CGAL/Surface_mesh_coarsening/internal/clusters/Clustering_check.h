@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Checks a clustering from its labels alone: every cluster is a closed disc, and the dual is a simplicial surface.
+// Checks a clustering by its labels alone: every cluster must be a closed disc, and the dual a simplicial surface.
 class Clustering_check
 {
 public:

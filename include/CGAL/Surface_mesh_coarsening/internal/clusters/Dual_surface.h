@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The dual of the clusters of a component: a closed triangulated surface whose vertices are the clusters and the caps
-// of the border loops. Contracting an edge of it merges two clusters without access to their faces.
+// The dual of the clusters of a component: a closed triangulated surface whose vertices are the clusters and the caps of the
+// border loops. The contraction of an edge merges two clusters without access to their faces.
 //
 // The dual remains a simplicial surface of the same topology if an edge is contracted only where its ends have exactly
 // two common neighbors (the link condition; Dey, Edelsbrunner, Guha, Nekhayev: Topology preserving edge contraction,
@@ -53,7 +53,7 @@ public:
   static Edge previous(Edge e) { return e % 3 == 0 ? e + 2 : e - 1; }
   Index source(Edge e) const { return source_[e]; }
   Index target(Edge e) const { return source_[next(e)]; }
-  // Returns whether the clusters at the ends meet in an arc, and not only in the fan around a vertex of the mesh.
+  // Returns whether the clusters at the ends meet in an arc, not only in the fan around a vertex of the mesh.
   bool is_arc(Edge e) const { return is_arc_[e]; }
 
   // Calls `visit(e)` for each edge that leaves `x`.
@@ -89,7 +89,7 @@ public:
     return common == 2 && of_a + of_b >= 7 && !tip_is_enclosed(e) && !tip_is_enclosed(opposite_[e]);
   }
 
-  // Merges the ends of `e`; the result keeps the number of the source.
+  // Merges the ends of `e`. The merged cluster keeps the number of the source of `e`.
   void contract(Edge e)
   {
     const Index kept = source_[e], gone = target(e);
@@ -133,9 +133,9 @@ private:
     std::vector<Index> at_vertex;
   };
 
-  // Returns whether the third cluster of the triangle of `e` meets the two at the ends of `e` in arcs, and no others.
-  // These two must not be merged: the result would touch itself at the vertex whose fan contributes the other neighbors
-  // of the third.
+  // Returns whether the third cluster of the triangle of `e` meets the two clusters at the ends of `e` in arcs, and no other
+  // clusters in arcs. In this case the two clusters must not be merged: the merged cluster would touch itself at the vertex whose
+  // fan contributes the other neighbors of the third cluster.
   bool tip_is_enclosed(Edge e) const
   {
     const Index tip = source_[previous(e)];
@@ -150,7 +150,7 @@ private:
     return arcs == 2;
   }
 
-  // Glues the two edges of the triangle of `e` other than `e`. Returns a glued edge that leaves the source of `e`.
+  // Removes the triangle of `e` and glues its two other edges. Returns a glued edge that leaves the source of `e`.
   Edge remove_triangle(Edge e)
   {
     const Edge first = opposite_[next(e)], second = opposite_[previous(e)]; // from the tip, and to the tip

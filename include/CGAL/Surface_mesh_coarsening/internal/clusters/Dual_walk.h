@@ -25,10 +25,10 @@ struct Directed_edge
 
 // Computes the runs of equal labels around a vertex, counterclockwise, including the cap.
 //
-// In the dual triangulation a vertex with d >= 3 runs is a fan of d - 2 triangles. Its apex is the run of the first
-// face of the star. So the dual triangulation depends on the clusters but not on their numbers, and merging two
-// clusters contracts an edge of it. On the border the first face is the clockwise end of the star; one triangle only
-// contains the cap, together with the two clusters that meet the border here.
+// In the dual triangulation, a vertex with d >= 3 runs is a fan of d - 2 triangles. The apex of the fan is the run of the first
+// face of the star. Hence the dual triangulation depends on the clusters but not on their numbers, and a merge of two
+// clusters contracts one of its edges. On the border, the first face is the clockwise end of the star, and only one triangle
+// contains the cap, together with the two clusters that meet the border at this vertex.
 inline void clusters_around_vertex(const Cluster_labels& labels, Index v, std::vector<Index>& runs)
 {
   const Flat_mesh& m = labels.mesh();
@@ -44,7 +44,7 @@ inline void clusters_around_vertex(const Cluster_labels& labels, Index v, std::v
     runs.pop_back(); // the first run, the apex, continues across the end of the array
 }
 
-// A set of labels, mostly of so few that they are found fastest one by one.
+// A set of labels. Most sets are so small that a linear search is fastest.
 class Label_set
 {
 public:
@@ -77,14 +77,13 @@ private:
   std::unordered_set<Index> many_;
 };
 
-// Walks along the boundary of a cluster that is a closed disc, and lists its neighbors in the dual triangulation in
-// order.
+// Walks along the boundary of a cluster that is a closed disc, and lists its neighbors in the dual triangulation in order.
 class Dual_walk
 {
 public:
   explicit Dual_walk(const Cluster_labels& labels) : labels_(labels), mesh_(labels.mesh()) {}
 
-  // Returns an edge of face `f` on the boundary of its cluster; none if there is none.
+  // Returns an edge of face `f` on the boundary of its cluster, if there is one.
   Directed_edge boundary_edge(Index f) const
   {
     for (const Index c : mesh_.corners(f))
@@ -131,8 +130,8 @@ public:
   }
 
 private:
-  // Visits the neighbors of the cluster of face `f` in the fan at `v`, except `front`, where the boundary of the
-  // cluster arrives at `v`. It leaves `v` along `back`.
+  // Visits the neighbors of the cluster of face `f` in the fan at `v`, except `front`. The boundary of the cluster arrives at `v`
+  // along `front` and leaves `v` along `back`.
   template <class Visit>
   bool link_at(Index v, Index f, Index front, Index back, const Visit& visit)
   {
@@ -151,8 +150,8 @@ private:
     return visit(back);
   }
 
-  // Returns the boundary edge that leaves `v`, given the boundary edge that arrives there: turns clockwise over the
-  // faces of the cluster, which are consecutive around `v`.
+  // Returns the boundary edge that leaves `v`, given the boundary edge that arrives there. Turns clockwise over the faces of the
+  // cluster, which are consecutive around `v`.
   Directed_edge turn(const Directed_edge e, Index v) const
   {
     Directed_edge leaving{e.face, mesh_.next_corner(e.face, e.corner)};

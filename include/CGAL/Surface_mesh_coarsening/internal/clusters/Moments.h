@@ -13,8 +13,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The mass of a set of faces, their centroid (7), and the inertia about it; the energy (8) is a multiple of the
-// inertia. Faces join and leave by the parallel axis theorem. From scratch, two passes over the faces are more accurate.
+// The mass of a set of faces, their centroid (7), and the inertia about the centroid. The energy (8) is a multiple of the
+// inertia. The parallel axis theorem gives the moments after a face joins or leaves. A computation from scratch takes two passes
+// over the faces, which is more accurate.
 struct Moments
 {
   double mass = 0;            // sum r A
@@ -40,7 +41,7 @@ struct Moments
     return dot(d, d);
   }
 
-  // Return the inertia after mass `m` has joined or left; `sum` and `rest` are the masses then.
+  // Return the inertia after mass `m` has joined or left. `sum` and `rest` are the masses after the move.
   double inertia_with(double m, double sum, double squared_distance) const
   {
     return inertia + (sum > 0 ? m * mass / sum * squared_distance : 0);
@@ -76,7 +77,7 @@ inline double inertia_between(const Moments& a, const Moments& b)
   return mass > 0 ? a.mass * b.mass / mass * dot(d, d) : 0;
 }
 
-// Computes the masses and centroids of the clusters; `moments` begin with zero.
+// Computes the masses and centroids of the clusters. `moments` must be zero on entry.
 inline void add_up_centroids(const Clustering_input& input, const Cluster_labels& labels, std::vector<Moments>& moments,
                              const Cancellation_point& cancellation, Execution execution)
 {

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The base of energies of planes to which the inertia is added, times a factor.
+// The base class of energies that measure planes, to which a multiple of the inertia is added.
 class Regularized_energy
 {
 public:

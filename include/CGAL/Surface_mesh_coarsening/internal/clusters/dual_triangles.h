@@ -21,7 +21,7 @@ namespace internal {
 
 typedef std::array<Index, 3> Triangle;
 
-// Calls `visit(v, clusters)` for each vertex from `begin` to `end` where three or more clusters meet; `clusters` are in
+// Calls `visit(v, clusters)` for each vertex from `begin` to `end` where three or more clusters meet. `clusters` are in
 // counterclockwise order.
 template <class Visit>
 void for_each_meeting_point(const Cluster_labels& labels, Index begin, Index end, const Visit& visit)
@@ -44,8 +44,8 @@ void for_each_meeting_point(const Cluster_labels& labels, const Visit& visit)
   for_each_meeting_point(labels, 0, Index(labels.mesh().number_of_vertices()), visit);
 }
 
-// Returns the dual (section 8.3 of the paper) as triangles of cluster numbers: a triangle for each vertex where three
-// clusters meet, a fan where more do, in the orientation of the mesh.
+// Returns the dual (section 8.3 of the paper) as triangles of cluster numbers, in the orientation of the mesh: a triangle for
+// each vertex where three clusters meet, and a fan where more than three clusters meet.
 inline std::vector<Triangle> dual_triangles(const Cluster_labels& labels,
                                             const Cancellation_point& cancellation = Cancellation_point(),
                                             Execution execution = Execution::SEQUENTIAL)
@@ -67,8 +67,8 @@ inline std::vector<Triangle> dual_triangles(const Cluster_labels& labels,
   return triangles;
 }
 
-// The same for clusters of any origin: a fan that would repeat an edge gets another apex. `name(x)` is the name of
-// cluster `x` for the exception thrown if no apex helps.
+// The same for clusters of any origin: a fan that would repeat an edge gets another apex. If no apex avoids this, an exception is
+// thrown; `name(x)` is the name of cluster `x` in its message.
 template <class Name>
 class Simplicial_dual
 {

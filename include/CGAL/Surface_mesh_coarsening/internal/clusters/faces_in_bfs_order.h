@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Returns the faces of the cluster of face `f` in breadth-first order from `f`, in time that depends on the cluster
-// only: the labels temporarily serve as marks.
+// Returns the faces of the cluster of face `f` in breadth-first order from `f`. The labels temporarily serve as marks, so the
+// time depends only on the cluster.
 inline std::vector<Index> faces_in_bfs_order(Cluster_labels& labels, Index f)
 {
   const Flat_mesh& m = labels.mesh();

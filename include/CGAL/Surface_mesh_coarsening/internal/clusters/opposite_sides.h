@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Side `3 t + i` of a triangulated 2-manifold goes from corner `i` of triangle `t` to the next corner. Returns for each side the
-// side of the same edge in the other triangle, NONE on the border. `source(side)` is the vertex where a side begins.
+// Returns, for each side of a triangulated 2-manifold, the side of the same edge in the other triangle; NONE on the border. Side
+// `3 t + i` goes from corner `i` of triangle `t` to the next corner. `source(side)` is the vertex where a side begins.
 template <class Source>
 std::vector<Index> opposite_sides(std::size_t triangles, std::size_t vertices, const Source& source)
 {

@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Estimates the distance of a mesh and its coarse mesh: the largest distance, both ways, at the vertices of the mesh,
-// at the vertices of the coarse mesh and at points of its triangles, with more points where distances are large. Fast,
-// but no bound.
+// Estimates the distance between a mesh and its coarse mesh: the largest distance in both directions, at the vertices of the
+// mesh, at the vertices of the coarse mesh and at points of its triangles, with more points where distances are large. The
+// estimate is fast, but no bound.
 class Distance_estimate
 {
 public:
@@ -30,7 +30,7 @@ public:
       cancellation_(cancellation)
   {}
 
-  // Returns `least` if the distance is smaller. The larger `least`, the faster.
+  // Returns `least` if the distance is smaller. A larger `least` makes the function faster.
   double distance(double least = 0) const { return std::sqrt(from_coarse(to_coarse(least * least))); }
 
 private:
@@ -48,7 +48,7 @@ private:
       double least = -1;
       for (const Index x : around)
         improve_around(mesh_.points[v], x, largest, least);
-      // Edge flips may have moved the triangle of this place away from these vertices.
+      // Edge flips may have moved the triangle that was at this place away from these vertices.
       for (double before = -1; least > largest && least != before;) {
         before = least;
         const std::vector<Index> inner(around);
@@ -64,7 +64,7 @@ private:
     return largest;
   }
 
-  // Stops improving when the result can no longer change.
+  // Stops when the result can no longer change.
   void improve_around(const Vector& p, Index x, double largest, double& least) const
   {
     for (const Index t : coarse_.around(x))
@@ -78,7 +78,7 @@ private:
     return closest_on_triangle(p, positions_[c[0]], positions_[c[1]], positions_[c[2]]).squared_distance;
   }
 
-  // Subdivides the parts of triangles whose distance may exceed the largest so far.
+  // Subdivides the parts of triangles whose distance may exceed the largest distance so far.
   double from_coarse(double largest) const
   {
     const Nearest_point_search search(mesh_, labels_.labels(), positions_.size());
@@ -109,7 +109,7 @@ private:
   struct Part
   {
     std::array<Vector, 3> corners;
-    Triangle clusters; // where the search begins
+    Triangle clusters; // the clusters in which the search begins
   };
 
   static Vector center(const Part& part)
@@ -138,7 +138,7 @@ private:
   }
 
   static constexpr int divisions = 5;
-  // Assumed Lipschitz constant of the distance to the surface along the triangles; 1 would be certain.
+  // Assumed Lipschitz constant of the distance to the surface along the triangles; only the value 1 would be certain.
   static constexpr double steepness = 0.5;
   const Cluster_labels& labels_;
   const Flat_mesh& mesh_;

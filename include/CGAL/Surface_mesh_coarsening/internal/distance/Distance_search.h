@@ -26,12 +26,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Searches the levels of a fine clustering for the coarsest result within a distance; if the placement exchanges vertices, then
-// also clusterings for fewer vertices.
+// Searches the levels of a fine clustering for the coarsest result within a distance. If the placement exchanges vertices, also
+// searches clusterings for fewer vertices.
 class Distance_search
 {
 public:
-  // `quick` is the placement from which `placement` starts, if there is one. `vertices` is the maximal number of
+  // `quick` is the placement from which `placement` starts, if there is one. `vertices` is the maximum number of
   // clusters.
   Distance_search(Clustering_state& state, const Placement_model& placement, const std::optional<Placement_model>& quick,
                   const Output_coordinates& output_coordinates, double distance, const Minimization_end& end,
@@ -61,7 +61,7 @@ public:
       cluster_for_fewer();
   }
 
-  // Every result is nearer, since vertices lie near their clusters. Squares of much larger distances would overflow.
+  // Every result is closer, because vertices lie near their clusters. Squares of much larger distances would overflow.
   static double max_distance(const Clustering_input& input)
   {
     Bbox_3 box;
@@ -70,7 +70,7 @@ public:
     return (std::max)(8 * std::sqrt(squared_diagonal(box)), (std::numeric_limits<double>::min)());
   }
 
-  // Of the result:
+  // Members of the result:
   const std::vector<Vector>& positions() const { return result_->positions; }
   const std::vector<Triangle>& triangles() const { return result_->triangles; }
   const std::vector<Index>& clusters_of_base_faces() const { return clusters_; }
@@ -89,7 +89,7 @@ private:
   {
     const Clustering_input& base = state_.base_input();
     const std::size_t faces = base.mesh.number_of_faces();
-    std::size_t number = 0; // of faces of the caller's mesh
+    std::size_t number = 0; // the number of faces of the caller's mesh
     for (std::size_t f = 0; f < faces; ++f)
       number = (std::max)(number, std::size_t(base.parent_of(Index(f))) + 1);
     const std::vector<Index> all = levels_->clusters_of_faces(result_->level, number);
@@ -103,11 +103,11 @@ private:
   // Estimates are slightly smaller than bounds.
   double wanted() const { return 0.97 * local_distance_; }
 
-  // A quick placement has larger distances than the placement that starts from it.
+  // The distances of a quick placement are larger than the distances of the placement that starts from it.
   double quick_goal() const { return quick_ ? wanted() / usual_gain : wanted(); }
   static constexpr double usual_gain = 0.6;
 
-  // Uses the first of several numbers of vertices that comes near enough.
+  // Uses the first of several numbers of vertices whose clustering is close enough.
   void find_clustering()
   {
     for (;;) {
@@ -143,8 +143,8 @@ private:
     return known != quick_estimates_.end() ? known->second : quick_estimates_[n] = place(n, *quick_, false).estimate;
   }
 
-  // Estimates the distance of a level with the requested placement. Keeps the level if it is near enough and coarser
-  // than the one kept before.
+  // Estimates the distance of a level with the requested placement. Keeps the level if it is close enough and coarser
+  // than the level kept before.
   double try_level(std::size_t n)
   {
     const auto known = estimates_by_level_.find(n);
@@ -171,12 +171,12 @@ private:
     }
     for (; !result_ && n < finest; n = (std::min)(finest, n + n / 4 + 1))
       try_level(n);
-    // If clusters have few faces each, a coarser level may be nearer.
+    // If clusters have few faces each, a coarser level may be closer.
     for (n = finest; !result_ && n >= levels_->coarsest() && n > finest / 16; n /= 2)
       try_level(n);
   }
 
-  // Returns the expected ratio of the distance of the placement to the distance of the quick one: the ratio on the
+  // Returns the expected ratio of the distance of the placement to the distance of the quick placement: the ratio on the
   // finest level, if known.
   double expected_gain()
   {
@@ -184,10 +184,10 @@ private:
     return known != estimates_by_level_.end() ? (std::min)(known->second / quick_estimate(levels_->finest()), 1.) : usual_gain;
   }
 
-  // Brackets the coarsest level within a distance by at most `most` estimates besides the known ones.
+  // Brackets the coarsest level within a distance by at most `most` estimates in addition to the known estimates.
   //
-  // On smooth surfaces the estimate falls with about the power -1 of the number of vertices. Until two estimates
-  // determine the slope, steps assume a somewhat steeper one, since a step too far costs more than an additional step.
+  // On smooth surfaces, the estimate decreases with about the power -1 of the number of vertices. Until two estimates
+  // determine the slope, steps assume a somewhat steeper slope, because a step too far costs more than an additional step.
   template <class Estimate>
   std::size_t bracket(std::size_t first, double distance, double width, int most, const std::map<std::size_t, double>& known,
                       const Estimate& estimate)
@@ -201,7 +201,7 @@ private:
       const double slope = low_estimate > 0 && high_estimate > 0 && high_estimate < low_estimate
                              ? std::log(high_estimate / low_estimate) / std::log(high / low) : -1.25;
       next = n * std::pow(0.98 * distance / e, 1 / slope);
-      // Stay away from the ends of the bracket.
+      // The next level keeps a distance from the ends of the bracket.
       next = (std::max)(next, low_estimate > 0 ? low * std::pow(high / low, 0.15) : low + 1);
       next = (std::min)(next, high_estimate > 0 ? high * std::pow((std::max)(low, 1.) / high, 0.1) : high);
       next = std::floor((std::min)((std::max)(next, low + 1), high));
@@ -213,8 +213,8 @@ private:
     return std::size_t(high_estimate > 0 ? high : (std::max)(next, low));
   }
 
-  // Replaces the estimate of the result by a bound; if the estimate was too small, a finer level is needed. Returns
-  // whether a finer level, or a finer clustering, is near enough.
+  // Replaces the estimate of the result by a bound. If the estimate was too small, a finer level is needed. Returns
+  // whether a finer level, or a finer clustering, is close enough.
   bool bound_result()
   {
     const std::size_t finest = levels_->finest();
@@ -238,13 +238,14 @@ private:
     }
   }
 
-  // Clusters that are made for a number of vertices, some of them exchanged, are nearer than a level of as many. Such numbers are
-  // tried below the level found, until the smallest that will do is known to a tenth.
+  // A clustering of its own for a number of vertices, with exchanged vertices, is closer than a level with the same number.
+  // Searches for the smallest sufficient number below the level found, until it is known to about a tenth or `max_runs` is
+  // reached.
   void cluster_for_fewer()
   {
     constexpr int max_runs = 3;
     constexpr double width = 1.1, usual_part = 0.75;
-    double low = 0, high = double(result_->level); // too few, and enough
+    double low = 0, high = double(result_->level); // too few vertices, and enough vertices
     levels_.reset();
     Coarsening_report best = state_.report;
     double next = usual_part * high * std::pow(state_.frame.length_to_local(report_.distance_bound) / local_distance_, 0.8);
@@ -263,7 +264,8 @@ private:
     state_.report = best;
   }
 
-  // Returns the distance of the result, infinite if there is none without intersections, and keeps it if it is near enough.
+  // Returns the distance of the result; infinity if the number is not attainable or triangles intersect. Keeps the result if it
+  // is close enough.
   double try_clustering(std::size_t n)
   {
     constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -324,14 +326,14 @@ private:
   std::optional<Placement_model> quick_;
   Output_coordinates output_coordinates_;
   Minimization_end minimization_end_;
-  std::size_t vertices_; // the maximal number of clusters
+  std::size_t vertices_; // the maximum number of clusters
   std::size_t number_;   // number of clusters of the clustering
   Distance_report& report_;
   double distance_, local_distance_;
-  std::map<std::size_t, double> estimates_by_level_, quick_estimates_; // of the clustering
+  std::map<std::size_t, double> estimates_by_level_, quick_estimates_; // estimates of the current clustering
   const Distance_mesh surface_;
   std::optional<Result> result_;
-  std::vector<Index> clusters_; // of the result, of the faces of the mesh
+  std::vector<Index> clusters_; // the clusters of the faces of the mesh in the result
 };
 
 } // namespace internal

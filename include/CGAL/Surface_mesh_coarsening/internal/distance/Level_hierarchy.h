@@ -22,7 +22,7 @@ struct Placed_level
   Repair_counts counts;
 };
 
-// The levels of detail of a clustering, which does not change while they are in use.
+// The levels of detail of a clustering, which must not change while they are in use.
 class Level_hierarchy
 {
 public:
@@ -31,7 +31,7 @@ public:
   std::size_t finest() const { return history_.finest(); }
   std::size_t coarsest() const { return history_.coarsest(); }
 
-  // Returns the cluster of level `cluster` into which a cluster of the next finer level is merged.
+  // Returns the cluster of level `cluster` into which cluster `cluster` of the next finer level is merged.
   Index parent(Index cluster) const { return history_.parent(cluster); }
 
   // Returns, for each cluster of level `fine`, the cluster of level `coarse` that contains it.
@@ -46,7 +46,7 @@ public:
   Placed_level place(std::size_t level, const Placement_model& placement, bool with_repair,
                      const Output_coordinates& output_coordinates) const;
 
-  // Estimates the distance of a placed level from the mesh, in coordinates of the arrays; returns `least` if it is
+  // Estimates the distance between a placed level and the mesh, in coordinates of the arrays. Returns `least` if the distance is
   // smaller.
   double estimate(const Placed_level& placed, double least = 0) const;
 

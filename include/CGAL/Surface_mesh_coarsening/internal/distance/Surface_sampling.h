@@ -124,8 +124,8 @@ private:
   double mean_of(double total) const { return samples == 0 ? 0 : total / double(samples); }
 };
 
-// Calls `visit(i, u, v)` for `samples` samples distributed over elements by size: the element, and a point of the unit
-// square. Samples lie at equal steps of the cumulated size; the points follow the additive recurrence of the plastic
+// Calls `visit(i, u, v)` for `samples` samples that are distributed over elements by size: the number of the element, and a point
+// of the unit square. Samples lie at equal steps of the cumulated size. The points follow the additive recurrence of the plastic
 // number, which fills the square evenly.
 template <class Visit>
 void for_each_sample(const std::vector<double>& sizes, std::size_t samples, const Visit& visit)

@@ -22,8 +22,8 @@ struct Dual_within_distance
   std::vector<Index> clusters_of_base_faces;
 };
 
-// Searches the levels of a fine clustering for it; throws if there is none. `quick` is a placement that takes less time
-// and comes nearly as close. `vertices` is the maximal number of clusters.
+// Searches the levels of a fine clustering for the coarsest dual within a distance; throws if there is none. `quick` is a
+// placement that takes less time and is nearly as close. `vertices` is the maximum number of clusters.
 Dual_within_distance find_within_distance(Clustering_state& state, const Placement_model& placement,
                                           const std::optional<Placement_model>& quick,
                                           const Output_coordinates& output_coordinates, double distance,

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The triangles of a mesh for the bound of a distance, without degenerate ones.
+// The triangles of a mesh for the bound of a distance, without degenerate triangles.
 class Distance_mesh
 {
   typedef CGAL::Simple_cartesian<double>::Point_3 Point;
@@ -41,7 +41,7 @@ public:
     if (!(dot(n, n) > 0))
       return;
     typedef Mesh::Vertex_index Vertex;
-    // Triangles that do not fit into the manifold, as where fans of polygons share a diagonal, become separate
+    // Triangles that do not fit into the manifold, for example where fans of polygons share a diagonal, become separate
     // components.
     if (mesh_.add_face(Vertex(a), Vertex(b), Vertex(c)) == Mesh::null_face()) {
       const Vertex x = mesh_.add_vertex(to_point(p[a])), y = mesh_.add_vertex(to_point(p[b])),

@@ -29,8 +29,8 @@ public:
     : context_(context), choice_(choice), names_(names), frame_(frame), curve_(curve)
   {}
 
-  // In `blocks`, each own face receives its deviation, unless it has a density, and its cell. Where topology leaves too little
-  // freedom to cells, smaller ones are tried. Cells of level 0 are the faces.
+  // Each own face in `blocks` receives its cell and, unless it has a density, its deviation. If the topology leaves too little
+  // freedom to the cells, smaller cells are tried. Cells of level 0 are the faces.
   void run(Word_store& blocks, std::uint64_t number_of_faces)
   {
     for (level_ = level_of_cells(number_of_faces); !run_at_level(blocks); --level_)
@@ -40,19 +40,19 @@ public:
   Index level() const { return level_; }
   const Cluster_tasks& tasks() const { return tasks_; }
   const Linear_density& density() const { return density_; }
-  // The cluster of a cell of this rank.
+  // Returns the cluster of a cell of this rank.
   Index cluster_of_cell(Index cell) const { return Index(clusters_[cell]); }
-  // On rank 0:
+  // Valid on rank 0:
   const Coarsening_report& report() const { return report_; }
-  // On rank 0, with cells of level 0:
+  // Valid on rank 0 if the cells have level 0:
   Placed_dual& dual() { return dual_; }
 
 private:
   static constexpr Index max_level = 6;
   static constexpr std::size_t cells_per_cluster = 12;
 
-  // The largest level that leaves enough cells for each cluster: a neighborhood of level k has 1 + 3 k (k + 1) / 2 faces, and
-  // some three quarters of all faces lie in one.
+  // Returns the largest level with enough cells for each cluster: a neighborhood of level k has 1 + 3 k (k + 1) / 2 faces, and
+  // the neighborhoods contain about three quarters of all faces.
   Index level_of_cells(std::uint64_t number_of_faces) const
   {
     const double faces_each = double(number_of_faces) / double(choice_.number_of_vertices) / double(cells_per_cluster);
@@ -119,7 +119,7 @@ private:
     }
   }
 
-  // Section 5.2, as in map_to_densities(). The largest deviation is a maximum, which does not depend on blocks.
+  // The density of section 5.2, as in map_to_densities(). The largest deviation is a maximum, so it does not depend on blocks.
   void choose_density(double largest)
   {
     constexpr double flat = 1e-6;
@@ -162,7 +162,7 @@ private:
     return true;
   }
 
-  // Faces at the border of a task cannot move, so a task of few clusters would leave few faces to be moved.
+  // Faces at the border of a task cannot move, so few faces of a task of few clusters could move.
   std::size_t faces_per_task(const Cell_mesh& mesh) const
   {
     if (choice_.faces_per_block)
@@ -175,7 +175,7 @@ private:
                       (std::min)(enough, Distributed_choice::max_faces_per_task));
   }
 
-  // Cells cannot be cut: they stand for faces that are elsewhere.
+  // Cells cannot be subdivided, because their faces are on other ranks.
   bool cluster(Clustering_state& state) const
   {
     try {

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The density of a face as a linear function of its deviation (section 5.2), or of the density that the caller gives.
+// The density of a face as a linear function of its deviation (section 5.2), or of the density that the caller passes.
 struct Linear_density
 {
   double constant = 0, factor = 1;
@@ -29,9 +29,9 @@ struct Linear_density
 
 // The mesh of all cells, on one rank.
 //
-// An edge of it is a path of edges between two cells. These know it by its first edge, seen from one side, and by its last,
-// seen from the other: two cells may have several edges with the same ends. The stars begin where those of the faces do, so the
-// dual of clusters of cells is the dual of the same clusters of faces.
+// An edge of this mesh is a path of edges between two cells. One cell identifies it by its first edge, the other cell by its
+// last edge, because two cells may have several edges with the same ends. The stars begin at the same places as the stars of the
+// faces, so the dual of clusters of cells is the dual of the same clusters of faces.
 class Cell_mesh
 {
 public:
@@ -59,7 +59,7 @@ public:
   }
 
   std::size_t number_of_cells() const { return faces_.size(); }
-  const std::vector<Index>& faces() const { return faces_; } // how many each cell has
+  const std::vector<Index>& faces() const { return faces_; } // the number of faces of each cell
 
   Clustering_input make(bool cells_are_faces, const Cancellation_point& cancellation, Execution execution)
   {

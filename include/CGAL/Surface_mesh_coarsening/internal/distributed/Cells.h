@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Divides the own faces of a patch into cells, closed discs that are clustered as if they were faces. A face at a vertex where
-// other patches have faces, or at the border of the mesh, is a cell of its own. So cells of several faces meet others
-// of the same patch only, and all tests of them are local.
+// Divides the own faces of a patch into cells, closed discs that are clustered like faces. A face is a cell of its own if other
+// patches have faces at one of its vertices, or if it lies at the border of the mesh. Hence cells of several faces meet only
+// cells of the same patch, and all their tests are local.
 class Cells
 {
 public:
@@ -49,7 +49,7 @@ public:
   // NONE for faces of other patches.
   Index cell_of(Index f) const { return number_[labels_[f]]; }
 
-  // Writes all cells, one after the other: sums, and corners with their neighbors along the boundary.
+  // Writes all cells one after the other: sums, and corners with their neighbors along the boundary.
   void write(Words& words) const
   {
     std::vector<Sums> sums(size());
@@ -68,7 +68,8 @@ public:
   }
 
 private:
-  // The sums of areas and first moments, and of the same times `density`, which may be a deviation: densities are linear in it.
+  // The sums of areas and first moments, and the same sums weighted by `density`. `density` may be a deviation, because densities
+  // are linear in deviations.
   struct Sums
   {
     Index faces = 0;
@@ -96,7 +97,8 @@ private:
     }
   };
 
-  // A vertex of a cell, with those before and after it on the boundary, and whether the star there begins in the cell.
+  // A vertex of a cell, with the previous and the next vertex on the boundary, and whether the star of the vertex begins in the
+  // cell.
   struct Corner
   {
     Index vertex, before, after;
@@ -126,7 +128,7 @@ private:
     cells_ = splitting.number_of_clusters();
   }
 
-  // In the order of their first faces.
+  // Numbers the cells in the order of their first faces.
   void number_cells()
   {
     const Dual_walk walk(labels_);
@@ -143,8 +145,8 @@ private:
       }
   }
 
-  // A vertex is a corner of the cells around it if these are three or more, or if one of them is a single face. Cells that have
-  // fewer than three corners then get some more.
+  // A vertex is a corner of the incident cells if there are at least three of them, or if one of them is a single face. Cells
+  // with fewer than three corners then get additional corners.
   void choose_corners()
   {
     is_corner_.assign(mesh_.number_of_vertices(), false);
@@ -167,7 +169,7 @@ private:
     }
   }
 
-  // The vertices around a cell, counterclockwise.
+  // Lists the vertices around a cell, counterclockwise.
   void list_boundary(const Directed_edge& start, std::vector<Index>& boundary) const
   {
     boundary.clear();
@@ -207,7 +209,7 @@ private:
   const Flat_mesh& mesh_;
   Cluster_labels labels_;
   Cancellation_point cancellation_;
-  Index single_ = 0, cells_ = 0;             // labels below `single_` belong to single faces, own or not
+  Index single_ = 0, cells_ = 0;             // labels below `single_` belong to single faces of this or other patches
   std::vector<Index> number_;                // of the cell of each label; NONE for faces of other patches
   std::vector<Directed_edge> boundary_edge_; // of each cell
   std::vector<char> is_corner_;              // of each vertex

@@ -17,8 +17,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Two divisions of the clusters into tasks: runs along the curve of at most `max_faces` faces, as far as single clusters have no
-// more. The second begins with half a run, so that its tasks have in the middle what the first has at its borders.
+// Two divisions of the clusters into tasks. A task is a run of clusters along the curve with at most `max_faces` faces, or a
+// single cluster with more faces. The second division begins with half a run, so the borders of the first division lie in
+// the middle of its tasks.
 struct Cluster_tasks
 {
   std::array<std::vector<Index>, 2> task; // of each cluster

@@ -23,16 +23,16 @@ namespace internal {
 // The energies of all clusters, for any weight.
 typedef std::function<std::vector<double>(const Clustering_input&, const Cluster_labels&, std::size_t)> Cluster_energies;
 
-// The choices of the caller, equal on all ranks but for the visitor and the scratch directory.
+// The choices of the caller. They are equal on all ranks, except the visitor and the scratch directory.
 struct Distributed_choice
 {
   static constexpr std::size_t default_faces_per_block = std::size_t(1) << 18, max_faces_per_task = std::size_t(1) << 22;
   static constexpr std::size_t clusters_per_task = 1000;
 
   std::size_t number_of_vertices = 0;
-  std::optional<std::size_t> faces_per_block; // blocks and tasks
+  std::optional<std::size_t> faces_per_block; // for blocks and tasks
   Minimization_end end;
-  bool has_densities = false; // of its own
+  bool has_densities = false; // whether the caller passes densities
   double maximum_density = 0;
   Execution execution = Execution::SEQUENTIAL;
   Visitor_handle visitor;
@@ -42,8 +42,8 @@ struct Distributed_choice
   Face_names face_names;
   bool merges_by_area = false, places_on_borders = true;
   bool wants_clusters = false, wants_output_everywhere = false;
-  std::string scratch_directory; // if empty, everything is kept in memory
-  std::uint64_t scratch_memory = 0; // bytes of records that are kept in memory nevertheless
+  std::string scratch_directory; // if empty, all records are kept in memory
+  std::uint64_t scratch_memory = 0; // the number of bytes of records that are kept in memory in spite of a scratch directory
 };
 
 } // namespace internal

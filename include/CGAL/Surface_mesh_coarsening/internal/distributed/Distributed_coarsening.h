@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The pipeline across ranks. Blocks of faces along a space-filling curve are divided into cells. Rank 0 clusters the mesh of
-// cells. Tasks of clusters that lie together are refined face by face. Then vertices are placed, and rank 0 triangulates. All
-// results depend on blocks and clusters, not on the ranks that they are on, nor on whether they are in memory or on disk.
+// The pipeline across ranks. It divides blocks of faces along a space-filling curve into cells. Rank 0 clusters the mesh of
+// cells. Tasks of nearby clusters are refined face by face. Then vertices are placed, and rank 0 triangulates. All results
+// depend on blocks and clusters, but not on the ranks that hold them, nor on whether they are in memory or on disk.
 class Distributed_coarsening
 {
 public:
@@ -70,7 +70,7 @@ public:
   std::uint64_t bytes_of_scratch() const { return context_.scratch.bytes_written(); }
   // The clusters of the faces of the piece of this rank, on request.
   const std::vector<Index>& clusters_of_piece() const { return clusters_; }
-  // On rank 0, or everywhere on request:
+  // True on rank 0, and on all ranks on request.
   bool has_output() const { return context_.rank() == 0 || choice_.wants_output_everywhere; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<Vector>& positions() const { return positions_; }
@@ -96,7 +96,7 @@ private:
                           " on another");
   }
 
-  // The cells are the faces, and rank 0 has placed the vertices.
+  // Used if the cells are the faces; then rank 0 has placed the vertices.
   void take_dual(Cell_clustering& cells, const Word_store& blocks, const Piece_blocks& pieces)
   {
     triangles_ = std::move(cells.dual().triangles);

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// What the dual of all clusters is made of.
+// The parts from which the dual of all clusters is assembled.
 struct Dual_parts
 {
   struct Cluster_part
@@ -61,7 +61,7 @@ struct Dual_parts
     }
     for_each_meeting_point(labels, [&](Index v, const std::vector<Index>& runs) {
       if (!patch.is_own(input.mesh.star[input.mesh.first_in_star[v]]))
-        return; // another patch has the first face around it
+        return; // the first face around the vertex belongs to another patch
       meeting_points.push_back({patch.number[v], {}});
       for (const Index x : runs)
         meeting_points.back().clusters.push_back(clusters_of_patch.global_number(x));
@@ -114,7 +114,7 @@ struct Dual_parts
     return sum;
   }
 
-  // In the order of the numbers of the vertices where the clusters meet.
+  // Returns the triangles in the order of the numbers of the vertices where the clusters meet.
   std::vector<Triangle> triangles()
   {
     std::sort(meeting_points.begin(), meeting_points.end(),

@@ -16,15 +16,16 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A face that stands for itself, with the global numbers and the coordinates of its vertices. It begins with the smallest number.
+// A self-contained record of a face, with the global numbers and the coordinates of its vertices. It begins with the smallest
+// number.
 //
-// Two faces differ in the first two vertices, because an edge has one face on each side. So these, after the place on a
-// space-filling curve, put the faces in an order that depends on the mesh alone.
+// Two faces differ in their first two vertices, because an edge has one face on each side. Hence the position on a space-filling
+// curve, followed by these two vertices, defines an order of the faces that depends on the mesh alone.
 struct Face_record
 {
-  bool is_own = true;      // of the group where it is, and not a neighbor
-  std::uint64_t place = 0; // on the curve
-  double density = 1;      // or the deviation from which the density is computed
+  bool is_own = true;      // whether it belongs to its group; otherwise it is a neighbor
+  std::uint64_t place = 0; // the position on the curve
+  double density = 1;      // or the deviation, from which the density is computed
   Index cluster = NONE;    // or the cell
   std::uint64_t origin = 0; // the number of the face in the sequence of all pieces
   std::vector<std::uint64_t> vertex;
@@ -62,7 +63,7 @@ struct Face_record
     }
   }
 
-  // Reads the face that begins at `word` and returns what follows.
+  // Reads the face that begins at `word`, and returns the end of its record.
   const std::uint64_t* read(const std::uint64_t* word)
   {
     is_own = (high_half(*word) & own_bit) != 0;
@@ -110,7 +111,7 @@ struct Face_set
     first_corner.push_back(vertex.size());
   }
 
-  // Puts the faces into another order. One array after the other, which takes less memory than a second set.
+  // Reorders the faces one array after the other, which takes less memory than a second set.
   void reorder(const std::vector<Index>& order)
   {
     std::vector<std::size_t> first(1, 0);

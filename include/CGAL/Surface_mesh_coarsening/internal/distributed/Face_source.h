@@ -17,7 +17,7 @@ namespace internal {
 // Receives a face: the global numbers and the points of its vertices, and its density.
 typedef std::function<void(const std::vector<std::uint64_t>&, const std::vector<Vector>&, double)> Face_receiver;
 
-// Passes all faces of a piece to the receiver, in the same order each time.
+// Passes all faces of a piece to the receiver, in the same order in each call.
 typedef std::function<void(const Face_receiver&)> Face_source;
 
 template <class DensityMap, class Face>
@@ -31,7 +31,7 @@ double density_of(const CGAL::internal_np::Param_not_found&, Face)
   return 1;
 }
 
-// Returns the source that reads a face graph. The graph, the numbers and the parameters have to outlive it.
+// Returns the source that reads a face graph. The graph, the numbers and the parameters must exist as long as the source.
 template <class FaceGraph, class VertexNumberMap, class NamedParameters>
 Face_source source_of_face_graph(const FaceGraph& piece, const VertexNumberMap& numbers, const NamedParameters& np)
 {
@@ -53,7 +53,7 @@ Face_source source_of_face_graph(const FaceGraph& piece, const VertexNumberMap& 
   };
 }
 
-// Returns the source that reads a caller's source of faces, whose densities have the numbers of the faces as keys.
+// Returns the source that reads a caller's source of faces. The keys of the densities are the numbers of the faces.
 template <class Source, class NamedParameters>
 Face_source source_of_faces(const Source& source, const NamedParameters& np)
 {

@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Numbers 64-bit numbers from 0 on, in the order in which they first come. A table with open addressing: the maps of the standard
-// library take several times the memory and the time.
+// Assigns consecutive indices to 64-bit numbers, from 0, in the order of their first occurrence. The table uses open addressing;
+// the maps of the standard library take several times the memory and the time.
 class Number_table
 {
 public:
@@ -30,7 +30,7 @@ public:
     return slots_[slot];
   }
 
-  // In the order of their indices.
+  // The numbers in the order of their indices.
   const std::vector<std::uint64_t>& numbers() const { return numbers_; }
 
 private:

@@ -21,22 +21,22 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Returns the name of a face, given by its number in the sequence of all pieces, for messages.
+// Returns the name of a face for messages, given its number in the sequence of all pieces.
 typedef std::function<std::string(std::uint64_t)> Face_names;
 
-// The faces of a group, its own, and all faces that share vertices with them, as a mesh. The stars of the vertices of its own
-// faces are complete. The other faces have edges that look like a border, and vertices there are divided where the faces around
-// them form several fans. The faces are in the global order, so each star begins with the same face as in the whole mesh.
+// A mesh of the faces of a group, the own faces, and of all faces that share a vertex with them. The stars of the vertices of
+// own faces are complete. The other faces have edges that seem to lie on a border, and their vertices are split where the faces
+// around them form several fans. The faces are in the global order, so each star begins with the same face as in the whole mesh.
 struct Patch
 {
   Face_set faces;                     // their corners are in the mesh
   Flat_mesh mesh;
   std::vector<std::uint64_t> number;  // the global number of each vertex of the mesh
-  std::vector<char> is_inner;         // of each vertex of the mesh: whether all faces there are own faces
+  std::vector<char> is_inner;         // for each vertex of the mesh, whether all incident faces are own faces
 
   bool is_own(std::size_t f) const { return faces.is_own[f] != 0; }
 
-  // Returns a face; its corners come from a mesh that may have been moved elsewhere.
+  // Returns a face. Its corners are read from `corners`, because the mesh of the patch may have been moved.
   void get(Index f, const Flat_mesh& corners, Face_record& face) const
   {
     face.is_own = is_own(f);
@@ -53,8 +53,8 @@ struct Patch
   }
 };
 
-// Makes the mesh of a patch whose faces have come in any order. Throws where the faces of the patch, or of several pieces,
-// contradict each other. Of several contradictions, the one at the smallest vertex numbers is reported.
+// Builds the mesh of a patch from faces in any order. Throws if the faces of the patch, or of several pieces, contradict each
+// other. Of several contradictions, the one at the smallest vertex numbers is reported.
 class Patch_builder
 {
 public:
@@ -89,7 +89,7 @@ private:
     keys.reserve(faces_.size());
     for (Index f = 0; f < faces_.size(); ++f)
       keys.push_back({faces_.place[f], f});
-    // Faces that come twice are a fault, whose message must not depend on the order in which they have come.
+    // Duplicate faces are a fault; the message must not depend on the order in which they arrived.
     const auto rest = [this](Index f) {
       const std::size_t c = faces_.first_corner[f];
       return std::make_tuple(faces_.vertex[c], faces_.vertex[c + 1], faces_.origin[f]);
@@ -111,7 +111,7 @@ private:
                           " face corners, more than the " + std::to_string(NONE / 2 - 1) + " that can be numbered");
   }
 
-  // Lists the corners at each vertex number, in their order.
+  // Lists the corners at each vertex number, in order.
   void list_corners()
   {
     mesh_ = Flat_mesh();
@@ -143,7 +143,7 @@ private:
   Index previous_corner(Index c) const { return mesh_.previous_corner(face_of_[c], c); }
   std::string name(Index f) const { return names_(faces_.origin[f]); }
 
-  // Returns the vertex of the smallest number for which `is_faulty(v)`, or NONE.
+  // Returns the vertex of smallest number for which `is_faulty(v)`, or NONE.
   template <class Predicate>
   Index first_faulty(const Predicate& is_faulty) const
   {
@@ -154,7 +154,7 @@ private:
     return first;
   }
 
-  // Returns the first corner at a vertex whose position differs from that before it, or NONE.
+  // Returns the first corner at a vertex whose position differs from the position of the previous corner, or NONE.
   Index other_position(Index v) const
   {
     for (Index i = first_at_[v] + 1; i < first_at_[v + 1]; ++i)
@@ -173,8 +173,8 @@ private:
                         " and in " + name(face_of_[corners_at_[i]]));
   }
 
-  // Calls `receive(c)` for all corners from which an edge goes from v to w. Searches around the vertex of fewer faces: vertices
-  // of high degree cost no more.
+  // Calls `receive(c)` for all corners at which an edge from v to w begins. Searches around the vertex with fewer faces, so
+  // vertices of high degree cost no more than others.
   template <class Receive>
   void for_each_edge(Index v, Index w, const Receive& receive) const
   {
@@ -220,7 +220,7 @@ private:
 
   [[noreturn]] void throw_two_faces() const
   {
-    typedef std::tuple<std::uint64_t, std::uint64_t, Index> Side; // numbers of the ends, and the face
+    typedef std::tuple<std::uint64_t, std::uint64_t, Index> Side; // the numbers of the ends, and the face
     std::vector<Side> sides;
     for (Index c = 0; c < vertex_of_.size(); ++c)
       sides.emplace_back(faces_.vertex[c], number(next_vertex(c)), face_of_[c]);
@@ -245,7 +245,7 @@ private:
                       faces_.vertex.begin() + std::ptrdiff_t(faces_.first_corner[g]));
   }
 
-  // The corners of a fan are one vertex. Visits each fan from its clockwise end, or from any face of a closed one.
+  // The corners of a fan form one vertex. Visits each fan from its clockwise end; a closed fan, from any face.
   void number_vertices()
   {
     mesh_.corner_vertex.assign(vertex_of_.size(), NONE);
@@ -261,7 +261,7 @@ private:
       }
   }
 
-  // The corners of the same vertex in the neighboring faces, counterclockwise and clockwise, or NONE.
+  // Returns the corner of the same vertex in the next face, counterclockwise or clockwise, or NONE.
   Index next_in_fan(Index c) const { return corner_across_[previous_corner(c)]; }
   Index previous_in_fan(Index c) const
   {
@@ -275,7 +275,7 @@ private:
     return first;
   }
 
-  // Where an own face has a vertex, the faces around it are all there.
+  // Around a vertex of an own face, all faces must be present.
   void check_fans() const
   {
     const Index v = first_faulty([this](Index w) {
@@ -306,13 +306,13 @@ private:
   const Face_names& names_;
   Number_table table_;             // of the vertex numbers
   std::vector<Index> face_of_;     // of each corner
-  std::vector<Index> vertex_of_;   // of each corner, by number: fans are not divided
+  std::vector<Index> vertex_of_;   // of each corner, by number; fans are not distinguished
   std::vector<Index> first_at_;    // of each vertex number: its first position in `corners_at_`, and the total
   std::vector<Index> corners_at_;
-  std::vector<Index> corner_across_; // of each corner: the corner that the edge after it begins at, seen from its other face
+  std::vector<Index> corner_across_; // for each corner, the begin of the edge after it, seen from the other face
 };
 
-// Makes the patch of a bin of face records.
+// Builds the patch of a bin of face records.
 inline Patch read_patch(const Word_store& store, std::size_t bin, const Face_names& names, const Cancellation_point& cancellation)
 {
   Patch patch;

@@ -20,9 +20,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The clusters of a patch whose own faces are all faces of some clusters. A face moves only where all faces around its vertices
-// belong to these clusters. Such moves neither change what moves in other patches depend on, nor depend on them: the patches can
-// be worked on at the same time, and in any order.
+// The clusters of a patch whose own faces are all faces of some clusters. A face moves only if all faces around its vertices
+// belong to these clusters. Such moves neither affect the moves in other patches nor depend on them, so the patches can be
+// processed at the same time and in any order.
 class Patch_clusters
 {
 public:
@@ -42,11 +42,11 @@ public:
   const Clustering_input& input() const { return input_.items; }
   const Cluster_labels& labels() const { return labels_; }
   std::size_t size() const { return global_.size(); }
-  // The first ones are those of the own faces.
+  // The clusters of the own faces come first.
   std::size_t number_of_own() const { return own_; }
   Index global_number(Index x) const { return global_[x]; }
 
-  // Up to `end.max_rounds` rounds of the ordinary minimization. Returns how many.
+  // Runs at most `end.max_rounds` rounds of the minimization. Returns the number of rounds.
   std::size_t minimize(const Energy_model& energy, const Minimization_end& end, const Cancellation_point& cancellation,
                        Execution execution)
   {
@@ -72,7 +72,7 @@ public:
   }
 
 private:
-  // Takes the mesh of the patch.
+  // Moves the mesh out of the patch.
   static Clustering_input input_of(Patch& patch)
   {
     Clustering_input input;

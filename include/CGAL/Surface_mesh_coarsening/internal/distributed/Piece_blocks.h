@@ -23,11 +23,11 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Reads the pieces of all ranks, three times: for the bounding box, for the limits of the blocks, and into the blocks.
+// Reads the pieces of all ranks three times: for the bounding box, for the limits of the blocks, and into the blocks.
 class Piece_blocks
 {
 public:
-  // Without `names`, faces are named by their piece and their number in it.
+  // Without `names`, the name of a face consists of its piece and its number in the piece.
   Piece_blocks(Rank_context& context, const Face_source& source, const Face_names& names)
     : context_(context), communicator_(context.communicator), source_(source), names_(names)
   {}
@@ -54,7 +54,7 @@ public:
   std::uint64_t number_of_faces() const { return first_face_.back(); }
   std::uint64_t faces_of_piece() const { return faces_; }
 
-  // The rank of the piece that has a face, and its number there.
+  // Returns the rank whose piece contains a face, and the number of the face in this piece.
   std::pair<std::size_t, std::uint64_t> origin(std::uint64_t face) const
   {
     const auto piece = std::upper_bound(first_face_.begin(), first_face_.end(), face) - first_face_.begin() - 1;
@@ -69,7 +69,7 @@ public:
     return "face " + std::to_string(number) + " of piece " + std::to_string(piece);
   }
 
-  // Returns the first place of each block on the curve.
+  // Returns the first position of each block on the curve.
   std::vector<std::uint64_t> find_blocks(std::size_t faces_per_block) const
   {
     std::vector<std::uint64_t> places;
@@ -133,7 +133,7 @@ private:
       first_face_.push_back(first_face_.back() + n);
   }
 
-  // Names the first face that is not sound.
+  // Throws an exception that names the first invalid face.
   void throw_fault() const
   {
     if (faces_ >= NONE)
@@ -187,7 +187,7 @@ private:
   std::uint64_t faces_ = 0;                 // of this piece
   std::vector<std::uint64_t> first_face_;   // of each piece, and the total
   bool has_fault_ = false;
-  Face_record fault_; // the first face that is not sound
+  Face_record fault_; // the first invalid face
 };
 
 } // namespace internal

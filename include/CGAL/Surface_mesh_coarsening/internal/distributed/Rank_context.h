@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// What all steps of a rank share: its place among the others, its scratch file, and the count of what it has sent.
+// The data that all steps on a rank share: its communicator, its scratch file, and the number of bytes sent.
 struct Rank_context
 {
   const boost::mpi::communicator& communicator;

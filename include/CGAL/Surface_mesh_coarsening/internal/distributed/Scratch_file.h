@@ -20,14 +20,14 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The limit of the words that a rank keeps in memory, and the file that holds the words beyond it.
+// The limit on the words that a rank keeps in memory, and the file for the words that exceed it.
 //
-// The name of the file is removed as soon as the file is open, so the file vanishes with the process, however that ends. Systems
-// that do not remove open files remove it when it is closed.
+// The name of the file is removed as soon as the file is open, so the file vanishes when the process ends, also after a crash.
+// Systems that cannot remove open files remove it when it is closed.
 class Scratch_file
 {
 public:
-  // The words of a chunk; larger chunks occupy several slots of this size.
+  // The number of words of a slot; a larger chunk occupies several slots.
   static constexpr std::size_t slot_words = std::size_t(1) << 13;
 
   Scratch_file() = default;
@@ -41,7 +41,7 @@ public:
     }
   }
 
-  // Opens the file, so that a directory that cannot be used is reported before all work.
+  // Opens the file at the beginning, so that an unusable directory is reported before any work is done.
   void limit_memory(std::string directory, std::uint64_t max_words)
   {
     directory_ = std::move(directory);
@@ -50,7 +50,7 @@ public:
       open();
   }
 
-  // Reserves memory for so many words, unless the limit forbids it.
+  // Reserves memory for this many words, unless the limit would be exceeded.
   bool reserve(std::size_t words)
   {
     if (!directory_.empty() && words_ + words > max_words_)
@@ -106,7 +106,7 @@ private:
     return slots_ - n;
   }
 
-  // Takes the first unused name: other ranks and other programs may use the same directory.
+  // Uses the first unused name, because other ranks and other programs may use the same directory.
   void open()
   {
     for (int i = 0;; ++i) {
@@ -137,7 +137,7 @@ private:
     throw std::runtime_error(std::string("cannot ") + action + " a scratch file in " + directory_ + reason);
   }
 
-  std::string directory_, name_; // without a directory, everything is kept in memory
+  std::string directory_, name_; // without a directory, all words are kept in memory
   std::uint64_t max_words_ = 0, words_ = 0, slots_ = 0, bytes_written_ = 0;
   std::vector<std::uint64_t> free_slots_;
   std::fstream file_;

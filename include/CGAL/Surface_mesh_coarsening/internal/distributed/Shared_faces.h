@@ -20,14 +20,14 @@ namespace internal {
 
 // Gives each group of faces copies of all faces of other groups that share a vertex with its own faces.
 //
-// Each vertex number belongs to a bin. There, the groups with faces at the vertex meet, and each learns of the others.
+// Each vertex number belongs to a bin. The bin collects the groups with faces at the vertex and informs each group of the others.
 class Shared_faces
 {
 public:
   Shared_faces(Rank_context& context, const Bin_ranks& groups) : context_(context), groups_(groups)
   {}
 
-  // `faces` has the own faces of the groups of this rank, and receives the copies.
+  // `faces` holds the own faces of the groups of this rank, and receives the copies.
   void run(Word_store& faces) const
   {
     Word_store shared(groups_.number_of_own(), context_.scratch);
@@ -40,7 +40,7 @@ public:
   }
 
 private:
-  typedef std::array<std::uint64_t, 2> Place; // a vertex and a group that has faces there
+  typedef std::array<std::uint64_t, 2> Place; // a vertex and a group with faces at this vertex
 
   static std::vector<Place> places_in(const Word_store& store, std::size_t bin)
   {
@@ -59,7 +59,7 @@ private:
     return std::size_t((number * 0x9e3779b97f4a7c15u) >> 32) % groups_.number_of_bins();
   }
 
-  // `shared` receives, for each group, the vertices that it shares and the groups that it shares them with.
+  // `shared` receives, for each group, its shared vertices and the groups with which it shares them.
   void find_shared_vertices(const Word_store& faces, Word_store& shared) const
   {
     Word_store places(groups_.number_of_own(), context_.scratch);
@@ -107,7 +107,7 @@ private:
   {
     const std::vector<Place> places = places_in(shared, bin);
     shared.clear(bin);
-    // Copies may arrive in this bin while they are sent: all are collected before.
+    // Copies may arrive in this bin while faces are sent, so all copies are collected before.
     std::vector<Index> targets;
     std::vector<std::pair<Index, Words> > copies;
     Face_record face;

@@ -21,11 +21,11 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Refines the clusters face by face, in tasks of clusters that lie together, and in two divisions into tasks in turn.
+// Refines the clusters face by face, in tasks of nearby clusters. Two divisions into tasks alternate.
 class Task_refinement
 {
 public:
-  // Receives the faces of each task in the end, and may send what they become.
+  // Receives the faces of each task at the end, and may send results.
   typedef std::function<void(const Patch&, const Patch_clusters&, Word_routing&)> Receiver;
 
   Task_refinement(Rank_context& context, const Distributed_choice& choice, const Cluster_tasks& tasks, const Face_names& names)
@@ -33,7 +33,7 @@ public:
       number_of_phases_(tasks.number[0] == 1 ? 1 : max_phases)
   {}
 
-  // `faces` has the faces of the tasks of the first division; `receive` may send to the bins `last`, which `last_store` has.
+  // `faces` holds the faces of the tasks of the first division. `receive` may send to the bins `last`, which `last_store` holds.
   // Returns the number of rounds.
   std::size_t run(std::unique_ptr<Word_store> faces, const Bin_ranks& last, Word_store& last_store,
                   const Receiver& receive) const
@@ -68,7 +68,7 @@ public:
 
 private:
   static constexpr std::size_t max_phases = 4, max_rounds_of_phase = 20;
-  // Clusters of cells have a low energy, but vertices of irregular degree. These vanish in rounds that hardly lower the energy.
+  // Clusters of cells have a low energy, but vertices of irregular degree. Rounds that hardly lower the energy remove them.
   static constexpr double part_of_tolerance = 0.01;
 
   Minimization_end end_of_phase() const
@@ -77,13 +77,13 @@ private:
     return {(std::min)(choice_.end.max_rounds, max_rounds), part_of_tolerance * choice_.end.tolerance};
   }
 
-  // Sends the own faces to their tasks in the next division, and copies to the tasks of all faces that they share a vertex with.
-  // The clusters of faces of other tasks are as they were: faces that share a vertex with another task do not move.
+  // Sends the own faces to their tasks in the next division, and copies to the tasks of all faces with which they share a vertex.
+  // Faces that share a vertex with another task have not moved, so the clusters of the faces of other tasks are still valid.
   void send(const Patch& patch, const Patch_clusters& clusters, const std::vector<Index>& task, Word_routing& routing) const
   {
     const Flat_mesh& m = clusters.input().mesh;
     const std::vector<Index>& cluster = patch.faces.cluster;
-    std::vector<std::pair<Index, Index> > meetings; // vertices and the tasks around them, if these are several
+    std::vector<std::pair<Index, Index> > meetings; // vertices between several tasks, and these tasks
     std::vector<char> is_meeting(m.number_of_vertices(), false);
     for (Index v = 0; v < is_meeting.size(); ++v) {
       const Index first = task[cluster[m.star[m.first_in_star[v]]]];

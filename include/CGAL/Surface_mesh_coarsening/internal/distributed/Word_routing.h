@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The ranks of numbered bins: runs of bins go to the ranks in their order.
+// The ranks of numbered bins: consecutive runs of bins belong to consecutive ranks.
 class Bin_ranks
 {
 public:
@@ -39,18 +39,18 @@ private:
   std::size_t bins_, ranks_, first_, end_;
 };
 
-// Brings records to the bins of all ranks, in rounds of limited size: no rank has to hold all that it sends or receives. Records
-// for the rank itself are stored at once.
+// Sends records to the bins of all ranks, in rounds of limited size, so no rank must hold all records that it sends or receives.
+// Records for the same rank are stored directly.
 class Word_routing
 {
 public:
-  // `store` has the bins of this rank.
+  // `store` holds the bins of this rank.
   Word_routing(Rank_context& context, const Bin_ranks& bins, Word_store& store)
     : context_(context), bins_(bins), store_(store), outgoing_(context.number_of_ranks())
   {}
 
-  // Calls `produce()`, which calls `send()` and must not wait for other ranks otherwise. If it throws on some ranks, all
-  // throw the same.
+  // Calls `produce()`, which calls `send()` and must not wait for other ranks in any other way. If it throws on some ranks, all
+  // ranks throw the same exception.
   void run(const std::function<void()>& produce)
   {
     Remote_exception failure = caught(produce, context_.communicator.rank());
@@ -82,7 +82,7 @@ public:
 private:
   static constexpr std::size_t max_words_of_round = std::size_t(1) << 18;
 
-  // Returns whether no rank has more to send.
+  // Returns whether no rank has more records to send.
   bool exchange_round(bool is_last)
   {
     const int ranks_to_go = boost::mpi::all_reduce(context_.communicator, is_last ? 0 : 1, std::plus<int>());
@@ -96,7 +96,7 @@ private:
     return ranks_to_go == 0;
   }
 
-  // After a failure, rounds go on without storing, because other ranks wait for them.
+  // After a failure, rounds continue without storing records, because other ranks wait for them.
   void store(const Words& words)
   {
     if (failure_of_store_)

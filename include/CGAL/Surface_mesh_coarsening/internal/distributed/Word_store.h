@@ -41,8 +41,8 @@ public:
     b.open.insert(b.open.end(), words, words + size);
   }
 
-  // Calls `receive(begin, end)` for all records of a bin, some at a time, in the order of appending. The bin may not change
-  // meanwhile.
+  // Calls `receive(begin, end)` for all records of a bin, some at a time, in the order of appending. The bin must not change
+  // during the call.
   template <class Receive>
   void read(std::size_t bin, const Receive& receive) const
   {
@@ -66,14 +66,14 @@ private:
   struct Chunk
   {
     bool is_in_memory;
-    Words words; // if it is
+    Words words; // the words, if the chunk is in memory
     std::uint64_t slot;
     std::size_t size;
   };
   struct Bin
   {
     std::vector<Chunk> chunks;
-    Words open; // the last chunk, which grows
+    Words open; // the last chunk, to which records are appended
   };
 
   void close_chunk(Bin& b)

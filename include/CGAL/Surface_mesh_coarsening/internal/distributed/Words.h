@@ -11,7 +11,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// What ranks send each other: numbers of 64 bits, among them the bits of coordinates.
+// The data that ranks exchange: numbers of 64 bits, which include the bits of coordinates.
 typedef std::vector<std::uint64_t> Words;
 
 inline std::uint64_t to_word(double x)

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Calls `visit(number)` for each number of a report. The names of all members stand here, so that a new one does not compile.
-// Lists of faces are empty, because nothing is repaired.
+// Calls `visit(number)` for each number of a report. The function names all members, so it does not compile if a member is added.
+// The lists of faces are empty, because nothing is repaired.
 template <class Visit>
 void for_each_number(Coarsening_report& report, const Visit& visit)
 {

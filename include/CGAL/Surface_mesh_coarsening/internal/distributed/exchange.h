@@ -20,10 +20,10 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// MPI counts what it sends in an `int`.
+// MPI counts the elements of a message in an `int`.
 constexpr std::size_t max_words_of_message = std::size_t(1) << 27;
 
-// Sends the words `outgoing[r]` to each rank r and returns the words that have come from each rank. `outgoing` is empty
+// Sends the words `outgoing[r]` to each rank r and returns the words received from each rank. `outgoing` is empty
 // afterwards.
 inline std::vector<Words> exchange(Rank_context& context, std::vector<Words>& outgoing)
 {
@@ -56,7 +56,7 @@ inline std::vector<Words> exchange(Rank_context& context, std::vector<Words>& ou
   return incoming;
 }
 
-// Sends words to rank 0, which gets those of each rank.
+// Sends words to rank 0, which receives the words of each rank.
 inline std::vector<Words> gather_words(Rank_context& context, Words words)
 {
   std::vector<Words> outgoing(context.number_of_ranks());
@@ -64,7 +64,7 @@ inline std::vector<Words> gather_words(Rank_context& context, Words words)
   return exchange(context, outgoing);
 }
 
-// Sends the words of rank 0 to all.
+// Sends the words of rank 0 to all ranks.
 inline void broadcast_words(Rank_context& context, Words& words)
 {
   const boost::mpi::communicator& communicator = context.communicator;

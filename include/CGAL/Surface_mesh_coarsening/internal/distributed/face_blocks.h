@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The bounding box of the points of all ranks. Minima and maxima do not depend on the order in which they are taken.
+// The bounding box of the points of all ranks. Minima and maxima do not depend on the order of their computation.
 class Box_of_ranks
 {
 public:
@@ -47,7 +47,7 @@ private:
   std::array<double, 6> low_and_negated_high_{{inf, inf, inf, inf, inf, inf}};
 };
 
-// The place of a point on the curve of Morton: the binary digits of the three coordinates in turn.
+// The position of a point on the Morton curve, whose binary digits are the digits of the three coordinates in turn.
 class Morton_curve
 {
 public:
@@ -88,8 +88,8 @@ private:
   double scale_;
 };
 
-// Divides the curve into blocks of at most `max_faces` faces, as far as their places differ, and returns the first place of each.
-// The cubes of an octree that have few enough faces are joined in their order as long as they fit.
+// Divides the curve into blocks of at most `max_faces` faces, unless more faces have the same position. Returns the first
+// position of each block. Cubes of an octree with few enough faces are joined in order as long as they fit into a block.
 inline std::vector<std::uint64_t> block_starts(const boost::mpi::communicator& communicator, std::vector<std::uint64_t> places,
                                                std::size_t max_faces)
 {
@@ -100,7 +100,7 @@ inline std::vector<std::uint64_t> block_starts(const boost::mpi::communicator& c
   };
   std::vector<Cube> leaves, open(1, {0, (std::numeric_limits<std::uint64_t>::max)()});
   for (int level = Morton_curve::bits; level > 0 && !open.empty(); --level) {
-    const std::uint64_t side = std::uint64_t(1) << (3 * (level - 1)); // places in a child
+    const std::uint64_t side = std::uint64_t(1) << (3 * (level - 1)); // the number of positions in a child
     std::vector<std::uint64_t> own, all(8 * open.size());
     for (const Cube& cube : open)
       for (std::uint64_t child = 0; child < 8; ++child) {

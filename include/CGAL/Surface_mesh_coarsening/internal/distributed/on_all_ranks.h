@@ -22,13 +22,13 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// An exception on its way to other ranks.
+// An exception that is sent to other ranks.
 struct Remote_exception
 {
-  enum Kind : int { NONE_THROWN, OTHER, INVALID, UNREACHABLE, CANCELLED }; // the last is the first to be heeded
+  enum Kind : int { NONE_THROWN, OTHER, INVALID, UNREACHABLE, CANCELLED }; // the last kind has priority
   int kind = NONE_THROWN;
   std::string message;
-  std::uint64_t nearest = 0; // number of vertices, if one is unreachable
+  std::uint64_t nearest = 0; // the nearest number of vertices, for UNREACHABLE
 };
 
 inline Remote_exception caught(const std::function<void()>& work, int rank)
@@ -58,7 +58,7 @@ inline Remote_exception caught(const std::function<void()>& work, int rank)
   throw std::runtime_error(e.message);
 }
 
-// If something was thrown on some ranks, all throw the same: of several messages, the first in the order of the alphabet.
+// If some ranks have thrown, all ranks throw the same exception. Of several messages, the alphabetically first is selected.
 inline void throw_on_all_ranks(const boost::mpi::communicator& communicator, const Remote_exception& own)
 {
   const int kind = boost::mpi::all_reduce(communicator, own.kind, boost::mpi::maximum<int>());
@@ -77,14 +77,15 @@ inline void throw_on_all_ranks(const boost::mpi::communicator& communicator, con
   rethrow({kind, messages[first], nearest[first]});
 }
 
-// Does the work of this rank, which must not wait for other ranks. If it throws on some ranks, all throw the same.
+// Does the work of this rank, which must not wait for other ranks. If it throws on some ranks, all ranks throw the same
+// exception.
 inline void on_all_ranks(const boost::mpi::communicator& communicator, const std::function<void()>& work)
 {
   throw_on_all_ranks(communicator, caught(work, communicator.rank()));
 }
 
-// Does the work of each block of this rank. If some of them are not valid, the first message in the order of the alphabet
-// counts, so that it does not depend on which blocks a rank has.
+// Does the work of each block of this rank. If several blocks are invalid, the alphabetically first message is selected, so it
+// does not depend on the distribution of the blocks.
 template <class Work>
 void for_each_block(std::size_t blocks, const Work& work)
 {

@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The features in the dual of clusters that satisfy Feature_rules: corners are vertices, and lines are polylines of the
-// edges between clusters that they cross.
+// The features in the dual of clusters that satisfy Feature_rules. Corners are vertices, and lines are polylines of the
+// edges between the clusters that they cross.
 class Coarse_features
 {
 public:
@@ -27,7 +27,7 @@ public:
   };
   struct Line
   {
-    std::vector<Arc> arcs; // unless the line is a loop, the first begins and the last ends at a corner
+    std::vector<Arc> arcs; // unless the line is a loop, the first arc begins and the last arc ends at a corner
     bool is_loop = false;
   };
 
@@ -43,7 +43,7 @@ public:
     std::sort(edges_.begin(), edges_.end());
   }
 
-  // The vertex at the corner of each cluster; NONE if it has none.
+  // The vertex at the corner of each cluster; NONE without a corner.
   const std::vector<Index>& corners() const { return corner_of_; }
   const std::vector<Line>& lines() const { return lines_; }
   bool is_edge(Index x, Index y) const { return std::binary_search(edges_.begin(), edges_.end(), key(x, y)); }
@@ -60,7 +60,7 @@ private:
   void add_line(const Feature_line& line)
   {
     const std::size_t n = line.nodes.size();
-    std::size_t begin = 0; // if the line is a loop: at a crossing
+    std::size_t begin = 0; // if the line is a loop, it begins at a crossing
     while (line.is_loop && begin < n && label(line.nodes[begin]) == label(line.nodes[(begin + n - 1) % n]))
       ++begin;
     Line coarse;

@@ -17,12 +17,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Builds the mesh to be clustered if there are features: subdivides the faces around the nodes of the feature graph
-// into one quadrilateral per corner, and joins the quadrilaterals around a node to one polygon, its cell. Each feature
-// edge then lies in at most two clusters of these polygons. If these differ, they meet in an arc across the midpoint of
-// the edge. So rules for cells keep features: see Feature_rules.
+// Builds the mesh to be clustered if there are features. Subdivides the faces around the nodes of the feature graph into one
+// quadrilateral per corner, and joins the quadrilaterals around a node to one polygon, its cell. Each feature edge then lies in
+// at most two clusters of these polygons. If there are two, they meet in an arc across the midpoint of the edge. Hence rules for
+// cells keep features: see Feature_rules.
 //
-// The polygons of this mesh have sums but no geometry. The surface is given by `pieces`, whose faces make up the
+// The polygons of this mesh have sums but no geometry. The surface is given by `pieces`, whose faces form the
 // polygons.
 class Feature_cells
 {
@@ -43,7 +43,7 @@ public:
   Feature_cells(const Clustering_input& base, const Feature_edges& edges)
     : base_(base), edges_(edges), graph_(base_.mesh, edges) {}
 
-  // The same with the faces of the chosen components of the original mesh subdivided.
+  // The same after a subdivision of the faces of the chosen components of the original mesh.
   Featured_input subdivided(const std::vector<bool>& chosen_component, const Cancellation_point& cancellation) const
   {
     const Clustering_input finer = subdivided_input(base_, chosen_component, cancellation);
@@ -57,7 +57,7 @@ public:
 
   // The faces of the original mesh, subdivided around nodes. Vertices have the same numbers as in the mesh of cells.
   const Clustering_input& pieces() const { return pieces_; }
-  // The polygon, and the face of base(), that contain a piece.
+  // The polygon, and the face of base(), that contains a piece.
   Index polygon(Index piece) const { return polygon_of_piece_[piece]; }
   Index base_face(Index piece) const { return face_of_piece_[piece]; }
 
@@ -69,7 +69,7 @@ public:
     return edges_.is_feature[c] || edges_.is_feature[base_.mesh.previous_corner(f, c)];
   }
 
-  // The node of a polygon; NONE if it is no cell.
+  // The node of a polygon; NONE if the polygon is not a cell.
   Index node(Index polygon) const { return node_of_polygon_[polygon]; }
   Index cell(Index node) const { return cell_of_node_[node]; }
   // Returns whether a polygon has an edge on the border.
@@ -91,7 +91,7 @@ public:
 
 private:
   // Marks the faces at nodes between only two faces: the cells of such nodes have two neighbors and could not be
-  // clusters. Empty if there are none.
+  // clusters. Returns an empty vector if there are none.
   std::vector<char> faces_at_bigons() const
   {
     const Flat_mesh& m = base_.mesh;
@@ -107,7 +107,7 @@ private:
     return result;
   }
 
-  // The same with star subdivision of chosen faces of the original mesh.
+  // The same after a star subdivision of chosen faces of the original mesh.
   Featured_input in_fans(const std::vector<char>& is_cut, const Cancellation_point& cancellation) const
   {
     std::vector<Index> old_face;
@@ -140,7 +140,7 @@ private:
     return result;
   }
 
-  // Numbers polygons in the order of the pieces, so that components keep their order.
+  // Numbers polygons in the order of their pieces, which preserves the order of components.
   void number_polygons(const Quad_subdivision& cutting)
   {
     const Flat_mesh& m = base_.mesh;

@@ -20,7 +20,7 @@ namespace internal {
 // The feature edges inside a mesh, and the corners, where feature lines end or meet.
 struct Feature_edges
 {
-  std::vector<char> is_feature; // of the edge after each corner of a face; equal for both its faces
+  std::vector<char> is_feature; // for the edge after each corner of a face; equal for both faces of the edge
   std::vector<char> is_corner;  // per vertex
 
   explicit Feature_edges(const Flat_mesh& m)
@@ -83,7 +83,7 @@ struct Feature_edges
   }
 };
 
-// Finds feature edges and corners. Omits border edges, since the border is kept in any case.
+// Finds feature edges and corners. Omits border edges, because the border is always kept.
 class Feature_detection
 {
 public:
@@ -171,7 +171,7 @@ private:
   const Vector& point(Index corner) const { return m_.points[m_.corner_vertex[corner]]; }
 
   // Adds a corner in the middle of a part of the border without corners that connects the ends of a line of one edge.
-  // The corner keeps the two apart.
+  // The corner separates this part from the line.
   void add_halfway(Index begin, Index end, std::vector<Index>& halfway) const
   {
     std::vector<Index> between(1, m_.next_on_border(begin));
@@ -181,8 +181,8 @@ private:
       halfway.push_back(between[between.size() / 2 - 1]);
   }
 
-  // Returns whether a line turns by more than 60 degrees, measured between adjacent edges and also between chords of
-  // several edges: on regular meshes, borders of regions zigzag without turning.
+  // Returns whether a line turns by more than 60 degrees, measured both between adjacent edges and between chords of several
+  // edges: on regular meshes, borders of regions zigzag without turning.
   bool turns_sharply(Index v) const
   {
     return turns_between(neighbors_[v][0], v, neighbors_[v][1]) && turns_between(some_edges_on(v, 0), v, some_edges_on(v, 1));

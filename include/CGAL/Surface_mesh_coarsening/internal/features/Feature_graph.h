@@ -17,10 +17,10 @@ namespace internal {
 // A feature line from corner to corner, or a loop. Its edges connect consecutive nodes.
 struct Feature_line
 {
-  std::vector<Index> nodes; // with the corners at the ends; a loop lists each node once
+  std::vector<Index> nodes; // including the corners at the ends; a loop lists each node once
   bool is_loop = false;
-  // The number of its edges that have to cross between clusters. With fewer, its polyline would share an edge with
-  // another one, or with itself.
+  // The number of its edges that must cross between clusters. With fewer crossings, its polyline would share an edge with
+  // another polyline, or with itself.
   Index min_crossings = 1;
 
   std::size_t number_of_edges() const { return is_loop ? nodes.size() : nodes.size() - 1; }
@@ -45,18 +45,18 @@ public:
 
   std::size_t number_of_nodes() const { return vertex_.size(); }
   Index vertex(Index node) const { return vertex_[node]; }
-  // Returns NONE if there is none.
+  // Returns NONE if the vertex is not a node.
   Index node_of_vertex(Index v) const { return v < node_of_vertex_.size() ? node_of_vertex_[v] : NONE; }
   bool is_corner(Index node) const { return node < number_of_corners_; }
   std::size_t number_of_corners() const { return number_of_corners_; }
   const std::vector<Feature_line>& lines() const { return lines_; }
 
-  // For a node that is no corner: its line, and the nodes before and after it.
+  // For a node that is not a corner: its line, and the nodes before and after it.
   Index line(Index node) const { return line_[node]; }
   Index before(Index node) const { return before_[node]; }
   Index after(Index node) const { return after_[node]; }
 
-  // The first nodes, other than corners, of the lines from a corner.
+  // The first nodes of the lines that begin at a corner, other than corners.
   const std::vector<Index>& line_nodes_beside(Index corner) const { return beside_corner_[corner]; }
 
   // Returns whether every line has enough edges for its crossings.
@@ -90,7 +90,7 @@ private:
 
   static Index other(const std::vector<Index>& pair, Index v) { return pair[0] == v ? pair[1] : pair[0]; }
 
-  // Each line is traced from one end only; an edge between two corners is traced from the smaller one.
+  // Each line is traced from one end only; an edge between two corners is traced from the smaller corner.
   void trace_from_corner(Index corner, Index next, const Neighbors& neighbors)
   {
     const bool is_corner = node_of_vertex_[next] != NONE && node_of_vertex_[next] < number_of_corners_;
@@ -139,8 +139,8 @@ private:
     lines_.push_back(line);
   }
 
-  // A loop becomes at least a triangle. Among several lines between two corners, one may become a single edge, or none
-  // if a part of the border connects the corners, too.
+  // A loop becomes at least a triangle. Among several lines between two corners, at most one may become a single edge, and none
+  // if a part of the border also connects the corners.
   void apportion_crossings(const Flat_mesh& m)
   {
     std::vector<std::tuple<Index, Index, std::size_t, Index> > ends;

@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Decides which clusters of a component may be merged under the rules for features: two clusters on features only if a
-// line crosses between them, and not both with corners.
+// Decides which clusters of a component may be merged under the rules for features. Two clusters on features may be merged only
+// if a line crosses between them, and not if both have corners.
 class Feature_merging
 {
 public:
@@ -113,7 +113,7 @@ private:
   }
 
   std::vector<Cluster> clusters_;
-  std::vector<long> spare_; // surplus crossings of each line
+  std::vector<long> spare_; // the number of crossings of each line that are not required
 };
 
 } // namespace internal

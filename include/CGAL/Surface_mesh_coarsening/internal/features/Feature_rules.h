@@ -12,10 +12,10 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The rules of features for clusters. A cluster contains no cell of a feature, or the cells of one contiguous part of
-// one line, or the cell of one corner with contiguous parts of lines that begin there. A line keeps the number of
-// crossings between clusters that it needs. Clusters on a line stay off the border, which would claim their vertex,
-// too.
+// The rules of features for clusters. A cluster contains either no cell of a feature, or the cells of one contiguous part of
+// one line, or the cell of one corner with contiguous parts of lines that begin there. A line keeps the number of crossings
+// between clusters that it needs. Clusters on a line must not reach the border, because the border would also determine the
+// position of their vertex.
 //
 // Cells without a cluster count as separate clusters.
 class Feature_rules
@@ -53,10 +53,10 @@ public:
     }
   }
 
-  // Returns whether the face is part of a feature. Moves of other faces concern their two clusters alone.
+  // Returns whether the face is part of a feature. Moves of other faces affect only their two clusters.
   bool is_on_feature(Index f) const { return cells_.node(f) != NONE; }
 
-  // Returns whether face `f` may join the adjacent cluster `to`, and leave its own if it has one.
+  // Returns whether face `f` may join the adjacent cluster `to`, and leave its cluster if it has one.
   bool may_take(Index f, Index to) const
   {
     const Cluster& target = cluster(to);
@@ -71,7 +71,7 @@ public:
            int(crossings_[line]) + beside_source - beside_target >= int(cells_.graph().lines()[line].min_crossings);
   }
 
-  // Records that face `f` is about to leave its cluster, if any, for cluster `to`, unless that is NONE.
+  // Records that face `f` will leave its cluster, if any, for cluster `to`; NONE stands for no cluster.
   void change(Index f, Index to)
   {
     const Index node = cells_.node(f), from = labels_[f];
@@ -90,7 +90,7 @@ public:
     add(f, to);
   }
 
-  // Returns the cell of the corner of a cluster; NONE if it has none.
+  // Returns the corner cell of a cluster; NONE without a corner.
   Index corner_cell(Index x) const { return x < clusters_.size() ? clusters_[x].corner_cell : NONE; }
 
 private:

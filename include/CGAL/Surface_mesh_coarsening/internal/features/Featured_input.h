@@ -13,7 +13,7 @@ namespace internal {
 
 class Feature_cells;
 
-// The input of the clustering and, if features are kept, the construction of its items from faces.
+// The input of the clustering and, if features are kept, the cells that were built from its faces.
 struct Featured_input
 {
   Clustering_input items;

@@ -13,8 +13,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The faces that have a geometry, with their clusters: the clustered faces or, if features are kept, the pieces of the
-// cells.
+// The faces with geometry and their clusters: the clustered faces or, if features are kept, the pieces of the cells.
 class Labelled_pieces
 {
 public:
@@ -45,7 +44,7 @@ private:
 // Returns the cluster of a face of the caller's mesh: the cluster of its largest part, or `none` if it has no part, as
 // in a removed component. If features are kept, the first corner of the face takes precedence, then the first end of a
 // feature edge of the face. So the faces around a corner have the cluster of the corner, and both faces of a feature
-// edge the same cluster, unless a face has several corners or feature edges.
+// edge have the same cluster, unless a face has several corners or feature edges.
 inline std::size_t cluster_of_face(const Featured_input& input, const Cluster_labels& labels, std::size_t none, Index f)
 {
   const Feature_cells* const cells = input.cells.get();

@@ -20,14 +20,14 @@ struct Feature_request
 {
   struct Edge
   {
-    Index face, corner; // the edge from the corner to the next
+    Index face, corner; // the edge from the corner to the next corner
   };
   double angle = 180; // in degrees
   std::vector<Edge> edges;
   std::vector<Index> corners;
 };
 
-// Finds the features of the faces; null if there are none. `patches` is empty or holds the patch of each face of the
+// Finds the features of the faces; returns null if there are none. `patches` is empty or holds the patch of each face of the
 // caller's mesh.
 std::shared_ptr<const Feature_edges> find_features(const Clustering_input& input, const Feature_request& request,
                                                    const std::vector<long long>& patches);

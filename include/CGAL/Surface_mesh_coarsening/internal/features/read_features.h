@@ -68,7 +68,7 @@ std::vector<Index> read_corners(const Numbering<FaceGraph>&, const CGAL::interna
   return {};
 }
 
-// Stores the coordinates of the corners in the frame, which returns them without rounding.
+// Stores the coordinates of the corners in the frame, which converts them back without rounding.
 template <class FaceGraph, class NamedParameters>
 void keep_exact_corners(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
                         const std::vector<Index>& corners, const Flat_mesh& m, Local_frame& frame)

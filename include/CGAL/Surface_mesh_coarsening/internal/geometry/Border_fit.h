@@ -21,7 +21,7 @@ public:
   static constexpr std::size_t max_pieces = 16;
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  // `fixed`: the only point that may be chosen, if given.
+  // `fixed` is the only point that may be chosen, if given.
   explicit Border_arc(const std::vector<Vector>& points, std::size_t fixed = none)
   {
     std::vector<double> length(1, 0);
@@ -30,7 +30,7 @@ public:
     const double whole = length.back();
     std::vector<std::size_t> kept(1, 0);
     for (std::size_t i = 1, piece = 0; i + 1 < points.size(); ++i) {
-      // Among many points, keep the one of sharpest turn on each of several pieces of equal length.
+      // Of many points, keep the point of sharpest turn on each of several pieces of equal length.
       const std::size_t on = points.size() - 2 <= max_pieces ? i
                              : whole > 0 ? std::size_t(double(max_pieces) * (length[i] / whole)) + 1
                                          : 1;
@@ -57,7 +57,7 @@ public:
 
   std::size_t size() const { return points_.size(); }
   const Vector& operator[](std::size_t i) const { return points_[i]; }
-  // The position of the point: 0 at the begin, 1 at the end.
+  // Returns the position of the point: 0 at the begin of the arc, 1 at its end.
   double part(std::size_t i) const { return part_[i]; }
   double length() const { return length_; }
   bool may_be_chosen(std::size_t i) const { return fixed_ == none || fixed_ == i; }
@@ -69,7 +69,7 @@ private:
     return std::sqrt(dot(d, d));
   }
 
-  // Increases with the angle by which the polyline turns.
+  // A measure that increases with the turning angle of the polyline.
   static double turn(const std::vector<Vector>& p, std::size_t i)
   {
     const Vector a = p[i] - p[i - 1], b = p[i + 1] - p[i];
@@ -94,12 +94,12 @@ private:
   std::size_t fixed_ = none;
 };
 
-// Chooses a point on each arc of a border loop so that the polygon of these points approximates the loop best:
+// Chooses a point on each arc of a border loop such that the polygon of these points approximates the loop best:
 // minimizes the integral along the loop of the squared distance from the corresponding side, by dynamic programming
-// over the points of the arcs. A small part of the squared distance from the middle of the arc breaks near-ties, as on
-// a straight border, and keeps the points apart.
+// over the points of the arcs. A small multiple of the squared distance from the middle of the arc is added. It decides between
+// nearly equal results, for example on a straight border, and keeps the points apart.
 //
-// Lines that are no loops end with arcs of which only one point may be chosen.
+// Lines that are not loops end with arcs of which only one point may be chosen.
 class Border_fit
 {
 public:
@@ -143,7 +143,7 @@ private:
     return dot(d, d);
   }
 
-  // Returns the integral along the segment from `p` to `q` of the squared distance from the segment from `a` to `b`, by
+  // Returns the integral, along the segment from `p` to `q`, of the squared distance from the segment from `a` to `b`, by
   // Simpson's rule.
   static double integral(const Vector& p, const Vector& q, const Vector& a, const Vector& b)
   {
@@ -172,7 +172,7 @@ private:
     return costs;
   }
 
-  // From point `first` of the first arc around to it again, or to the last arc.
+  // Returns the cheapest chain from point `first` of the first arc around the loop back to this point, or to the last arc.
   Chain cheapest_chain(std::size_t first) const
   {
     const std::size_t n = sides_.size();

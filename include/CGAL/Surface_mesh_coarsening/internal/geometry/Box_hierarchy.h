@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Finds the boxes that overlap another one, in logarithmic time if there are few. Boxes may grow, which CGAL's trees do not
-// provide for.
+// Finds the boxes that overlap a given box, in logarithmic time if they are few. Boxes may grow, which the trees of CGAL do not
+// support.
 class Box_hierarchy
 {
 public:
@@ -61,7 +61,7 @@ public:
 private:
   static std::size_t middle_of(std::size_t first, std::size_t last) { return first + (last - first) / 2; }
 
-  // The left child of a node comes next, the right one after all below the left one.
+  // The left child of a node is the next node. The right child follows all descendants of the left child.
   void build(std::size_t node, std::size_t first, std::size_t last)
   {
     for (std::size_t i = first; i < last; ++i)

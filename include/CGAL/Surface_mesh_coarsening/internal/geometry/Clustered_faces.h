@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The faces with their geometry, cluster by cluster: the data behind `Clustered_surface`, with points as `Vector`.
+// The faces and their geometry, cluster by cluster: the data behind `Clustered_surface`, with points as `Vector`.
 class Clustered_faces
 {
 public:

@@ -25,7 +25,7 @@ struct Foot_point
   double squared_distance;
 };
 
-// Returns the closest point of a segment as the parameter of its second end.
+// Returns the closest point of a segment as the coordinate of its second end.
 inline double closest_on_segment(const Vector& p, const Vector& a, const Vector& b)
 {
   const Vector ab = b - a;
@@ -52,8 +52,8 @@ inline Foot_point closest_on_sides(const Vector& p, const Vector& a, const Vecto
   return best;
 }
 
-// A triangle whose closest point is farther than the square root of `limit` may count as infinitely far. Beside a triangle, the
-// lines through its sides bound the distance from below.
+// Returns the closest point of a triangle. The distance may be reported as infinite if its square exceeds `limit`. For a point
+// beside the triangle, the lines through its sides bound the distance from below.
 inline Foot_point closest_on_triangle(const Vector& p, const Vector& a, const Vector& b, const Vector& c,
                                       double limit = std::numeric_limits<double>::infinity())
 {
@@ -66,7 +66,7 @@ inline Foot_point closest_on_triangle(const Vector& p, const Vector& a, const Ve
     const Vector d = ap - u * ab - v * ac;
     return {{{1 - u - v, u, v}}, dot(d, d)};
   }
-  // With a margin for rounding errors, which are bounded unless the triangle is a needle.
+  // The margin covers rounding errors, which are bounded unless the triangle is a needle.
   constexpr double needle = 1e-4, margin = 1e-6, least = 1e-18;
   if (determinant > needle * uu * vv) {
     const double far = determinant * ((1 + margin) * limit + least * (dot(a, a) + uu + vv)), r = determinant - s - t;
@@ -111,11 +111,11 @@ inline Triangle with_corner(Triangle t, Index old_corner, Index new_corner)
   return t;
 }
 
-// The triangles of the dual, with the triangles around each vertex and across each edge. Edges may be flipped unless
-// they are feature edges, which have no neighbors across, like the border.
+// The triangles of the dual, with the triangles around each vertex and across each edge. Edges may be flipped, except feature
+// edges, which have no neighbors across them, like border edges.
 //
-// A halfedge structure would do; the fit and the repair read the corners of triangles much more often than they flip edges, and
-// find them side by side here.
+// The arrays replace a halfedge structure, because the fit and the repair read the corners of triangles much more often than they
+// flip edges, and the corners are adjacent in memory.
 class Flippable_triangulation
 {
 public:
@@ -134,10 +134,10 @@ public:
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<Index>& around(Index vertex) const { return around_[vertex]; }
 
-  // Returns the triangle on the other side of the edge from corner `i` to the next of triangle `t`; NONE on the border.
+  // Returns the triangle on the other side of the edge from corner `i` of triangle `t` to the next corner; NONE on the border.
   Index neighbor(Index t, int i) const { return neighbors_[t][i]; }
 
-  // The same; NONE on features, too.
+  // The same; NONE also on features.
   Index across(Index t, int i) const
   {
     return features_ && features_->is_edge(triangles_[t][i], triangles_[t][(i + 1) % 3]) ? NONE : neighbors_[t][i];
@@ -164,14 +164,14 @@ public:
   // Returns the vertex opposite to the edge of triangle `t` that begins at corner `i`.
   Index opposite(Index t, int i) const { return triangles_[t][(i + 2) % 3]; }
 
-  // Returns whether that edge, with triangle `u` on its other side, may be flipped: the new edge must not exist yet.
+  // Returns whether this edge, with triangle `u` on its other side, may be flipped: the new edge must not exist yet.
   bool may_flip(Index t, int i, Index u) const
   {
     const Index c = opposite(t, i), d = opposite(u, corner(u, triangles_[t][(i + 1) % 3]));
     return c != d && !is_edge(c, d);
   }
 
-  // Replaces that edge by the edge between the vertices opposite to it.
+  // Replaces this edge by the edge between the two opposite vertices.
   void flip(Index t, int i, Index u)
   {
     const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3], c = opposite(t, i);
@@ -183,7 +183,7 @@ public:
     replace(t, {c, a, d}, u, {c, d, b});
   }
 
-  // Restores the corners of two triangles before a flip.
+  // Restores the corners that two triangles had before a flip.
   void undo_flip(Index t, const Triangle& old_t, Index u, const Triangle& old_u)
   {
     for (const Index x : {t, u})
@@ -195,7 +195,7 @@ public:
         around_[v].push_back(x);
   }
 
-  // Replaces some triangles by as many others that cover the same region.
+  // Replaces some triangles by the same number of other triangles that cover the same region.
   void replace(const std::vector<Index>& old_triangles, const std::vector<Triangle>& new_triangles)
   {
     for (const Index t : old_triangles)
@@ -236,7 +236,7 @@ private:
     return {(std::min)(a, b), (std::max)(a, b)};
   }
 
-  // Replaces two neighbors by two others with the same four outer sides.
+  // Replaces two neighbors by two other triangles with the same four outer sides.
   void replace(Index t, const Triangle& new_t, Index u, const Triangle& new_u)
   {
     struct Outward

@@ -23,8 +23,8 @@ struct Input_point
   Index face;
 };
 
-// The surface of a polygon mesh. Polygons are triangulated by a fan around the vertex of smallest number, independently
-// of their first corner.
+// The surface of a polygon mesh. Polygons are triangulated by a fan around the vertex of smallest number, so the surface does
+// not depend on their first corner.
 class Input_surface
 {
 public:
@@ -36,7 +36,7 @@ public:
 
   explicit Input_surface(const Flat_mesh& mesh) : mesh_(mesh) {}
 
-  // Returns the area of all the fans.
+  // Returns the area of all fans.
   double area(const Cancellation_point& cancellation) const
   {
     double sum = 0;
@@ -47,9 +47,9 @@ public:
     return sum;
   }
 
-  // Calls `visit(point)` for points spread evenly, independently of the sizes of the faces: at equal steps of the
+  // Calls `visit(point)` for points that are evenly distributed, independently of the sizes of the faces: at equal steps of the
   // cumulated area, in the triangles at the points of the additive recurrence of the plastic number. Each point
-  // represents an equal part of `area`, the area of all the fans.
+  // represents an equal part of `area`, the area of all fans.
   template <class Visit>
   void for_each_sample(std::size_t number, double area, const Cancellation_point& cancellation, const Visit& visit) const
   {
@@ -84,7 +84,7 @@ public:
     return closest(candidate);
   }
 
-  // Returns the closest point to `p` found by descending at most `steps` times, beginning at a face of the surface. A
+  // Returns the closest point to `p` found by a descent of at most `steps` steps, beginning at a face of the surface. A
   // step visits the faces that share an edge or a vertex with the current closest point, within twice its distance.
   Closest closest_from(const Vector& p, Index f, int steps) const
   {
@@ -100,7 +100,7 @@ public:
   }
 
 private:
-  // Around a vertex, at most this number of faces is visited in each direction.
+  // The maximum number of faces visited around a vertex in each direction.
   static constexpr int max_each_way = 12;
   // Larger fans are not searched triangle by triangle.
   static constexpr Index max_in_fan = 16;
@@ -189,14 +189,14 @@ private:
     }
   }
 
-  // Calls `visit(g)` for the faces across the side of a triangle near a closest point, or around the corner near two
-  // sides.
+  // Calls `visit(g)` for the faces across the side of a triangle that is near a closest point; if two sides are near, for the
+  // faces around their common corner.
   template <class Visit>
   void for_each_near(const Candidate& c, const Visit& visit) const
   {
     const Fan corners = fan(c.face);
     const Index at[3] = {0, c.last - 1, c.last};
-    std::array<bool, 3> is_near; // the side opposite to a corner
+    std::array<bool, 3> is_near; // whether the side opposite to a corner is near
     const Vector n = cross(corners.point(at[1]) - corners.point(0), corners.point(at[2]) - corners.point(0));
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector side = corners.point(at[(k + 1) % 3]) - corners.point(at[(k + 2) % 3]);
@@ -220,7 +220,7 @@ private:
       }
   }
 
-  // Visits some triangles of a large fan, and then descends from the best of them to adjacent ones.
+  // Visits some triangles of a large fan, then descends from the best of them to adjacent triangles.
   template <class Visit>
   static void visit_downhill(Index degree, const Visit& visit)
   {

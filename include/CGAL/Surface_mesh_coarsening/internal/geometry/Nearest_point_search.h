@@ -20,12 +20,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The nearest point of a mesh, in a triangle of the fan around the first corner of its face. Ties go to the face of
-// smallest number.
+// The nearest point of a mesh, in a triangle of the fan around the first corner of its face. Of faces at equal distance, the face
+// of smallest number is returned.
 struct Nearest_point
 {
   Index face = NONE;
-  Index corner = NONE; // the second of the triangle
+  Index corner = NONE; // the second corner of the triangle
   Vector barycentric{{1, 0, 0}};
   double squared_distance = (std::numeric_limits<double>::infinity)();
 };
@@ -42,12 +42,12 @@ inline void improve(const Flat_mesh& m, const Vector& p, Index f, Nearest_point&
   }
 }
 
-// Searches nearest points in a mesh whose faces form small patches, such as clusters, with a tree over the bounding
-// boxes of these groups and of parts of them. The search begins with a nearby group.
+// Finds nearest points in a mesh whose faces form small patches, such as clusters, by a tree over the bounding boxes of these
+// groups and of parts of them. A search begins with a nearby group.
 //
-// CGAL::AABB_tree does not serve here: degenerate faces have nearest points, too; a search begins with the group of the
-// point, which in most cases contains the answer or nearly so, whereas the tree needs a nearby point as a hint; and of
-// faces at the same distance the tree returns the first it visits, whereas results have to be reproducible.
+// CGAL::AABB_tree is not used for three reasons. Degenerate faces must have nearest points, too. A search here begins with the
+// group of the point, which in most cases contains the result or a close point, whereas the tree needs a nearby point as a hint.
+// Of faces at the same distance, the tree returns the first face visited, whereas results must be reproducible.
 class Nearest_point_search
 {
 public:
@@ -74,7 +74,7 @@ public:
             [&](std::size_t begin, std::size_t) { return root_of_[all[begin]] = build_group(faces[all[begin]]); });
   }
 
-  // May return any point whose squared distance is at most `near_enough`.
+  // If `near_enough` is given, may return any point whose squared distance is at most `near_enough`.
   Nearest_point operator()(const Vector& p, Index first_group, double near_enough = -1) const
   {
     Nearest_point nearest;
@@ -108,7 +108,7 @@ private:
     return leaves;
   }
 
-  // Omits what is below another node.
+  // Omits the subtree of another node.
   void improve_below(Index root, Index omitted, const Vector& p, Nearest_point& nearest, double near_enough) const
   {
     boost::container::small_vector<Index, 64> stack(1, root);
@@ -116,7 +116,7 @@ private:
       const Index number = stack.back();
       const Node& n = node_[number];
       stack.pop_back();
-      // By rounding, a foot point may be nearer than the box.
+      // Due to rounding, a foot point may be nearer than the box.
       if (number == omitted || squared_distance_from_box(p, n.box) > (1 + 1e-12) * nearest.squared_distance)
         continue;
       if (n.is_leaf) {
@@ -139,8 +139,8 @@ private:
     return box;
   }
 
-  // Divides some items along the axis on which the centers of their boxes are spread most, until `max_items` or fewer are left
-  // for `make_leaf(begin, end)`, which returns a node as this function does.
+  // Divides items along the axis along which the centers of their boxes are spread most, until at most `max_items` remain for
+  // `make_leaf(begin, end)`. Both functions return the number of a node.
   template <class Make_leaf>
   Index build(std::vector<Index>& items, const std::vector<Bbox_3>& boxes, std::size_t begin, std::size_t end,
               std::size_t max_items, const Make_leaf& make_leaf)
@@ -197,7 +197,7 @@ private:
 
 // Returns coordinates of a point of a face, one per corner in the order of the corners. In a triangle they are
 // barycentric. In a polygon they are mean value coordinates in its plane if these are not negative, as in every convex
-// polygon. If they are negative, or if the polygon is not planar so that they would yield another point, they are
+// polygon. If they are negative, or if the polygon is not planar so that they would yield another point, the coordinates are
 // barycentric in the triangle of the fan.
 inline std::vector<double> coordinates_in_face(const Flat_mesh& m, const Nearest_point& nearest, const Vector& normal)
 {
@@ -226,7 +226,7 @@ inline std::vector<double> coordinates_in_face(const Flat_mesh& m, const Nearest
     const Index j = (i + 1) % degree;
     const double sine = dot(cross(to_corner[i], to_corner[j]), normal) / normal_length;
     const double cosine = dot(to_corner[i], to_corner[j]);
-    // On a side or a corner the fan's coordinates are the same.
+    // On a side or at a corner, the coordinates in the fan are the same.
     if (r[i] * r[j] + cosine <= 1e-12 * extent * extent)
       return fan;
     tangent[i] = sine / (r[i] * r[j] + cosine);

@@ -31,8 +31,8 @@ typedef Exact_tests::Point_3 Exact_point;
 // A pair of triangles by number, the smaller first.
 typedef std::pair<Index, Index> Triangle_pair;
 
-// Tests exactly whether triangles have more in common than their common vertices, if any. A degenerate triangle
-// conflicts with its neighbors only as far as its longest side does.
+// Tests exactly whether triangles have more points in common than their common vertices. A degenerate triangle conflicts with
+// a neighbor only if its longest side does.
 class Triangle_conflict
 {
 public:
@@ -58,7 +58,7 @@ public:
       const Index a = u[(j + 1) % 3], b = u[(j + 2) % 3], c = t[(shared + 1) % 3], d = t[(shared + 2) % 3];
       if (are_apart(t[shared], a, b, c, d))
         return false;
-      // Mostly all but the common corner of one triangle lie on one side of the plane of the other.
+      // In most cases, all corners of one triangle except the common corner lie on one side of the plane of the other triangle.
       if (are_beside(t, a, b) || are_beside(u, c, d))
         return false;
       return crosses(t, a, b) || crosses(u, c, d);
@@ -71,7 +71,7 @@ public:
   // Returns whether the corners are collinear.
   bool is_flat(const Triangle& t) const { return collinear(points_[t[0]], points_[t[1]], points_[t[2]]); }
 
-  // Returns whether the corners coincide. Such a triangle conflicts with no other.
+  // Returns whether the corners coincide. Such a triangle conflicts with no other triangle.
   bool is_point(const Triangle& t) const { return points_[t[0]] == points_[t[1]] && points_[t[1]] == points_[t[2]]; }
 
   Bbox_3 box(const Triangle& t) const
@@ -88,11 +88,11 @@ private:
     return t[0];
   }
 
-  // Returns whether a plane through `common` certainly separates `a` and `b` from `c` and `d`. This separates the many
-  // triangles around a vertex of high valence, for which exact tests take long if they are coplanar.
+  // Returns whether a plane through `common` certainly separates `a` and `b` from `c` and `d`. This test separates most triangles
+  // around a vertex of high valence, for which exact tests take long if they are coplanar.
   bool are_apart(Index common, Index a, Index b, Index c, Index d) const
   {
-    constexpr double rounding = 1e-14; // bounds the relative error of dot products of three terms
+    constexpr double rounding = 1e-14; // exceeds the relative error of dot products of three terms
     const std::array<Vector, 4> to{{way(common, a), way(common, b), way(common, c), way(common, d)}};
     Vector normal{{0, 0, 0}};
     std::array<double, 4> length;
@@ -111,7 +111,7 @@ private:
     return {{q.x() - p.x(), q.y() - p.y(), q.z() - p.z()}};
   }
 
-  // Returns whether a triangle lies on one side of the plane of another, a quick test.
+  // Returns whether a triangle lies on one side of the plane of another triangle; a quick test.
   bool is_beside(const Triangle& t, const Triangle& u) const
   {
     const Exact_point &p = points_[u[0]], &q = points_[u[1]], &r = points_[u[2]];
@@ -169,7 +169,7 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
 {
   const Triangle_conflict conflict(points);
   std::vector<Triangle_box> boxes = triangle_boxes(triangles, conflict);
-  // Very many coincident points would be compared pairwise.
+  // Very many coincident points would be compared pairwise, so triangles that are points are left out.
   const auto is_point = [&](const Triangle_box& b) { return conflict.is_point(triangles[b.info()]); };
   boxes.erase(std::remove_if(boxes.begin(), boxes.end(), is_point), boxes.end());
   std::vector<Triangle_pair> pairs;
@@ -191,7 +191,7 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
     if (waiting.size() == 1 << 14)
       test_waiting();
   };
-  constexpr std::ptrdiff_t compared_one_by_one = 200; // boxes; CGAL's default of 10 takes longer
+  constexpr std::ptrdiff_t compared_one_by_one = 200; // number of boxes; the default of CGAL, 10, takes longer
   box_self_intersection_d(boxes.begin(), boxes.end(), note_pair, Box_intersection_d::Box_traits_d<Triangle_box>(),
                           compared_one_by_one);
   test_waiting();

@@ -12,13 +12,13 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Chooses the vertices of the clusters along a border loop. `cluster_after` has the cluster of the edge after each of the places
-// on the loop; `make_arc(places, cluster)` makes the arc of a cluster, and `set_vertex(cluster, point)` gets the choice.
+// Chooses the vertices of the clusters along a border loop. `cluster_after` holds, for each point of the loop, the cluster of the
+// edge after it. `make_arc(places, cluster)` returns the arc of a cluster, and `set_vertex(cluster, point)` receives the result.
 template <class MakeArc, class SetVertex>
 void fit_border_loop(const std::vector<Index>& cluster_after, const MakeArc& make_arc, const SetVertex& set_vertex)
 {
   const std::size_t n = cluster_after.size();
-  std::size_t begin = 0; // of a part of the loop that belongs to one cluster
+  std::size_t begin = 0; // the begin of a part of the loop that belongs to one cluster
   while (begin < n && cluster_after[begin] == cluster_after[(begin + n - 1) % n])
     ++begin;
   std::vector<Border_arc> arcs;

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Placements take and return points of a kernel; see `Vector` for the reason why the rest does not.
+// Placements take and return points of a kernel. `Vector` states why all other code does not.
 inline Simple_cartesian<double>::Point_3 to_point(const Vector& p) { return {p[0], p[1], p[2]}; }
 inline Vector to_vector(const Simple_cartesian<double>::Point_3& p) { return {{p.x(), p.y(), p.z()}}; }
 

@@ -17,11 +17,11 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Raises the deviations of faces near the border in proportion to the turn of the border, at most to four times the
+// Raises the deviations of faces near the border in proportion to the curvature of the border, at most to four times the
 // largest deviation. The largest deviation scales the densities and does not change.
 //
-// Where the border has radius of curvature R, its parallel at distance s on the outer side has radius R + s. The raised
-// deviation is proportional to the angle by which that parallel turns between neighboring faces.
+// Where the border has the radius of curvature R, its parallel curve at distance s on the outer side has radius R + s. The raised
+// deviation is proportional to the angle by which this parallel curve turns between neighboring faces.
 class Border_deviations
 {
 public:
@@ -50,15 +50,15 @@ public:
   }
 
 private:
-  // Border edges on each side of a vertex between which its turn is measured; with fewer, the zigzag of triangles
-  // counts.
+  // The number of border edges on each side of a vertex between which the turning angle is measured; with fewer edges, the zigzag
+  // of triangles contributes.
   static constexpr std::size_t edges_aside = 3;
-  // The reach of a border relative to the length of its loop: a small hole needs few vertices, even if it turns
-  // sharply.
+  // The range of a border relative to the length of its loop: a small hole needs few vertices, even if it has a large
+  // curvature.
   static constexpr double far = 0.1;
   // In a regular mesh of triangles of area 1, the distance between two faces around a vertex is 1.09 on average, and
   // the distance of a circle from an inscribed polygon is sqrt(6) times the distance from the best polygon. This gives
-  // 2.7. But the remaining distance of the border extends across all of it, and the distance of the surface occurs
+  // 2.7. But the remaining distance of the border extends over the whole border, and the distance of the surface occurs
   // mostly where densities are low. With these two constants, measured on open meshes, both distances are about equal.
   static constexpr double strength = 32;
   static constexpr double max_raised = 4;
@@ -128,8 +128,8 @@ private:
     }
   }
 
-  // Visits all vertices of a triangle or quadrilateral, and the two adjacent vertices of a larger face, which keeps the
-  // work linear.
+  // Visits all vertices of a triangle or quadrilateral. Of a larger face, visits only the two adjacent vertices, which keeps the
+  // time linear.
   template <class Visit>
   void for_each_neighbor(Index f, Index v, const Visit& visit) const
   {

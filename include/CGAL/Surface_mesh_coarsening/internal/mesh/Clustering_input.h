@@ -12,16 +12,16 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-constexpr double largest_density = 1e20; // its inverse is the smallest
+constexpr double largest_density = 1e20; // its inverse is the smallest density
 
-// The input of the clustering: items with additive sums; `mesh` holds their neighbors and corners. Items are faces,
-// pieces of faces, or cells of several faces. An item has an area A, a mass r A with density r, and a centroid g.
+// The input of the clustering: items with additive sums. `mesh` holds their neighbors and corners. Items are faces,
+// pieces of faces, or cells of several faces. An item has an area A, a density r, a mass r A, and a centroid g.
 struct Clustering_input
 {
   Flat_mesh mesh;
   std::vector<double> area;
   std::vector<double> density;
-  std::vector<Vector> item_centroid; // empty if items are polygons, whose centroids are computed faster than read
+  std::vector<Vector> item_centroid; // empty if items are polygons, whose centroids are faster to compute than to read
   std::vector<double> item_faces;    // faces per item, fractions included; empty if 1
   std::vector<Index> parent;         // face of the caller's mesh; empty if items are these faces
 

@@ -11,8 +11,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Cuts chosen corners off their faces, as triangles between the corner and a third of its two edges. The surface does
-// not change. The triangles cut off a face follow the face.
+// Cuts chosen corners off their faces, as triangles that contain the corner and a third of each of its two edges. The surface
+// does not change. The triangles cut off a face follow the face.
 class Corner_truncation
 {
 public:
@@ -34,7 +34,7 @@ public:
     return builder_.finish();
   }
 
-  // The original face of each new face, and its corner if the face is cut off, otherwise NONE.
+  // The original face of each new face, and its corner if the new face was cut off; otherwise NONE.
   const std::vector<Index>& old_face() const { return old_face_; }
   const std::vector<Index>& old_corner() const { return old_corner_; }
 
@@ -92,7 +92,7 @@ private:
     return builder_.add_point(m_.points[v] + (1. / 3) * (m_.points[w] - m_.points[v]));
   }
 
-  // Returns the new face across the end at `v` of the edge after corner `c`, and across the rest of that edge.
+  // Return the new faces across the edge after corner `c`: across its part at `v`, and across the rest.
   Index across_near(Index c, Index v) const
   {
     const Index g = m_.face_across[c];

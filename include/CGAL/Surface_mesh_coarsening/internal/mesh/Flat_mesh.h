@@ -75,7 +75,7 @@ struct Component
   std::size_t vertices = 0;
   std::size_t edges = 0;
   std::size_t loops = 0;
-  // With features: the number of vertices before subdivision, the clusters that the features need, and their corners.
+  // With features: the number of vertices before subdivision, and the numbers of clusters and corners of the features.
   std::size_t original_vertices = 0, feature_clusters = 0, feature_corners = 0;
 
   std::size_t max_clusters() const { return original_vertices > 0 ? original_vertices : vertices; }
@@ -90,7 +90,7 @@ struct Flat_mesh
 {
   Corner_offsets first_corner;       // per face, and the total
   std::vector<Index> corner_vertex;  // per corner
-  std::vector<Index> face_across;    // the edge from each corner to the next; NONE beyond the border
+  std::vector<Index> face_across;    // for the edge from each corner to the next; NONE on the border
   std::vector<Index> first_in_star;  // per vertex, and the total
   std::vector<Index> star;
   std::vector<Index> loop;           // border loop of each vertex; NONE inside

@@ -105,7 +105,7 @@ private:
         if (m.face_across[c] == NONE) {
           if (m.loop[v] != NONE)
             throw Invalid_input("vertex " + std::to_string(v) + " lies on the border twice");
-          m.loop[v] = 0; // on a loop, numbered later
+          m.loop[v] = 0; // on a loop, which is numbered later
           start[v] = Index(f);
         } else if (m.loop[v] == NONE) {
           start[v] = Index(f);

@@ -41,7 +41,7 @@ struct Local_frame
     return q;
   }
 
-  // The inverse. Near the end of the range of double, positions outside the mesh may overflow; they are clamped to the
+  // The inverse conversion. Near the end of the range of double, positions outside the mesh may overflow; they are clamped to the
   // largest number.
   Vector to_mesh(const Vector& p) const
   {
@@ -66,9 +66,9 @@ struct Local_frame
   double area_to_local(double area) const { return std::ldexp(area, -2 * exponent); }
 };
 
-// Translates the points to the center of their bounding box, where energies keep their digits however far away the mesh
-// lies. If the sixth power of the size would leave the range of double, the points are scaled to size about 1 by a
-// power of two, which rounds nothing.
+// Translates the points to the center of their bounding box, so that energies do not lose digits if the mesh is far from the
+// origin. If the sixth power of the size would exceed the range of double, the points are scaled to a size of about 1 by a
+// power of two, which causes no rounding.
 inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector<Index>& first_in_star,
                             const Cancellation_point& cancellation)
 {

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The numbers of the faces and vertices of a face graph in the arrays. Vertices are numbered in the order of iteration;
-// faces likewise, or by the caller's face index map.
+// The numbers of the faces and vertices of a face graph in the arrays. Vertices are numbered in the order of iteration, and
+// faces in the order of iteration or by the caller's face index map.
 template <class FaceGraph>
 struct Numbering
 {
@@ -38,7 +38,7 @@ struct Numbering
   Index number_of(vertex_descriptor v) const { return get(vertex_number, v); }
 };
 
-// The elements of a `Surface_mesh` without removed elements are numbered already.
+// The elements of a `Surface_mesh` without removed elements already have consecutive numbers.
 template <class Descriptor>
 class Descriptor_list
 {
@@ -100,7 +100,7 @@ struct Numbering<CGAL::Surface_mesh<Point> >
 
 inline void check_countable(std::size_t n, const char* what)
 {
-  // Labels use the upper half of the range for border loops.
+  // The upper half of the range is reserved for the labels of border loops.
   if (n >= NONE / 2)
     throw Invalid_input("the mesh has " + std::to_string(n) + " " + what + ", more than the " +
                         std::to_string(NONE / 2 - 1) + " that can be numbered");

@@ -9,8 +9,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A point or a vector inside the package. Plain numbers, not those of a kernel: coordinates are set one by one, gathered in sums
-// and sent between ranks as they lie in memory, and no kernel of the caller changes how they are rounded.
+// A point or a vector inside the package. It consists of plain numbers instead of a kernel type, because coordinates are set one
+// by one, summed, and sent between ranks as they lie in memory, and the caller's kernel must not affect their rounding.
 typedef std::array<double, 3> Vector;
 
 inline Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }

@@ -24,7 +24,7 @@ inline double squared_diagonal(const Bbox_3& box)
   return dot(d, d);
 }
 
-// Returns zero inside.
+// Returns zero for points inside the box.
 inline double squared_distance_from_box(const Vector& p, const Bbox_3& box)
 {
   const Vector low = low_corner(box), high = high_corner(box);

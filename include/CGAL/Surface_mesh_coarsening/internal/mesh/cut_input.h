@@ -25,7 +25,7 @@ inline void compute_areas(Clustering_input& input, const Cancellation_point& can
   for_each_number(execution, input.area.size(), cancellation, [&](Index f) { input.area[f] = face_area(input.mesh, f); });
 }
 
-// Returns the input for pieces of the polygons of `whole`, or for some of these polygons; densities and parents are
+// Returns the input for pieces of the polygons of `whole`, or for some of these polygons. Densities and parents are
 // inherited.
 inline Clustering_input cut_input(const Clustering_input& whole, Flat_mesh pieces, const std::vector<Index>& whole_face,
                                   const Cancellation_point& cancellation = Cancellation_point())
@@ -54,7 +54,7 @@ inline Clustering_input subdivided_input(const Clustering_input& input, const st
   return cut_input(input, std::move(pieces), cutting.old_face(), cancellation);
 }
 
-// Removes components of smaller area. Returns their number.
+// Removes components whose area is less than `min_area`. Returns their number.
 inline std::size_t drop_components_below(Clustering_input& input, double min_area, const Cancellation_point& cancellation)
 {
   const Flat_mesh& m = input.mesh;

@@ -78,8 +78,8 @@ inline Vector centroid_of_star(const Flat_mesh& m, Index f)
   return weight > 0 ? closest_in_box(center + (1 / weight) * sum, face_box(m, f)) : center;
 }
 
-// Returns the area and centroid of a planar simple polygon; for other faces, the length of the vector area, and a point
-// in their bounding box.
+// Returns the area and the centroid of a planar simple polygon. For other faces, returns the length of the vector area, and a
+// point in their bounding box.
 inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
 {
   const Vector normal = vector_area(m, f);
@@ -89,7 +89,7 @@ inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
     return {area, mean_of_corners(m, f)};
   if (!(area > 0))
     return {area, centroid_of_star(m, f)};
-  // Fan triangles on the other side of the boundary count negative.
+  // Fan triangles on the other side of the boundary have negative weights.
   const Vector& p = m.points[m.corner_vertex[begin]];
   Vector sum{{0, 0, 0}};
   double absolute_weight = 0;
@@ -121,10 +121,10 @@ inline std::vector<Vector> unit_normals(const Flat_mesh& m, const Cancellation_p
   return normals;
 }
 
-// The deviation of section 5.2 before the mapping: for each face, the mean length of the difference of its normal and
-// the normals of the faces around its vertices. A pair of faces counts once for each shared vertex; faces without a
+// The deviation of section 5.2 before the mapping: for each face, the mean length of the difference between its normal and
+// the normals of the faces around its vertices. A pair of faces counts once for each common vertex. Faces without a
 // normal have no deviation. At a vertex of very high degree, each face is compared with a fixed number of evenly spread
-// faces, which keeps the work linear.
+// faces, which keeps the time linear.
 class Normal_deviation
 {
 public:

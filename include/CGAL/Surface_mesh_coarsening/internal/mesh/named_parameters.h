@@ -158,7 +158,7 @@ Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& 
   return input;
 }
 
-// Removes the components below the minimal area, which is given in units of the mesh.
+// Removes the components below the minimum area, which is given in units of the mesh.
 template <class NamedParameters>
 std::size_t drop_small_components(const NamedParameters& np, const Local_frame& frame, Clustering_input& input,
                                   const Cancellation_point& cancellation)

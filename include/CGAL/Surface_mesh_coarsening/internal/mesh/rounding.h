@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// These functions make values equal that differ by rounding only, for example between programs with and without fused
-// operations; exceptions are the rare values halfway between two results.
+// These functions map values that differ only by rounding errors to equal values, for example in programs with and without fused
+// operations. Exceptions are the rare values halfway between two results.
 
 // Rounds to a multiple of the last of the first `digits` binary digits of `largest`.
 inline double rounded_like(double x, double largest, int digits)
@@ -26,8 +26,8 @@ inline double rounded_like(double x, double largest, int digits)
 // Rounds a sum so coarsely that only noticeable differences count.
 inline double rounded_for_comparison(double sum) { return rounded_like(sum, sum, 16); }
 
-// Rounds the coordinates of a computed position to 43 binary digits of the largest. Exact intersection tests would
-// otherwise distinguish rounding errors where triangles just touch, as on symmetric meshes.
+// Rounds the coordinates of a computed position to 43 binary digits relative to the largest coordinate. Otherwise exact
+// intersection tests would detect rounding errors where triangles just touch, as on symmetric meshes.
 inline Vector without_last_digits(const Vector& p)
 {
   const double largest = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});

@@ -25,7 +25,7 @@ inline Flat_mesh star_subdivision(const Flat_mesh& m, const std::vector<char>& i
     old_face.insert(old_face.end(), is_cut[f] ? m.degree(f) : 1, f);
   }
   Flat_mesh_builder builder(m.points);
-  // Returns the new face beyond the edge after corner `c` of face `f`.
+  // Returns the new face on the other side of the edge after corner `c` of face `f`.
   const auto across = [&](Index f, Index c) {
     const Index g = m.face_across[c];
     if (g == NONE)

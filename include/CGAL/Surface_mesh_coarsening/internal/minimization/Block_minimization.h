@@ -23,11 +23,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Section 8.2 of the paper: rounds over the edges between the clusters of a block. The face on one side or on the other joins the
-// cluster across, whichever lowers the energy more, if both clusters remain discs and the dual a simplicial surface.
+// The minimization (section 8.2 of the paper) of a block: rounds over the edges between its clusters. The face on one of the two
+// sides joins the cluster on the other side, whichever lowers the energy more, if both clusters remain discs and the dual remains
+// a simplicial surface.
 //
 // A face moves only if none of its vertices is shared with another block, and if it is not part of a feature. Section
-// smc_blocks of the manual proves that the moves of a block then read and write nothing that those of another block write.
+// smc_blocks of the manual proves that the moves of a block then neither read nor write data that moves of another block write.
 template <class Energy>
 class Block_minimization
 {
@@ -37,14 +38,14 @@ class Block_minimization
   typedef Minimization_state<Energy> State;
 
 public:
-  // `edges`: those between clusters of the block. `now`: a time after all changes and tests so far.
+  // `edges` are the edges between clusters of the block. `now` is a time after all previous changes and tests.
   Block_minimization(State& state, Boundary_edges& edges, Move_time now, Shared_cancellation_point& cancellation)
     : state_(state), mesh_(state.input.mesh), labels_(state.labels), cancellation_(cancellation),
       moves_(state.labels, state.rules), edges_(edges), is_postponed_(edges.size(), false),
       now_(now)
   {}
 
-  // One round. Returns by how much the energy falls.
+  // Runs one round. Returns the decrease of the energy.
   double round()
   {
     const double before = gain_;
@@ -63,11 +64,11 @@ public:
 
   const Refusals& refusals() const { return refusals_; }
 
-  // Whether the work has to end early.
+  // Returns whether the minimization was cancelled.
   bool is_cancelled() const { return is_cancelled_; }
 
-  // Ends the work on the block. Edges within clusters leave the list. Edges where a face could not move because of other blocks
-  // or features go to `postponed`.
+  // Ends the minimization of the block. Edges within clusters leave the list. Edges at which a face could not move because of
+  // other blocks or features are appended to `postponed`.
   void finish(Boundary_edges& postponed)
   {
     std::size_t n = 0;
@@ -90,10 +91,10 @@ public:
         edges_[n++] = e;
     }
     edges_.resize(n);
-    edges_.shrink_to_fit(); // there are many blocks
+    edges_.shrink_to_fit(); // saves memory, because there are many blocks
   }
 
-  // Makes all edges due.
+  // Marks all edges as due.
   void test_all()
   {
     for (Boundary_edge& e : edges_)
@@ -108,7 +109,7 @@ private:
   static constexpr double no_gain = -std::numeric_limits<double>::infinity();
   static constexpr Index batch = 32;
 
-  // A face of an edge joins a cluster, that of the other face when the move was found.
+  // A face of an edge joins a cluster: the cluster of the other face at the time when the move was found.
   struct Move
   {
     Index edge;
@@ -116,7 +117,7 @@ private:
     Index to;
   };
 
-  // The sides of an edge whose faces would lower the energy by joining the cluster across, the better one first.
+  // The sides of an edge whose faces would lower the energy by joining the other cluster, the better side first.
   struct Candidate
   {
     Index edge;
@@ -126,12 +127,12 @@ private:
 
   typedef std::array<Face, 2> Terms;
 
-  // What a move would make of the two clusters.
+  // The result of a move for the two clusters.
   struct Trial
   {
-    double gain;      // by which the energy falls
-    double scale;     // of the changes of energy that it is the difference of
-    double magnitude; // of the energies that these are the difference of
+    double gain;      // the decrease of the energy
+    double scale;     // the scale of the two changes of energy whose difference is the gain
+    double magnitude; // the magnitude of the energies whose differences are these changes
     Outcome without, with;
   };
 
@@ -157,8 +158,8 @@ private:
     return {lost - won, std::abs(lost) + std::abs(won), source.energy + target.energy + less + more, without, with};
   }
 
-  // Gains this small, relative to what they are the difference of, are taken for none. So moves between equal
-  // energies, frequent on regular meshes, do not depend on roundings, and each move lowers the energy as computed.
+  // A gain that is this small relative to the terms of its difference counts as none. So moves between equal energies, which are
+  // frequent on regular meshes, do not depend on rounding errors, and each move lowers the computed energy.
   //! [gain]
   static bool is_gain(const Trial& t) { return t.gain > 1e-7 * t.scale && t.gain > 1e-12 * t.magnitude; }
   static bool is_better(const Trial& t, const Trial& than)
@@ -167,7 +168,7 @@ private:
   }
   //! [gain]
 
-  // The terms of the faces at an edge, computed when they are first needed.
+  // Returns the terms of the faces at an edge, which are computed when they are first needed.
   const Terms& terms(Index i)
   {
     Boundary_edge& e = edges_[i];
@@ -201,7 +202,7 @@ private:
       find_move(candidates_[k]);
   }
 
-  // What a test of an edge reads, in two steps, the second of which reads what the first has asked for.
+  // Prefetch the data that the test of an edge reads, in two steps; the second step reads data prefetched by the first.
   BOOST_FORCEINLINE void prefetch_faces(const Boundary_edge& e) const
   {
     for (const Index f : e.face) {
@@ -270,7 +271,7 @@ private:
 
   Index face_of(const Candidate& x) const { return edges_[x.edge].face[x.side[0]]; }
 
-  // Section 8.2: of the three cases at an edge, as it is or either face moved, the one of the smallest energy.
+  // Selects, as section 8.2 does, the case of smallest energy at an edge: no move, or a move of either face.
   Candidate candidate_at(Index i)
   {
     const std::array<Index, 2>& clusters = edges_[i].cluster;
@@ -309,7 +310,7 @@ private:
     note_edges(f, m.to);
   }
 
-  // Notes the edges of a face that has joined cluster `to`: they may lie between clusters now.
+  // Lists the edges of a face that has joined cluster `to`, because they may lie between clusters now.
   void note_edges(Index f, Index to)
   {
     for (const Index c : mesh_.corners(f)) {
@@ -322,7 +323,7 @@ private:
     }
   }
 
-  // Edges within a cluster keep their places until there are many of them. Nothing changes there.
+  // Edges within a cluster are removed from the list only when there are many of them. They do not affect the result.
   void take_out(Boundary_edge& e)
   {
     state_.listed.erase(e.corner);
@@ -369,7 +370,7 @@ private:
   Boundary_edges new_edges_;
   std::vector<char> is_postponed_; // of each edge
   std::vector<Terms> terms_;       // of the faces at edges that have been tested
-  std::vector<Index> free_terms_;  // those of edges that are gone
+  std::vector<Index> free_terms_;  // the terms of removed edges
   std::array<Index, batch> due_;
   std::array<Candidate, batch> candidates_;
   std::vector<Move> found_;

@@ -25,15 +25,15 @@ typedef Index Move_time;
 // An edge between two clusters.
 struct Boundary_edge
 {
-  std::array<Index, 2> face;    // that of the smaller index first
+  std::array<Index, 2> face;    // the face of smaller index first
   Index corner;                 // of the first face, before the edge
-  std::array<Index, 2> cluster; // of the faces, when they were last looked up
+  std::array<Index, 2> cluster; // the clusters of the faces at the last look-up
   Move_time tested;             // 0: never
-  Index terms;                  // where a block keeps the terms of the two faces; NONE: nowhere
+  Index terms;                  // the position of the terms of the two faces in a block; NONE if they are not stored
 
   bool is_inner() const { return cluster[0] == cluster[1]; }
 
-  // Whether a cluster has changed since. Had the clusters of the faces become others, they would have changed.
+  // Returns whether one of the clusters has changed since the last test. A face that changes its cluster changes both clusters.
   bool is_due(const std::vector<Move_time>& last_change) const
   {
     return (std::max)(last_change[cluster[0]], last_change[cluster[1]]) > tested;
@@ -44,7 +44,7 @@ struct Boundary_edge
 
 typedef std::vector<Boundary_edge> Boundary_edges;
 
-// The edges that are in a list, by their corners. Threads may insert and erase different edges at the same time.
+// The set of listed edges, identified by their corners. Threads may insert and erase different edges at the same time.
 class Listed_edges
 {
 public:
@@ -103,7 +103,7 @@ inline void mark_ends(const Flat_mesh& m, const Boundary_edge& e, std::vector<ch
   is_marked[m.corner_vertex[m.next_corner(e.face[0], e.corner)]] = true;
 }
 
-// The edges of each block, and those between blocks.
+// The edges of each block, and the edges between blocks.
 struct Distributed_edges
 {
   std::vector<Boundary_edges> of_block;

@@ -16,9 +16,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Blocks of nearby clusters, all of about the same number: recursive coordinate bisection (Berger and Bokhari: A partitioning
-// strategy for nonuniform problems on multiprocessors, 1987). They follow from the points alone; ties are broken by the number of
-// the cluster.
+// Blocks of nearby clusters, all with about the same number of clusters, by recursive coordinate bisection (Berger and Bokhari: A
+// partitioning strategy for nonuniform problems on multiprocessors, 1987). They depend only on the points; ties are broken by the
+// number of the cluster.
 class Cluster_blocks
 {
 public:
@@ -71,7 +71,7 @@ private:
     return std::size_t(std::max_element(side.begin(), side.end()) - side.begin());
   }
 
-  std::vector<Vector> points_; // while the blocks are made
+  std::vector<Vector> points_; // used only during the construction
   std::vector<Index> block_of_;
   std::size_t size_ = 1;
   Execution execution_ = Execution::SEQUENTIAL;

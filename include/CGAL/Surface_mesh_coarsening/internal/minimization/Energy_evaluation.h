@@ -63,14 +63,14 @@ constexpr bool needs_mean_area = false;
 template <class Energy>
 constexpr bool needs_mean_area<Energy, std::void_t<decltype(std::declval<Energy&>().set_mean_area(0.))> > = true;
 
-// The energy of a cluster, also with one face more or less, by a model of `ClusterEnergy`.
+// Computes the energy of a cluster, also with an additional face or without a face, by a model of `ClusterEnergy`.
 template <class Energy>
 class Energy_evaluation
 {
 public:
   typedef typename Energy::Face_data Face;
   typedef Cluster_sums<Energy> Sums;
-  typedef Energy_outcome<Energy> Outcome; // a number, or converts to one
+  typedef Energy_outcome<Energy> Outcome; // a number, or a class that converts to a number
 
   Energy_evaluation(const Energy& energy, const Clustering_input& input, std::size_t clusters) : energy_(energy)
   {
@@ -126,7 +126,7 @@ public:
     return energy_.energy(without, x.faces - 1);
   }
 
-  // `outcome`: the result of `outcome_with()`, passed because energies take long to compute.
+  // `outcome` is the result of `outcome_with()`. It is passed because energies are expensive to compute.
   void add(Sums& x, const Face& face, const Outcome& outcome) const
   {
     energy_.add(x, face);
@@ -142,7 +142,8 @@ public:
     set(x, outcome);
   }
 
-  // Quick rejection: returns whether it is known that moving a face from cluster `source` to cluster `target` gains nothing.
+  // Quick rejection: returns whether the move of a face from cluster `source` to cluster `target` certainly does not lower the
+  // energy.
   bool cannot_gain(const Sums& source, const Sums& target, const Face& face) const
   {
     if constexpr (has_quick_rejection<Energy>)

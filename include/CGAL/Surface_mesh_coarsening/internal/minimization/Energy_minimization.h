@@ -28,14 +28,14 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Sections 5.1 and 8.2 of the paper: in rounds over the edges between clusters, the face on one side or on the other
-// joins the cluster across, whichever lowers the energy more, as long as the clusters remain discs whose dual is a
-// simplicial surface. All energies are those of the current sums, so the energy is a function of the clustering and
-// falls with each move.
+// The minimization (sections 5.1 and 8.2 of the paper), in rounds over the edges between clusters. The face on one of the two
+// sides joins the cluster on the other side, whichever lowers the energy more, as long as the clusters remain discs whose dual is
+// a simplicial surface. All energies are computed from the current sums, so the energy is a function of the clustering and
+// decreases with each move.
 //
-// Many clusters are divided into blocks, which make some rounds on their own, in parallel. Edges at which a face had to wait for
-// another block are in blocks of a second division next, and the few that had to wait again are gone through in order. The
-// divisions take turns.
+// If there are many clusters, they are divided into blocks, each of which runs several rounds independently, in parallel. An edge
+// whose face could not move because of another block belongs to a block of a second division next. The few edges that are
+// postponed again are processed in order. The two divisions alternate.
 template <class Energy>
 class Energy_minimization : public Minimization
 {
@@ -67,13 +67,13 @@ public:
   {
     shared_cancellation_.begin();
     //! [recount]
-    // Sums that are updated again and again drift by roundings.
+    // Repeated updates accumulate rounding errors in the sums.
     if (rounds_since_sums_ >= 64)
-      add_up(Cancellation_point()); // must not end half done
+      add_up(Cancellation_point()); // must not be interrupted
     //! [recount]
     Progress progress = run_rounds(end, false);
-    // Edges were passed over whose two clusters had not changed. Whether a move is allowed depends on others, too:
-    // the end is reached when no edge at all has a move left.
+    // A round skips edges whose two clusters have not changed. Other clusters also determine whether a move is valid, so the
+    // minimization has ended only if no edge at all permits a move.
     if (progress.moves == 0)
       progress = run_rounds(end, true);
     rounds_since_sums_ += progress.rounds;
@@ -81,7 +81,7 @@ public:
     return progress;
   }
 
-  // Whether the boundary-edge counts and the sums are those that counting and adding up from scratch gives.
+  // Returns whether the boundary-edge counts and the sums agree with a computation from scratch.
   bool agrees_with_recount() const
   {
     if (labels_.recounted() != labels_.boundary_counts())
@@ -99,7 +99,7 @@ public:
     return true;
   }
 
-  // Whether the edges between clusters are listed, each once.
+  // Returns whether the edges between clusters are listed, each once.
   bool has_all_edges() const
   {
     Boundary_edges all;
@@ -128,7 +128,7 @@ public:
   Refusals refusals() const override { return refusals_; }
 
 private:
-  // Fewer have many edges to other blocks; more do not stay in the caches, and leave threads without work.
+  // Smaller blocks have many edges to other blocks. Larger blocks exceed the caches and leave threads without work.
   static constexpr std::size_t clusters_per_block = 384;
 
   bool is_divided() const { return divisions_[0].size() > 1; }
@@ -139,8 +139,9 @@ private:
     rounds_since_sums_ = 0;
   }
 
-  // In two orthogonal frames, whose planes cross each other at large angles: clusters at the border of a block in one are inside
-  // a block in the other, nearly always. What roundings of fused operations tell apart is taken for equal.
+  // Divides the clusters in two orthogonal frames whose planes intersect at large angles, so nearly every cluster at the border
+  // of a block in one frame is inside a block in the other. Coordinates that differ only by rounding errors of fused operations
+  // count as equal.
   void divide(std::size_t blocks)
   {
     std::vector<Moments> clusters(state_.clusters.size());
@@ -159,7 +160,7 @@ private:
   {
     if (!is_complete_)
       list_edges();
-    is_complete_ = false; // should the work end early
+    is_complete_ = false; // in case the minimization is cancelled
     const Progress progress =
       is_divided() ? run_blocks(end, tests_all) : run_whole(end, tests_all);
     is_complete_ = true;
@@ -177,7 +178,7 @@ private:
   {
     now_ = 1;
     state_.last_change.assign(state_.clusters.size(), now_);
-    state_.last_change.push_back(0); // nowhere, nothing changes
+    state_.last_change.push_back(0); // for no cluster, which never changes
   }
 
   Progress run_whole(const Minimization_end& end, bool tests_all)
@@ -212,7 +213,7 @@ private:
     return progress;
   }
 
-  // Drops edges that came to lie within a cluster, and begins a new time.
+  // Removes edges that now lie within a cluster, and begins a new time.
   void look_up_edges(bool tests_all)
   {
     for_each_chunk(execution_, edges_.size(), 4096, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -228,7 +229,7 @@ private:
     begin_time();
   }
 
-  // The edges of a block, and what became of them.
+  // The edges of a block, and the result of its minimization.
   struct Part
   {
     Boundary_edges edges, postponed;
@@ -238,7 +239,7 @@ private:
     Refusals refusals;
   };
 
-  // Runs the blocks of a division on the edges that wait.
+  // Runs the blocks of a division on the waiting edges.
   Progress run_division(const Cluster_blocks& blocks, std::size_t max_rounds, double least_gain_per_edge, Boundary_edges& waiting,
                         Boundary_edges& done)
   {
@@ -256,7 +257,7 @@ private:
     for (const Part& part : parts)
       number += part.edges.size() + part.postponed.size();
     if (number > done.capacity())
-      done.reserve(number + number / 16); // the rest comes later
+      done.reserve(number + number / 16); // the remaining memory is reserved later
     for (Part& part : parts)
       take(part, done, waiting, progress);
     return progress;
@@ -302,7 +303,7 @@ private:
   {
     done.insert(done.end(), part.edges.begin(), part.edges.end());
     waiting.insert(waiting.end(), part.postponed.begin(), part.postponed.end());
-    Boundary_edges().swap(part.edges); // gives the memory back
+    Boundary_edges().swap(part.edges); // frees memory
     now_ = (std::max)(now_, part.now);
     tests_ += part.tests;
     refusals_.by_boundary_counts += part.refusals.by_boundary_counts;
@@ -325,7 +326,7 @@ private:
   std::array<Cluster_blocks, 2> divisions_;
   Boundary_edges edges_;
   bool is_complete_ = false;
-  std::optional<Block> whole_; // of all edges, where clusters are not divided
+  std::optional<Block> whole_; // a block of all edges, if clusters are not divided
   Move_time now_ = 1;
   std::size_t rounds_since_sums_ = 0, tests_ = 0;
   Refusals refusals_;

@@ -17,14 +17,14 @@ struct Minimization_end
   double tolerance = 0;
 };
 
-// Moves that would lower the energy: those that the paper's check of boundary-edge counts refuses, and those that pass it and
-// are refused because the dual would be no surface.
+// The moves that would lower the energy but were refused: by the paper's check of boundary-edge counts, or, after passing it,
+// because the dual would not be a surface.
 struct Refusals
 {
   std::size_t by_boundary_counts = 0, by_guarantee = 0;
 };
 
-// A minimization in progress, of any energy.
+// A minimization in progress, independent of the type of the energy.
 class Minimization
 {
 public:

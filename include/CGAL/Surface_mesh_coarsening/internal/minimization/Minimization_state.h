@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// What the blocks of a minimization share. Each block reads and writes the parts that belong to its own clusters.
+// The data that the blocks of a minimization share. Each block reads and writes the parts of its own clusters.
 template <class Energy>
 struct Minimization_state
 {
@@ -21,14 +21,14 @@ struct Minimization_state
   Cluster_labels& labels;
   Energy_evaluation<Energy> energy;
   std::vector<Cluster_sums<Energy> > clusters;
-  std::vector<Move_time> last_change; // of each cluster, and of none
+  std::vector<Move_time> last_change; // of each cluster, and of `nowhere()`
   Listed_edges listed;
-  Feature_rules* rules; // none without features
-  // Of each vertex, whether clusters of several blocks meet there; empty while there is one block only.
+  Feature_rules* rules; // null without features
+  // For each vertex, whether clusters of several blocks meet there; empty if there is only one block.
   std::vector<char> is_shared;
-  bool checks_boundary_counts = false; // whether moves have to pass the paper's check, too
+  bool checks_boundary_counts = false; // whether moves must also pass the paper's check
 
-  // In the place of the cluster where there is none.
+  // The index that stands for no cluster.
   Index nowhere() const { return Index(clusters.size()); }
 };
 

@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Section 7 of the paper: moves faces between clusters if the clusters remain closed discs, and their dual a simplicial
-// surface.
+// Moves faces between clusters if the clusters remain closed discs and their dual remains a simplicial surface (section 7 of the
+// paper).
 class Valid_moves
 {
 public:
@@ -30,9 +30,9 @@ public:
            !labels_.is_frozen(to) && !labels_.is_pinned(f) && (!rules_ || rules_->may_take(f, to));
   }
 
-  // The paper's own check, as printed in section 7, for a triangle that shares edge c with the cluster: count(V2) = 0, or one of
-  // the other two edges, n and p, leads to the cluster, or one of them to any other and V2 does not touch the cluster. The paper
-  // has none for faces of more sides.
+  // The paper's check, as printed in section 7, for a triangle that shares edge c with the cluster. A move passes if count(V2) =
+  // 0, if one of the other two edges, n and p, leads to the cluster, or if one of them leads to any other cluster and V2 does not
+  // touch the cluster. The paper has no check for faces of more sides.
   bool boundary_counts_allow(Index f, Index to) const
   {
     const Index begin = mesh_.first_corner[f];
@@ -50,8 +50,8 @@ public:
     return (across_n != from) != (across_p != from) && !touches(v2, to);
   }
 
-  // Prefetch the data that `keeps_discs()` reads of a face in three steps; each reads data prefetched by the one
-  // before.
+  // Prefetch the data that `keeps_discs()` reads of a face in three steps; each step reads data prefetched by the previous
+  // step.
   BOOST_FORCEINLINE void prefetch_corners(Index f) const
   {
     prefetch(&mesh_.corner_vertex[mesh_.first_corner[f]]);
@@ -73,7 +73,7 @@ public:
       prefetch(&mesh_.star[mesh_.first_in_star[mesh_.corner_vertex[c]]]);
   }
 
-  // Moves face `f` if the move is valid. Returns whether it is.
+  // Moves face `f` if the move is valid. Returns whether the move was valid.
   bool move(Index f, Index to)
   {
     const Index from = labels_[f];
@@ -101,11 +101,11 @@ private:
     return false;
   }
 
-  // Returns whether the dual does not change because the face borders on at most one further cluster X, and the meeting
-  // point of X with the two clusters of the move only slides along the edge to X, from its end at `to` to its end at
-  // the cluster of the face. This is so if at most three clusters meet at a vertex, before and after. Where four meet,
-  // it is so if the diagonal between the apex of the fan and the opposite cluster replaces that edge; the manual,
-  // section smc_guarantee_moves, gives the condition.
+  // Returns whether the dual does not change because the face borders on at most one other cluster X, and the meeting point of X
+  // with the two clusters of the move only slides along the edge to X, from its end at `to` to its end at the cluster of the
+  // face. The dual does not change if at most three clusters meet at a vertex, before and after the move. Where four clusters
+  // meet, it does not change if the diagonal between the apex of the fan and the opposite cluster replaces that edge; section
+  // smc_guarantee_moves of the manual gives the condition.
   bool only_slides(Index f, Index to) const
   {
     const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1], from = labels_[f];
@@ -121,7 +121,7 @@ private:
     return true;
   }
 
-  // Returns whether this holds at vertex `v` of the face, between edges to clusters `x` and `y`.
+  // Returns whether this condition holds at vertex `v` of the face, between edges to clusters `x` and `y`.
   bool keeps_fan(Index f, Index to, Index v, Index x, Index y) const
   {
     const Index from = labels_[f];
@@ -136,8 +136,8 @@ private:
     return difference == 0 ? change(x) != 0 : std::abs(difference) == 1 && (labels_[first] == x || labels_[first] == y);
   }
 
-  // All edges that a move adds to the dual belong to the cluster that has grown: the dual remains simplicial if the
-  // neighbors of that cluster still form a simple cycle.
+  // All edges that a move adds to the dual belong to the cluster that has grown, so the dual remains simplicial if the
+  // neighbors of this cluster still form a simple cycle.
   bool dual_stays_simplicial(Index f, Index from)
   {
     for (const Index c : mesh_.corners(f))

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Whether a type is a model of `ClusterEnergy`; otherwise it is one of `ClusterWeight`.
+// Whether a type is a model of `ClusterEnergy`; otherwise it is a model of `ClusterWeight`.
 template <class Choice, class = void>
 constexpr bool is_energy = false;
 template <class Choice>
@@ -26,7 +26,7 @@ template <class NamedParameters>
 using Energy_choice = Parameter_type<internal_np::cluster_energy_t, NamedParameters,
                                      Parameter_type<internal_np::cluster_weight_t, NamedParameters, Weighted_area_weight> >;
 
-// Returns the energy, where `Choice` is its type or the type of a weight.
+// Returns the energy; `Choice` is the type of the energy or of a weight.
 template <class Choice, class NamedParameters>
 auto chosen_energy(const NamedParameters& np)
 {

@@ -117,11 +117,11 @@ auto output_points(const std::vector<Vector>& positions, const Local_frame& fram
   return to_points(positions, frame, choose_parameter<Traits>(get_parameter(np, CGAL::internal_np::geom_traits)));
 }
 
-// Replaces a face graph by a triangulated surface in two steps: the constructor does everything that can fail and
-// changes nothing; `commit()` changes the face graph.
+// Replaces a face graph by a triangulated surface in two steps. The constructor does everything that can fail and changes
+// nothing; `commit()` changes the face graph.
 //
-// A face graph of arbitrary type can be filled only element by element. If this fails, for lack of memory or because a
-// point map throws, it is left empty.
+// A face graph of arbitrary type can be filled only element by element. If this fails, because memory is exhausted or a point
+// map throws, the face graph is left empty.
 template <class Output, class NamedParameters>
 class Face_graph_filler
 {
@@ -162,8 +162,8 @@ public:
   }
 };
 
-// A `Surface_mesh` allocates all memory before it changes, so that it is unchanged after any failure. It keeps its
-// property maps, which `clear()` would remove, because the caller may hold some.
+// A `Surface_mesh` allocates all memory before it changes, so it is unchanged after any failure. It keeps its property maps,
+// which `clear()` would remove, because the caller may refer to them.
 template <class Point, class NamedParameters>
 class Face_graph_filler<Surface_mesh<Point>, NamedParameters>
 {
@@ -200,7 +200,7 @@ public:
   void commit()
   {
     // Only a mesh without elements marked as removed can be emptied without freeing its memory. Garbage collection
-    // renumbers elements, so it happens as late as possible.
+    // renumbers elements, so it is done as late as possible.
     if (mesh_.has_garbage()) {
       mesh_.collect_garbage();
       reserve();
@@ -224,11 +224,11 @@ private:
                   (std::max)(faces(), mesh_.number_of_faces()));
   }
 
-  // Leaves the mesh with its final number of elements.
+  // Resizes the mesh to its final number of elements.
   void put_points()
   {
     if constexpr (has_own_map) {
-      // The caller's map may throw. Until it has accepted all points, the mesh merely has additional elements.
+      // The caller's map may throw. Until it has accepted all points, the mesh only has additional elements.
       const auto map = get_parameter(np_, CGAL::internal_np::vertex_point);
       const size_type v = mesh_.number_of_vertices(), e = mesh_.number_of_edges(), f = mesh_.number_of_faces();
       mesh_.resize((std::max)(v, vertices()), e, f);
@@ -240,7 +240,7 @@ private:
         throw;
       }
     } else {
-      mesh_.resize(0, 0, 0); // so that all properties begin with their defaults
+      mesh_.resize(0, 0, 0); // so all properties start with their default values
       mesh_.resize(vertices(), 0, 0);
       for (size_type i = 0; i < vertices(); ++i)
         mesh_.point(Vertex(i)) = points_[i];

@@ -40,14 +40,14 @@ inline std::vector<long long> regions(const Flat_mesh& m, const Feature_edges& e
   return region;
 }
 
-// The patches of the triangles of a coarse mesh, whose edges may have been flipped and whose vertices exchanged. Lines separate
-// patches: a triangle at a line is in the patch on the same side of the line in the input, the others are in the patch of
-// their neighbors.
+// The patches of the triangles of a coarse mesh, whose edges may have been flipped and whose vertices may have been exchanged.
+// Lines separate patches. A triangle at a line belongs to the patch on the same side of the line in the input. The other
+// triangles belong to the patch of their neighbors.
 class Triangle_patches
 {
 public:
-  // `labels` are the labels of the clustered mesh, `patches` the patches of the faces of the caller's mesh; if there are
-  // none, regions are numbered.
+  // `labels` are the labels of the clustered mesh, `patches` the patches of the faces of the caller's mesh. If `patches` is
+  // empty, regions are numbered instead.
   Triangle_patches(const std::vector<Triangle>& triangles, const Coarse_features* features, const Featured_input& input,
                    const Cluster_labels& labels, const std::vector<long long>& patches)
     : triangles_(triangles), input_(input), labels_(labels), patches_(patches),
@@ -81,7 +81,7 @@ public:
 private:
   typedef std::pair<Index, Index> Side; // of a triangle, from one cluster to the next
 
-  // Finds the faces on both sides of each edge of the line, where the line enters the next cluster.
+  // Finds the faces on both sides of each edge of the line, at the point where the line enters the next cluster.
   void add_line(const Coarse_features::Line& line)
   {
     const std::size_t n = line.arcs.size();
@@ -93,7 +93,7 @@ private:
     }
   }
 
-  // NONE beyond the border.
+  // NONE on the border.
   Index face_left_of(Index source, Index target) const
   {
     const Flat_mesh& m = pieces_.mesh;

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Returns the cluster of each vertex of a mesh: the cluster of largest area among the faces around it, the smallest
-// number among equal ones; `clusters` at vertices without faces.
+// Returns the cluster of each vertex of a mesh: among the clusters of the incident faces, the cluster of largest area there, and
+// of equal areas the smallest number. Vertices without faces get `clusters`.
 inline std::vector<Index> clusters_of_vertices(const Flat_mesh& m, const std::vector<double>& area,
                                                const std::vector<Index>& cluster_of_face, Index clusters)
 {
@@ -77,7 +77,7 @@ void write_vertex_clusters(const Numbering<FaceGraph>&, const Clustering_input&,
                            const CGAL::internal_np::Param_not_found&)
 {}
 
-// Throws Invalid_input if places of an input are asked for that the output is to replace.
+// Throws Invalid_input if sources are requested and the output replaces the input.
 template <class Map, class FaceGraph, class Output>
 void check_input_stays(const FaceGraph& input, const Output& output)
 {
@@ -86,7 +86,7 @@ void check_input_stays(const FaceGraph& input, const Output& output)
     throw Invalid_input("a vertex_source_map was given, but the output is the input, which the sources would lie on");
 }
 
-// Finds the sources of the vertices on the input before the output changes, and writes them when the output has its
+// Finds the sources of the vertices on the input before the output changes, and writes them after the output has its
 // vertices.
 template <class FaceGraph, class Map>
 class Vertex_sources

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Returns the centroid if a placement yields no finite position, as with coordinates of very different magnitude.
+// Returns the centroid if the position of a placement is not finite, for example with coordinates of very different magnitude.
 inline Vector checked_position(const Clustered_faces& surface, std::size_t cluster, const Vector& p)
 {
   const Vector inside = surface.within_bounds(cluster, p);
@@ -29,7 +29,7 @@ inline Vector checked_position(const Clustered_faces& surface, std::size_t clust
   return inside;
 }
 
-// Places the vertices of the clusters; vertices of border clusters lie on the border. A global placement may flip edges
+// Places the vertices of the clusters. Vertices of clusters on the border lie on the border. A global placement may flip edges
 // of the triangles.
 inline std::vector<Vector> place_vertices(const Clustered_faces& surface, const Border_arcs& border,
                                           const Placement_model& placement, std::vector<Triangle>& triangles,

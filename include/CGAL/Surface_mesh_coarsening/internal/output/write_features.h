@@ -70,7 +70,7 @@ template <class Output>
 void write_corners(const Output&, const CGAL::internal_np::Param_not_found&, const Coarse_features*)
 {}
 
-// Writes the maps that the output's parameters request. `triangles` are the triangles of `output`, in their order.
+// Writes the maps that the parameters of the output request. `triangles` are the triangles of `output` in order.
 template <class Output, class NamedParameters>
 void write_features(const Output& output, const NamedParameters& np, const std::vector<Triangle>& triangles,
                     const Coarse_features* features, const Featured_input& input, const Cluster_labels& labels,

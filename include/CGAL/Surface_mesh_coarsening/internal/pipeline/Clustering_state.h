@@ -20,52 +20,52 @@ namespace internal {
 class Cluster_editing;
 class Initial_clustering;
 
-// The number of faces per cluster that subdivision provides: clusters of this many faces can be round.
+// The number of faces per cluster that the subdivision provides. A cluster of this many faces can be round.
 constexpr std::size_t faces_per_cluster = 20;
 
 // The origin of the clusters.
 struct Seeding
 {
   enum Kind { BY_CALLER, FOR_NUMBER, AT_LEVEL };
-  Kind kind = BY_CALLER; // who gave, edited or froze the clusters
+  Kind kind = BY_CALLER; // BY_CALLER: the caller gave, edited or froze clusters
   std::size_t value = 0;
 };
 
-// The data that the stages of the pipeline share, in arrays and without the types of mesh, weight and placement.
+// The data that the stages of the pipeline share, in arrays, independent of the types of mesh, weight and placement.
 struct Clustering_state
 {
   Clustering_state();
   ~Clustering_state();
 
-  // From the preparation:
+  // Set by the preparation:
   Visitor_handle visitor;
   Execution execution = Execution::SEQUENTIAL;
   bool subdivides_input = false, merges_by_area = false, checks_boundary_counts = false, places_on_borders = true,
        repairs_output = true;
-  std::size_t exchange_rounds = 0; // rounds that relocate vertices to places of large error
-  std::size_t max_local_repairs = 0; // times that vertices are relocated to intersecting triangles
+  std::size_t exchange_rounds = 0; // the number of rounds that relocate vertices to regions of large error
+  std::size_t max_local_repairs = 0; // the maximum number of relocations of vertices to intersecting triangles
   Local_frame frame;
   Featured_input input;
   std::vector<long long> patches; // per face of the caller's mesh, if given
   std::size_t dropped_components = 0;
   std::shared_ptr<const Energy_model> energy;
 
-  // From seeding and growth:
+  // Set by seeding and growth:
   Seeding seeding;
   std::unique_ptr<Initial_clustering> initial;
   std::unique_ptr<Cluster_labels> labels; // none before growth
 
-  // From minimization and editing; each restarts after the other has changed the clusters:
+  // Minimization and editing; each restarts after the other has changed the clusters:
   std::unique_ptr<Minimization> minimization;
   std::unique_ptr<Cluster_editing> editing;
-  Minimization_end minimization_end; // as requested
+  Minimization_end minimization_end; // as requested by the caller
 
   Coarsening_report report;
 
   Cancellation_point cancellation() const { return Cancellation_point(visitor); }
   // The faces of the mesh, without removed components.
   const Clustering_input& base_input() const;
-  // The labelled faces: the input, or pieces of its faces.
+  // The labelled faces: the faces of the input, or pieces of them.
   const Featured_input& featured_input() const;
   const Clustering_input& working_input() const { return featured_input().items; }
   std::size_t number_of_clusters() const { return report.clusters; }

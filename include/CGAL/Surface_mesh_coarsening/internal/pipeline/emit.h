@@ -11,8 +11,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The last stage: fills the output. Calls `before` when everything that can fail is done and the output is still
-// unchanged.
+// The last stage: fills the output. Calls `before` after all steps that can fail, while the output is still unchanged.
 template <class Output, class NamedParameters, class Before>
 void emit(Clustering_state& state, const Placed_dual& dual, Output& output, const NamedParameters& np, const Before& before)
 {

@@ -26,13 +26,14 @@ inline std::unique_ptr<Clustered_faces> clustered_faces(const Clustering_state& 
                                              state.execution, dual.pieces->features(), state.cancellation());
 }
 
-// Returns whether the triangles that still intersect are few.
+// Returns whether pairs of triangles still intersect, and are at most half as many as the clusters.
 inline bool is_worth_repairing(const Clustering_state& state, const Placed_dual& dual)
 {
   return dual.number_left() > 0 && 2 * dual.number_left() <= state.number_of_clusters();
 }
 
-// Returns whether there are more than one for a thousand clusters. Fewer do not justify to place or cluster the whole mesh again.
+// Returns whether there are more than one for a thousand clusters. Fewer do not justify another placement or clustering of the
+// whole mesh.
 inline bool has_many_intersections(const Clustering_state& state, const Placed_dual& dual)
 {
   return 1000 * dual.number_left() > state.number_of_clusters();
@@ -69,7 +70,7 @@ inline Repair_counts repair_exchanged(const Clustering_state& state, const Clust
                               : Repair_counts();
 }
 
-// Relocates a vertex from elsewhere to each of some triangles, and repairs the placement again.
+// Relocates a vertex from elsewhere to each of some triangles, and repeats the repair of the placement.
 inline Placed_dual with_vertices_at(const std::vector<Index>& triangles, Clustering_state& state,
                                     const Placement_model& placement, const Output_coordinates& output_coordinates,
                                     Cluster_relocation& clusters, std::unique_ptr<Clustered_faces>& surface,
@@ -90,7 +91,7 @@ inline Placed_dual with_vertices_at(const std::vector<Index>& triangles, Cluster
   return next;
 }
 
-// Relocates vertices to the triangles that still intersect. Returns whether fewer pairs are left; otherwise nothing changes.
+// Relocates vertices to the triangles that still intersect. Returns whether fewer pairs remain; otherwise nothing changes.
 inline bool repair_by_exchange(Clustering_state& state, const Placement_model& placement,
                                const Output_coordinates& output_coordinates, Cluster_relocation& clusters,
                                std::unique_ptr<Clustered_faces>& surface, Placed_dual& dual)
@@ -145,8 +146,9 @@ inline bool may_exchange_vertices(const Clustering_state& state, const Placement
          state.seeding.kind != Seeding::BY_CALLER;
 }
 
-// Replaces a repaired placement by the one without exchange if that has fewer of many intersections, or no more and a smaller
-// distance. `plain_distance` is its squared distance before its own repair. Returns whether it was replaced.
+// Replaces a repaired placement by the placement without exchange in two cases: many intersections remain and the other
+// placement has fewer, or it has no more intersections and a smaller distance. `plain_distance` is the squared distance of the
+// placement without exchange before its repair. Returns whether the placement was replaced.
 inline bool is_better_plain(Clustering_state& state, const Placement_model& placement,
                             const Output_coordinates& output_coordinates, Cluster_relocation& clusters, double plain_distance,
                             Placed_dual& dual)
@@ -172,7 +174,7 @@ inline bool is_better_plain(Clustering_state& state, const Placement_model& plac
   return false;
 }
 
-// Chooses the better placement, with or without exchange.
+// Selects the better placement, with or without exchange.
 inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
                                       const Output_coordinates& output_coordinates)
 {

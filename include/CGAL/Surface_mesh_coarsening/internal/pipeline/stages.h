@@ -14,24 +14,24 @@
 #include <utility>
 #include <vector>
 
-// The pipeline: prepare -> seed -> grow -> minimize -> place (with repair) -> emit, one function per stage over one
-// state. The first and the last stage depend on the types of the meshes: `prepare()` and `Face_graph_filler`. All entry
-// points call these.
+// The pipeline: prepare -> seed -> grow -> minimize -> place (with repair) -> emit. Each stage is one function over the same
+// state. Only the first and the last stage depend on the types of the meshes: `prepare()` and `Face_graph_filler`. All entry
+// points call these functions.
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Finds seeds (section 6). Discards earlier clusters.
+// Finds seeds (section 6) and discards earlier clusters.
 void seed(Clustering_state& state, const Seeding& seeding);
 
-// The smallest and the largest number of clusters that can be reached.
+// Returns the smallest and the largest attainable number of clusters.
 std::pair<std::size_t, std::size_t> vertex_number_range(const Clustering_state& state);
 
-// The number of vertices that is a part `ratio` of those of the mesh, without the components that were left out.
+// Returns `ratio` times the number of vertices of the mesh, without removed components.
 std::size_t number_of_vertices(const Clustering_state& state, double ratio);
 
-// Grows the clusters from the seeds to the number wanted (section 8.1) and starts the minimization.
+// Grows the clusters from the seeds to the requested number (section 8.1) and starts the minimization.
 void grow(Clustering_state& state);
 
 // Adopts given clusters; throws if they are not valid.
@@ -58,7 +58,7 @@ std::size_t cluster_of_face(const Clustering_state& state, Index face);
 // Returns the clusters of the faces of `state.base_input()`.
 std::vector<Index> clusters_of_base_faces(const Clustering_state& state);
 
-// Steering: the changes of one cluster between rounds. The functions throw if there is no such cluster.
+// Steering: changes of one cluster between rounds. The functions throw if the cluster does not exist.
 void freeze_cluster(Clustering_state& state, std::size_t cluster, bool is_frozen);
 bool is_frozen(const Clustering_state& state, std::size_t cluster);
 bool split_cluster(Clustering_state& state, std::size_t cluster);
@@ -79,11 +79,11 @@ struct Placed_dual
 // Places the vertices and repairs the placement.
 Placed_dual place(const Clustering_state& state, const Placement_model& placement, const Output_coordinates& output_coordinates);
 
-// The same; reclusters if intersecting triangles remain.
+// Places the vertices, repairs the placement, and reclusters if intersecting triangles remain.
 Placed_dual place_embedded(Clustering_state& state, const Placement_model& placement,
                            const Output_coordinates& output_coordinates);
 
-// Records the outcome in the report.
+// Records the result in the report.
 void report_placement(Clustering_state& state, const std::vector<Triangle>& triangles, const std::vector<Vector>& positions,
                       const Repair_counts& counts, std::size_t clusterings = 1);
 

@@ -46,7 +46,7 @@ inline void forget_clusters(Clustering_state& state)
   state.initial.reset();
 }
 
-// A step that fails or is cancelled leaves no clusters: the next step has to seed or to adopt labels.
+// A step that fails or is cancelled leaves no clusters, so the next step must seed or adopt labels.
 template <class Step>
 void all_or_nothing(Clustering_state& state, const Step& step)
 {
@@ -244,7 +244,7 @@ inline void check_cluster(const Clustering_state& state, std::size_t cluster)
 CGAL_SURFACE_MESH_COARSENING_INLINE void freeze_cluster(Clustering_state& state, std::size_t cluster, bool is_frozen)
 {
   check_cluster(state, cluster);
-  state.seeding = Seeding(); // reclustering would not keep it
+  state.seeding = Seeding(); // reclustering would not preserve the frozen cluster
   state.labels->freeze(Index(cluster), is_frozen);
 }
 
@@ -333,7 +333,7 @@ inline void recluster(Clustering_state& state, const std::vector<double>& densit
   minimize(state, end);
 }
 
-// Returns whether other densities are likely to help.
+// Returns whether other densities are likely to reduce the number of intersections.
 inline bool is_worth_reclustering(const Clustering_state& state, const Placed_dual& dual)
 {
   return is_worth_repairing(state, dual) && has_many_intersections(state, dual) && state.seeding.kind != Seeding::BY_CALLER &&
@@ -362,8 +362,8 @@ inline void raise_at_intersections(std::vector<double>& densities, const Cluster
       densities[f] = (std::min)(4 * densities[f], largest_density);
 }
 
-// Where the repair leaves pairs of intersecting triangles, clusters are made again with other densities. While that goes on, no
-// vertices are exchanged, which takes longer and is decided by the pairs in the end.
+// If pairs of intersecting triangles remain after the repair, the mesh is reclustered with other densities. Vertices are not
+// exchanged in these clusterings, because the exchange takes longer and the number of pairs decides among the results.
 CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state& state, const Placement_model& placement,
                                                                const Output_coordinates& output_coordinates)
 {

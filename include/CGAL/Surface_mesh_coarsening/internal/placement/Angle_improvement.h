@@ -20,11 +20,11 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Moves vertices of narrow triangles where what the angles gain is worth more than what the distance loses.
+// Moves vertices of narrow triangles if the gain in angles is worth more than the increase of the distance.
 class Angle_improvement
 {
 public:
-  // `within_bounds` returns the nearest point where a vertex may lie.
+  // `within_bounds` returns the nearest admissible position of a vertex.
   Angle_improvement(const Border_arcs& border, const Flippable_triangulation& coarse, std::vector<Vector>& positions,
                     Fit_samples& samples, std::function<Vector(Index, const Vector&)> within_bounds,
                     const Cancellation_point& cancellation, Execution execution)
@@ -32,7 +32,7 @@ public:
       cancellation_(cancellation), execution_(execution)
   {}
 
-  // The narrowest triangle comes first.
+  // Processes the narrowest triangle first.
   void run(const Angle_worth& worth)
   {
     worth_ = worth;
@@ -66,7 +66,7 @@ private:
     Vector to{{0, 0, 0}};
   };
 
-  // The triangles around a vertex that is to move.
+  // The triangles around a vertex to be moved.
   struct Star
   {
     Trial_fan fan;
@@ -76,7 +76,7 @@ private:
 
   double angle_of(Index t) const { return smallest_angle(positions_, coarse_.triangles()[t]); }
 
-  // Improves the marked triangles and forgets them. Their moves do not depend on each other and are found in parallel.
+  // Improves the marked triangles and clears the marks. Their moves do not depend on each other and are computed in parallel.
   void improve(std::vector<Index>& triangles)
   {
     cancellation_.poll(steps_of_triangle * triangles.size());
@@ -110,7 +110,7 @@ private:
     return false;
   }
 
-  // Returns the best of the moves of the corners of a triangle; of vertex NONE if there is none.
+  // Returns the best move of a corner of a triangle; its vertex is NONE if no move improves the triangle.
   Move best_move(Index t) const
   {
     Move best;
@@ -122,7 +122,7 @@ private:
     return best;
   }
 
-  // Takes the move back if it does not pay with the distances of the triangles from the input counted, too.
+  // Undoes the move if it is not profitable when the distances of the triangles from the input are also counted.
   void make(const Move& move)
   {
     const std::vector<Index>& around = coarse_.around(move.vertex);
@@ -149,7 +149,7 @@ private:
     Star star = star_of(v);
     for (const Vector& place : places(t, i, star.normal)) {
       star.fan.move_to(place);
-      // Distances are not computed where angles do not gain.
+      // If the angles do not improve, distances need not be computed.
       if (star.fan.worth(worth_) <= star.worth)
         continue;
       Vector better;
@@ -158,7 +158,7 @@ private:
       star.fan.move_to(to);
       if (!star.fan.is_sound(star.max_cosine, min_turn_cosine))
         continue;
-      // Distances are summed until the gain is less than the best.
+      // Distances are summed until the gain is less than the best gain so far.
       const double worth = star.fan.worth(worth_), weight = 2 * samples_.weight();
       const double gain =
         star.cost - (weight * star.fan.squared_distances((star.cost + worth - best.gain) / weight) - worth);
@@ -192,8 +192,8 @@ private:
     return star;
   }
 
-  // Returns places for corner `i`: towards the mean of its neighbors, farther from the opposite edge, farther from the nearest
-  // corner.
+  // Returns candidate positions for corner `i`: closer to the mean of its neighbors, farther from the opposite edge, farther from
+  // the nearest corner.
   std::vector<Vector> places(Index t, int i, const Vector& normal) const
   {
     const Triangle& c = coarse_.triangles()[t];

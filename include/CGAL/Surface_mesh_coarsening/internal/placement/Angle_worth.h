@@ -15,15 +15,15 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// No flip, exchange or improvement creates a smaller angle unless the triangles there have one already.
+// No flip, exchange or improvement creates a smaller angle, unless the affected triangles already have one.
 constexpr double min_angle = 10 * CGAL_PI / 180;
 // Triangles with a smaller angle are narrow.
 constexpr double narrow_angle = 25 * CGAL_PI / 180;
 
-// Returns what the smallest angle of a triangle falls short of.
+// Returns the amount by which the smallest angle of a triangle falls below `narrow_angle`.
 inline double narrowness(double angle) { return (std::max)(0., narrow_angle - angle); }
 
-// The squared distance that the smallest angle of a triangle is worth.
+// The exchange rate between angles and distance: the squared distance that the smallest angle of a triangle is worth.
 struct Angle_worth
 {
   double rate = 0;        // per radian

@@ -18,22 +18,22 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Flips edges of a coarse mesh if this lowers the squared distance from the input enough for the loss in the smallest
-// angles of the two triangles, or improves the angles enough for the added distance. The exchange rate between the two is
-// chosen such that the mean of the smallest angles reaches a goal.
+// Flips edges of a coarse mesh if the flip lowers the squared distance from the input enough for the loss in the smallest
+// angles of the two triangles, or improves the angles enough for the added distance. The exchange rate between distance and
+// angles is chosen such that the mean of the smallest angles reaches a goal.
 class Edge_flips
 {
 public:
-  // If `avoids_narrowness`, flips pay for narrow triangles, create no angle below 10 degrees, and exchange angles at a larger
-  // least rate. Otherwise vertices stay with their clusters, and it would take flips across sharp edges to avoid narrow
-  // triangles.
+  // If `avoids_narrowness`, the costs of flips include narrow triangles, flips create no angle below 10 degrees, and the exchange
+  // rate of angles has a larger minimum. Otherwise vertices remain at their clusters, and only flips across sharp edges would
+  // avoid narrow triangles.
   Edge_flips(Flippable_triangulation& coarse, const std::vector<Vector>& positions, Fit_samples& samples, bool avoids_narrowness,
              const Cancellation_point& cancellation, Execution execution)
     : coarse_(coarse), positions_(positions), samples_(samples), avoids_narrowness_(avoids_narrowness),
       cancellation_(cancellation), execution_(execution)
   {}
 
-  // The angle is in radians. A steady run changes the exchange rate of the run before only a little.
+  // The angle is in radians. A steady run changes the exchange rate of the previous run only slightly.
   void run(double mean_angle, bool is_steady)
   {
     const std::vector<Triangle>& triangles = coarse_.triangles();
@@ -62,7 +62,7 @@ public:
     apply(flips);
   }
 
-  // What angles were worth in the last run.
+  // The exchange rate of the last run.
   const Angle_worth& worth() const { return worth_; }
 
 private:
@@ -77,7 +77,7 @@ private:
     double profit(const Angle_worth& worth) const { return gain - worth.rate * loss - worth.narrow_rate * narrowing; }
   };
 
-  // The flips that may pay at some triangles, and the angles and costs of these.
+  // The flips at some triangles that may be profitable, with the angles and costs of these triangles.
   struct Trials
   {
     std::vector<Flip> flips;
@@ -137,14 +137,14 @@ private:
     if (avoids_narrowness_)
       flip.narrowing = narrowness(angle_t) + narrowness(angle_u) - narrowness(of_t.angle) - narrowness(of_u.angle);
     const double now = of_t.cost + of_u.cost;
-    // If angles get worse, it may pay only if the distance gets smaller.
+    // If the angles get worse, the flip is profitable only if the distance decreases.
     const bool is_closer = flip.loss >= 0 && flip.narrowing >= 0;
     flip.gain = now - samples_.cost_instead(t, u, new_t, new_u, is_closer ? now : max_growth * now, is_closer);
     flip.may_pay = !is_closer || flip.gain > 0;
     return flip;
   }
 
-  // Returns whether the new triangles face away from each other or from the old ones.
+  // Returns whether the new triangles face away from each other or from the old triangles.
   bool folds_over(const Triangle& old_t, const Triangle& old_u, const Triangle& new_t, const Triangle& new_u) const
   {
     const Vector old_normal = normal_of(positions_, old_t) + normal_of(positions_, old_u);
@@ -152,8 +152,8 @@ private:
     return !(dot(n, old_normal) > 0 && dot(m, old_normal) > 0 && dot(n, m) > 0);
   }
 
-  // Returns the smallest rate at which all profitable flips reduce the angles by at most `budget`. It is bounded, because
-  // there may be no such rate. `unit` is a typical squared distance.
+  // Returns the smallest rate at which all profitable flips together reduce the angles by at most `budget`. The rate is bounded,
+  // because this rate need not exist. `unit` is a typical squared distance.
   double rate_for(const std::vector<Flip>& flips, double budget, double unit) const
   {
     constexpr double degrees_per_radian = 180 / CGAL_PI;
@@ -170,7 +170,7 @@ private:
     return unit * std::exp(high) * degrees_per_radian;
   }
 
-  // Makes the best flips first; re-evaluates each after the earlier ones. Each triangle is flipped at most once.
+  // Makes the best flips first, and re-evaluates each flip after the earlier flips. Each triangle is flipped at most once.
   void apply(std::vector<Flip>& flips)
   {
     flips.erase(std::remove_if(flips.begin(), flips.end(), [this](const Flip& f) { return !(f.profit(worth_) > 0); }),
@@ -189,13 +189,13 @@ private:
     }
   }
 
-  // The largest factor between the exchange rates of steady runs. With larger ones the rates oscillate.
+  // The largest factor between the exchange rates of two steady runs. With larger factors the rates oscillate.
   static constexpr double max_change = 3;
   static constexpr double min_angle_otherwise = 7 * CGAL_PI / 180;
-  // A radian of narrowness is worth this part of the mean cost of a triangle.
+  // The worth of one radian of narrowness, relative to the mean cost of a triangle.
   static constexpr double narrow_part = 2;
   static constexpr std::size_t steps_of_flip = 64, triangles_of_part = 16;
-  // Flips for better angles that increase the distance by a larger factor are not evaluated exactly.
+  // A flip for better angles that increases the distance by a larger factor is not evaluated exactly.
   static constexpr double max_growth = 1.2;
 
   Flippable_triangulation& coarse_;

@@ -20,12 +20,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Collapses the edge from a vertex to `into`, which moves to `place`.
+// The removal of a vertex by a collapse of its edge to `into`, which moves to `place`.
 struct Vertex_removal
 {
-  double loss; // estimated, until the removal is the best; then measured
+  double loss; // an estimate until the removal is the best candidate; then measured
   Index vertex, into;
-  bool is_measured = false, is_prepared = false; // with `measured` known
+  bool is_measured = false, is_prepared = false; // whether `measured` is known
   double measured = 0;
   Vector place{{0, 0, 0}};
 
@@ -35,17 +35,17 @@ struct Vertex_removal
     is_measured = true;
   }
   bool may_pay() const { return loss < std::numeric_limits<double>::infinity(); }
-  // The least comes first.
+  // The smallest loss has the highest priority.
   bool operator<(const Vertex_removal& r) const { return std::tie(loss, vertex) > std::tie(r.loss, r.vertex); }
 };
 
-// Splits the edge between the first two of the four corners of two triangles at `place`.
+// The insertion of a vertex at `place` on the edge between the first two of the four corners of two triangles.
 struct Vertex_insertion
 {
-  double gain; // estimated, until the insertion is the best; then measured
+  double gain; // an estimate until the insertion is the best candidate; then measured
   Index t, u;
   std::array<Index, 4> corners;
-  bool is_measured = false, is_prepared = false; // with `measured` known
+  bool is_measured = false, is_prepared = false; // whether `measured` is known
   double measured = 0;
   Vector place{{0, 0, 0}};
 
@@ -58,10 +58,10 @@ struct Vertex_insertion
   bool operator<(const Vertex_insertion& i) const { return std::tie(gain, i.t, i.u) < std::tie(i.gain, t, u); }
 };
 
-// The vertices that a coarse mesh may lose and the edges that may get one, with what that changes of the distance.
+// The removals and insertions of vertices of a coarse mesh, with their effect on the distance.
 //
-// Costs are sums of squared distances of the samples of the input, with one of the vertices at its optimal position, and of
-// angles at the exchange rate of flips.
+// The cost is the sum of the squared distances of the samples of the input, with one of the vertices at its optimal position, and
+// of the angles at the exchange rate of flips.
 class Exchange_candidates
 {
 public:
@@ -70,7 +70,7 @@ public:
     : border_(border), coarse_(coarse), positions_(positions), samples_(samples), cancellation_(cancellation),
       execution_(execution) {}
 
-  // Of the triangles as they are now.
+  // Measures the current triangles.
   void measure_triangles(const Angle_worth& worth)
   {
     worth_ = worth;
@@ -83,7 +83,7 @@ public:
     });
   }
 
-  // Calls `visit` for a removal at each vertex that may go, with an estimate of the loss.
+  // Calls `visit` with a removal of each vertex that can be removed, with an estimate of the loss.
   template <class Visit>
   void for_each_removal(const Visit& visit) const
   {
@@ -103,7 +103,7 @@ public:
       });
   }
 
-  // Calls `visit` for an insertion on each edge that is on no feature, with an estimate of the gain.
+  // Calls `visit` with an insertion on each edge that belongs to no feature, with an estimate of the gain.
   template <class Visit>
   void for_each_insertion(const Visit& visit) const
   {
@@ -117,7 +117,8 @@ public:
     }
   }
 
-  // On the edge from corner `i` of a triangle, which is on no feature, with an estimate of the gain.
+  // Returns the insertion on the edge from corner `i` of a triangle, with an estimate of the gain. The edge belongs to no
+  // feature.
   Vertex_insertion insertion_at(Index t, int i) const
   {
     const Index u = coarse_.across(t, i), a = triangle(t)[i], b = triangle(t)[(i + 1) % 3];
@@ -185,9 +186,9 @@ private:
     x.is_prepared = true;
   }
 
-  // Factors of the quick estimates. Removing a pyramid increases the squared distance by the first factor times its height
-  // squared times the area of its base; a vertex on the edge of two triangles saves the second fraction of their cost. With
-  // these values, most of the best candidates are measured.
+  // Factors of the estimates. The removal of the apex of a pyramid increases the squared distance by the first factor times the
+  // squared height times the area of the base. A vertex on the edge of two triangles saves the second fraction of their cost.
+  // With these values, most of the best candidates are measured.
   static constexpr double pyramid_part = 0.18, insertion_part = 0.65;
   static constexpr std::size_t max_valence = 32;
   static constexpr std::size_t vertices_of_part = 16, steps_of_removal = 32;
@@ -199,7 +200,7 @@ private:
   // The squared distance in both directions is estimated as twice the distance of the samples of the input.
   double sample_weight() const { return 2 * samples_.weight(); }
 
-  // Whether all edges at a vertex may go.
+  // Returns whether all edges at a vertex may be removed.
   bool is_free(Index v) const
   {
     if (border_.is_on_border(v) || coarse_.around(v).size() > max_valence)
@@ -211,7 +212,7 @@ private:
     return true;
   }
 
-  // That of the edges at a vertex whose collapse leaves the new surface closest to where the vertex is.
+  // Returns the collapse of an edge at the vertex after which the surface is closest to the old position of the vertex.
   Vertex_removal estimated_removal(Index v) const
   {
     Vertex_removal best{std::numeric_limits<double>::infinity(), v, NONE};
@@ -236,8 +237,8 @@ private:
     return best;
   }
 
-  // Returns whether the triangles that remain around a vertex are sound after it has moved into another one. `height`: the
-  // smallest squared distance from its old position to one of them.
+  // Returns whether the triangles that remain around a vertex after its collapse into another one are sound. `height` receives
+  // the smallest squared distance from its old position to one of these triangles.
   bool look_at_collapse(Index v, Index into, double least_angle, double& height, double& worth) const
   {
     for (const Index t : coarse_.around(v)) {
@@ -255,8 +256,8 @@ private:
     return true;
   }
 
-  // Whether the mesh remains a manifold, with three triangles or more around each vertex: the two have no neighbors in common but
-  // for those of the two triangles at the edge (link condition).
+  // Returns whether the mesh remains a manifold with at least three triangles around each vertex: the only common neighbors of
+  // the two vertices are the tips of the two triangles at the edge (link condition).
   bool may_collapse(Index v, Index w) const
   {
     if (coarse_.around(w).size() > max_valence)
@@ -278,8 +279,8 @@ private:
     samples_.for_each_on(t, [&](const Fit_samples::Sample& s) { fan.add_sample(s.position); });
   }
 
-  // The least that the samples and angles of a fan cost, its vertex going from `p` to better places; infinite if the fan is
-  // sound nowhere.
+  // Returns the smallest cost of samples and angles of a fan over several positions of its vertex, beginning at `p`; infinity if
+  // the fan is sound at none of them.
   double best_place(Trial_fan& fan, Vector p, int steps, double least_angle, double limit, Vector& place) const
   {
     double best = std::numeric_limits<double>::infinity();

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A symmetric matrix: six numbers, where Eigen's fixed matrices store nine.
+// A symmetric matrix of six numbers; a fixed matrix of Eigen stores nine.
 struct Symmetric_block
 {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
@@ -29,7 +29,7 @@ struct Symmetric_block
   {
     return {v[0] * v[0], v[0] * v[1], v[0] * v[2], v[1] * v[1], v[1] * v[2], v[2] * v[2]};
   }
-  // The weights of movements along a unit normal, 1, and across it.
+  // The metric with weight 1 for movements along a unit normal, and weight `across` for movements perpendicular to it.
   static Symmetric_block metric(const Vector& normal, double across)
   {
     Symmetric_block m;
@@ -62,11 +62,11 @@ struct Symmetric_block
 };
 
 // The normal equations of a linear least squares problem for the movements of the vertices of a triangle mesh, stored per
-// triangle and per vertex. They are solved by conjugate gradients, preconditioned with the blocks of the vertices; the
-// matrix resembles a mass matrix, whose condition does not grow with the mesh.
+// triangle and per vertex. They are solved by conjugate gradients, preconditioned with the blocks of the vertices. The
+// matrix resembles a mass matrix, whose condition number does not grow with the mesh.
 //
-// Eigen::ConjugateGradient does not serve here: the symmetric blocks of the triangles take a third of the memory of the
-// sparse matrix, and need no assembly.
+// Eigen::ConjugateGradient is not used, because the symmetric blocks of the triangles take a third of the memory of the
+// sparse matrix and need no assembly.
 class Fit_equations
 {
 public:
@@ -74,8 +74,8 @@ public:
     : triangles_(triangles), of_triangle_(triangles.size()), of_vertex_(vertices), right_(vertices, Vector{{0, 0, 0}}),
       is_fixed_(vertices, false) {}
 
-  // Adds terms for the movement of points of triangle `t`, with weights of directions by `metric`. `products` are the sums
-  // over the points of their weights times the products of their barycentric coordinates.
+  // Adds terms for the movement of points of triangle `t`; `metric` weights the directions. `products` are sums over the points:
+  // the weight of a point times the products of its barycentric coordinates.
   void add_stiffness(Index t, const Symmetric_block& products, const Symmetric_block& metric)
   {
     Element& e = of_triangle_[t];
@@ -97,7 +97,7 @@ public:
   // Fixes vertex `v`.
   void fix(Index v) { is_fixed_[v] = true; }
 
-  // Returns the movements; empty if numbers overflow.
+  // Returns the movements; empty if a number overflows.
   std::vector<Vector> solve(std::size_t max_steps, double tolerance, const Cancellation_point& cancellation) const
   {
     const std::size_t n = right_.size();
@@ -126,7 +126,7 @@ public:
   }
 
 private:
-  // Of the pairs of corners 00, 11, 22, 12, 20 and 01.
+  // The blocks of the pairs of corners 00, 11, 22, 12, 20 and 01.
   typedef std::array<Symmetric_block, 6> Element;
 
   std::vector<Symmetric_block> inverse_blocks() const
@@ -176,7 +176,7 @@ private:
   std::vector<Element> of_triangle_;
   std::vector<Symmetric_block> of_vertex_;
   std::vector<Vector> right_;
-  std::vector<char> is_fixed_; // bytes, which threads can set apart
+  std::vector<char> is_fixed_; // bytes, which several threads may write
 };
 
 } // namespace internal

@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Samples of the input and of a coarse mesh, each with its closest point, its foot, on the other surface. The search for a
-// foot descends from the previous one, so feet remain on the same side of thin parts, and a search takes no longer at
-// vertices of high valence.
+// Samples of the input and of a coarse mesh, each with its closest point on the other surface, its foot. The search for a
+// foot descends from the previous foot, so feet remain on the same side of thin parts, and vertices of high valence do not
+// slow down a search.
 class Fit_samples
 {
 public:
@@ -60,10 +60,10 @@ public:
 
   // The area of the input.
   double area() const { return area_; }
-  // The area that a sample of the input represents.
+  // Returns the area that a sample of the input represents.
   double weight() const { return samples_.empty() ? 0 : area_ / double(number_of_used()); }
 
-  // Uses one in `step` of the samples of the input.
+  // Uses every `step`-th sample of the input.
   void find_feet(std::size_t step)
   {
     step_ = step;
@@ -90,7 +90,7 @@ public:
     }
   }
 
-  // Calls `visit(sample)` for the samples of the input whose feet lie on a triangle.
+  // Calls `visit(sample)` for each sample of the input whose foot lies on a triangle.
   template <class Visit>
   void for_each_on(Index t, const Visit& visit) const
   {
@@ -129,8 +129,8 @@ public:
     return weight() * sum + cost_of(back_[t]);
   }
 
-  // Returns the contribution of two other triangles that replace `t` and `u`; or a value above `limit` if it is found
-  // early to exceed it: after a triangle, or with `at_once` after each sample.
+  // Returns the contribution of two other triangles that replace `t` and `u`. Returns a value above `limit` as soon as the
+  // contribution is known to exceed it: after a triangle, or with `at_once` after each sample.
   double cost_instead(Index t, Index u, const Triangle& first, const Triangle& second, double limit, bool at_once) const
   {
     const double limit_at_once = at_once ? limit : std::numeric_limits<double>::infinity(), each = weight();
@@ -184,7 +184,7 @@ public:
     return weight() * sum;
   }
 
-  // Finds the feet of the samples of replaced triangles on their replacements, and the feet of the latter's samples.
+  // Finds the feet of the samples of replaced triangles on the new triangles, and the feet of the samples of the new triangles.
   void redistribute(const std::vector<Index>& old_triangles, const std::vector<Index>& new_triangles)
   {
     std::vector<Index> samples;
@@ -222,7 +222,7 @@ private:
     first_on_[samples_[i].triangle] = i;
   }
 
-  // Begins around the vertex of the cluster, later at the previous foot, and proceeds to triangles around the corner
+  // Begins around the vertex of the cluster, in later searches at the previous foot. Proceeds to the triangles around the corner
   // nearest to the foot, and across the opposite side.
   void find_foot(Sample& s) const
   {
@@ -240,7 +240,7 @@ private:
     }
   }
 
-  // Returns the nearest of the triangles around a vertex, or of some of them, in order, if there are many.
+  // Returns the nearest triangle around a vertex. If there are many, only some of them are tested, in order.
   Index triangle_near(const Vector& p, Index vertex) const
   {
     const std::vector<Index>& around = coarse_.around(vertex);
@@ -281,7 +281,7 @@ private:
     }
   }
 
-  // The last feet of the triangle, and some of the samples on it and on its neighbors.
+  // Returns the last feet of the triangle, and some of the samples on it and on its neighbors.
   Search_starts starts_around(Index t) const
   {
     Search_starts starts;
@@ -316,7 +316,7 @@ private:
       starts.add(samples_[i].position, samples_[i].face);
   }
 
-  // Of the quadrature of degree 4 on a triangle.
+  // The number of points of the quadrature of degree 4 on a triangle.
   static constexpr std::size_t quadrature_points = 6;
 
   Back_samples feet_of(const Triangle& t, const Search_starts& starts) const
@@ -328,7 +328,7 @@ private:
     return back;
   }
 
-  // Returns the cost of the samples of a triangle, or of so many that it exceeds `limit`.
+  // Returns the cost of the samples of a triangle; stops when the cost exceeds `limit`.
   double cost_of_feet(const Triangle& t, const Search_starts& starts, double limit) const
   {
     const double area = area_of(t);

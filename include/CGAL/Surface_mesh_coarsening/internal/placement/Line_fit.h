@@ -16,9 +16,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Fits the polyline of a feature line to the line by the squared distances of samples of the line, with fixed ends:
-// alternately finds the closest points of the samples, and moves each vertex to the position where its two sides are closest
-// to their samples. Along a circle, this more than halves the distance of a polyline with vertices on the line.
+// Fits the polyline of a feature line to the line, with fixed ends, by the squared distances of samples of the line. Two steps
+// alternate: find the closest points of the samples, and move each vertex to the position where its two sides are closest
+// to their samples. Along a circle, the fit more than halves the distance of a polyline with vertices on the line.
 class Line_fit
 {
 public:
@@ -52,8 +52,9 @@ public:
       find_foot(s);
   }
 
-  // Calls `visit(x, y, at, off, weight)` for each sample: the vertices at the ends of its side, the position of its foot on
-  // it, from 0 to 1, the vector from there to the sample, and its share of the length of the line.
+  // Calls `visit(x, y, at, off, weight)` for each sample. `x` and `y` are the vertices at the ends of its side, `at` is the
+  // position of its foot on the side, from 0 to 1, `off` is the vector from the foot to the sample, and `weight` is its share of
+  // the length of the line.
   template <class Visit>
   void for_each_foot(const Visit& visit) const
   {
@@ -74,7 +75,7 @@ private:
     double weight;
     std::size_t arc;
     std::size_t side; // the side of its foot; sides connect the vertices of consecutive arcs
-    double at;        // the position of the foot on it, from 0 to 1
+    double at;        // the position of the foot on its side, from 0 to 1
   };
 
   Vector& vertex(std::size_t k) { return positions_[line_.arcs[k % line_.arcs.size()].cluster]; }
@@ -87,11 +88,11 @@ private:
       samples_.push_back({a + ((i + 0.5) / samples_per_edge) * d, length / samples_per_edge, arc, 0, 0});
   }
 
-  // On one of the sides around the vertex of the arc.
+  // Searches the sides around the vertex of the arc.
   void find_foot(Sample& s)
   {
     double nearest = -1;
-    for (std::size_t i = 0; i < 4; ++i) { // two before the vertex, and two after
+    for (std::size_t i = 0; i < 4; ++i) { // two sides before the vertex and two after it
       if (!line_.is_loop && (s.arc + i < 2 || s.arc + i >= sides_ + 2))
         continue;
       const std::size_t side = (s.arc + 2 * sides_ + i - 2) % sides_;

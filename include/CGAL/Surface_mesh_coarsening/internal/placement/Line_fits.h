@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The feature lines in the fit of a surface, if any: first each line is fitted alone, then all contribute to the equations
+// The feature lines in the fit of a surface, if any. First each line is fitted alone; then all lines contribute to the equations
 // of the surface.
 class Line_fits
 {
@@ -42,7 +42,7 @@ public:
       line.find_feet();
   }
 
-  // Samples of lines constrain movements across the edge of their foot. Lines count as strips of width `width`.
+  // Samples of lines constrain movements perpendicular to the edge of their foot. A line counts as a strip of width `width`.
   void add_to(Fit_equations& equations, const Flippable_triangulation& coarse, double width, double damping) const
   {
     for (const Line_fit& line : lines_)

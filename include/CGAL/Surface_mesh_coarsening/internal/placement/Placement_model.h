@@ -18,11 +18,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A placement with its type erased: the stages of the pipeline are compiled once for all placements. Refers to the original
-// placement.
+// A placement with its type erased, so that the stages of the pipeline are compiled once for all placements. Refers to the
+// original placement.
 struct Placement_model
 {
-  // One of the two: a position for each cluster, or all positions together, which may flip edges of the triangles.
+  // Exactly one of these two is set: `local` computes a position for each cluster; `global` computes all positions together, and
+  // may flip edges of the triangles.
   std::function<Vector(const Clustered_faces&, std::size_t)> local;
   std::function<void(const Clustered_faces&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&)> global;
   // The same with vertex exchange between regions. Returns the squared distance without exchange.

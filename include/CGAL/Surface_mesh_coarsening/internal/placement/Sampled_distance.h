@@ -17,9 +17,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The distance of a surface and coarse meshes, measured as `measure_coarsening()` does: samples of each find their nearest points
-// on the other. The samples of the surface are always the same. In contrast, the samples of a fit have moved the vertices, and
-// their feet are local.
+// The distance between a surface and coarse meshes, measured as in `measure_coarsening()`: samples of each surface find their
+// nearest points on the other surface. The samples of the surface are the same for all meshes. The samples of a fit are not
+// suitable for this comparison, because the vertices have been fitted to them and their feet are local.
 class Sampled_distance
 {
 public:
@@ -57,7 +57,7 @@ private:
     return mesh;
   }
 
-  // `group(face)`: where the search for points of a face begins.
+  // `group(face)` is the group in which the search for points of a face begins.
   template <class Group>
   double mean(const Flat_mesh& from, const Nearest_point_search& to, const Group& group) const
   {

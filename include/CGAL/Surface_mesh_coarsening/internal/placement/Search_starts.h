@@ -13,13 +13,13 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Points of the input, 32 at most, with their faces. Searches for closest points begin at one of them. Refers to the points.
+// At most 32 points of the input with their faces. A search for a closest point begins at one of them. Refers to the points.
 class Search_starts
 {
 public:
   void add(const Vector& p, Index face) { points_[number_++] = {&p, face}; }
 
-  // Returns NONE if there is no point.
+  // Returns NONE if there are no points.
   Index face_of_nearest(const Vector& p) const
   {
     Index face = NONE;

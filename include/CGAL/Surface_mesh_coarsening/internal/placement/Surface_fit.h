@@ -24,9 +24,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Fits a triangle mesh, one vertex per cluster, to the faces of the clusters, by the squared distances of samples of both
-// surfaces from the other: alternately finds the closest points of the samples, and solves for the movements that bring
-// them closest.
+// Fits a triangle mesh with one vertex per cluster to the faces of the clusters, by the squared distances of samples of both
+// surfaces from the other surface. Two steps alternate: find the closest points of the samples, and solve for the movements of
+// the vertices that minimize these distances.
 class Surface_fit
 {
 public:
@@ -36,7 +36,7 @@ public:
       lines_(surface, positions)
   {}
 
-  // Finds the closest points of the samples, for the input only of one in `step`.
+  // Finds the closest points of the samples; uses every `step`-th sample of the input.
   void find_feet(std::size_t step)
   {
     samples_.find_feet(step);
@@ -78,17 +78,18 @@ public:
 
 private:
   static constexpr int max_halvings = 5;
-  // Closest points follow the triangles, so movements fall short: 5 rounds with this factor come as close as 7 without.
+  // Closest points move with the triangles, so movements are too short: 5 rounds with this factor reach the result of 7 without.
   static constexpr double over_relaxation = 1.5;
   static constexpr std::size_t steps_of_triangle = 16, triangles_of_part = 64;
-  // The weight of sideways movements of samples. They do not change the distance as long as they are small.
+  // The weight of tangential movements of samples. Small tangential movements do not change the distance.
   static constexpr double damping = 0.02;
-  // The weight of the movement to the mean of the neighbors if the error of the coarse mesh equals its edge length.
+  // The weight of the movement to the mean of the neighbors, if the error of the coarse mesh equals its edge length.
   static constexpr double shape_part = 3;
-  // Eigenvalues of the normals around a vertex below this fraction of the largest leave it free to slide.
+  // A vertex is free to slide in directions in which the eigenvalue of the normals around it is below this fraction of the
+  // largest.
   static constexpr double free_part_below = 0.01;
   static constexpr double min_inertia = 0.001;
-  // Lines count as strips of this width, where 1 is about the length of an edge.
+  // Lines count as strips of this width, in units of about the length of an edge.
   static constexpr double line_width = 1;
 
   // The constraint of a vertex: the weights of the samples around it, and the sum of the squares of their normals.
@@ -106,7 +107,7 @@ private:
     Vector normal;
   };
 
-  // What the samples of some triangles add at their corners.
+  // The contributions of some triangles to their corners.
   struct Terms
   {
     std::vector<std::array<Vector, 3> > forces;
@@ -141,7 +142,7 @@ private:
       });
   }
 
-  // Triangles must not turn by more than a right angle: otherwise, the movements of their vertices are halved.
+  // Triangles must not turn by more than a right angle. Where one would, the movements of its vertices are halved.
   void move_by(std::vector<Vector> moves)
   {
     const std::vector<Vector> before = positions_;
@@ -162,9 +163,9 @@ private:
       positions_[v] = before[v] + moves[v];
   }
 
-  // Samples whose foot is inside the triangle constrain movements across it, others along the vector to their foot. Only
-  // samples of the input determine the constraint of a vertex: vectors from chords of sharp edges back to the input have
-  // other directions.
+  // Samples whose foot is inside the triangle constrain movements along its normal; other samples constrain movements along the
+  // vector to their foot. Only samples of the input determine the constraint of a vertex, because vectors from chords of sharp
+  // edges to the input have other directions.
   void add_triangle(Index t, Fit_equations& equations, Terms& terms) const
   {
     const Triangle& corner = coarse_.triangles()[t];
@@ -214,7 +215,7 @@ private:
       terms.holds.push_back({corner[k], squares[k], normal});
   }
 
-  // Returns the vector from a vertex to the mean of its neighbors, along the surface.
+  // Returns the tangential component of the vector from a vertex to the mean of its neighbors.
   Vector way_to_middle(Index v) const
   {
     Vector normal{{0, 0, 0}};

@@ -20,12 +20,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A few triangles that would replace others in a change, with their samples of the input. One vertex of them may move to the
-// position closest to the samples.
+// A few triangles that would replace other triangles in a change, with their samples of the input. One of their vertices may
+// move to the position closest to the samples.
 class Trial_fan
 {
 public:
-  // The cosine of the largest angle between the normals of a triangle before and after.
+  // The cosine of the largest angle between the normals of a triangle before and after the change.
   static constexpr double max_turn = 0.2;
 
   void clear()
@@ -34,8 +34,7 @@ public:
     samples_.clear();
   }
 
-  // `free_corner`: the corner of the vertex that may move. `reference`: a normal from which the triangle must not turn
-  // away.
+  // `free_corner` is the corner of the vertex that may move. The triangle must not turn away from the normal `reference`.
   void add_triangle(const Vector& a, const Vector& b, const Vector& c, int free_corner, const Vector& reference)
   {
     triangles_.push_back({{{a, b, c}}, std::size_t(free_corner), reference, {}});
@@ -51,8 +50,8 @@ public:
     }
   }
 
-  // Returns whether all triangles have a proper orientation, and no angle is smaller than the angle of the given
-  // cosine. `min_turn_cosine`: of the largest angle between the normals of a triangle before and after.
+  // Returns whether all triangles are properly oriented, and no angle is smaller than the angle with cosine `max_cosine`.
+  // `min_turn_cosine` is the cosine of the largest angle between the normals of a triangle before and after the change.
   bool is_sound(double max_cosine, double min_turn_cosine = max_turn) const
   {
     for (const Local_triangle& t : triangles_) {
@@ -64,7 +63,7 @@ public:
     return true;
   }
 
-  // Returns the sum of what the smallest angles are worth.
+  // Returns the sum of the worths of the smallest angles.
   double worth(const Angle_worth& worth) const
   {
     double sum = 0;
@@ -73,8 +72,8 @@ public:
     return sum;
   }
 
-  // Returns the sum of the squared distances of the samples, and the best position of the free vertex, which is at `p`, as
-  // estimated from the closest points.
+  // Returns the sum of the squared distances of the samples. `better` receives the best position of the free vertex, which is at
+  // `p`, as estimated from the closest points.
   double squared_distances(const Vector& p, Vector& better) const
   {
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
@@ -110,7 +109,7 @@ public:
   }
 
 private:
-  // The same as in the fit: the weights of sideways movements, and of movements as such.
+  // The weights of tangential movements and of all movements, as in the fit.
   static constexpr double damping = 0.02, min_inertia = 0.001;
 
   struct Local_triangle

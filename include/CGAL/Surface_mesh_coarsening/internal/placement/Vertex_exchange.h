@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Moves vertices of a coarse mesh from places where they cost little to places where the distance from the input is large,
-// one at a time: collapses an edge and splits another one. The numbers of vertices and triangles and the topology do not
-// change. In an optimal mesh the error is evenly distributed over the vertices; the exchange distributes it.
+// Moves vertices of a coarse mesh, one at a time, from regions where their removal costs little to regions where the distance
+// from the input is large: collapses an edge and splits another one. The numbers of vertices and triangles and the topology do
+// not change. In an optimal mesh the error is evenly distributed over the vertices; the exchange approaches this distribution.
 class Vertex_exchange
 {
 public:
@@ -35,7 +35,7 @@ public:
       candidates_(border, coarse, positions, samples, cancellation, execution)
   {}
 
-  // Exchanges vertices as long as an exchange between two untouched places is profitable. Returns the number of
+  // Exchanges vertices as long as an exchange between two untouched regions is profitable. Returns the number of
   // exchanged vertices.
   std::size_t run(const Angle_worth& worth)
   {
@@ -61,7 +61,7 @@ public:
     return exchanged;
   }
 
-  // Moves one vertex to each of some triangles, whatever that costs.
+  // Moves one vertex to each of some triangles, at any cost.
   void run_at(const std::vector<Index>& triangles)
   {
     begin(Angle_worth());
@@ -70,7 +70,7 @@ public:
   }
 
 private:
-  // Gain and loss are estimated before other vertices adapt, which lowers the loss more than the gain.
+  // Gain and loss are estimated before other vertices adapt, which reduces the loss more than the gain.
   static constexpr double min_ratio = 0.6;
   static constexpr std::size_t at_a_time = 16, steps_of_candidate = 64;
 
@@ -130,7 +130,7 @@ private:
     return std::any_of(x.corners.begin(), x.corners.end(), [this](Index v) { return is_touched_[v]; });
   }
 
-  // Measures candidates until the best one is measured. Returns whether there is one.
+  // Measures candidates until the best candidate is measured. Returns whether a candidate exists.
   template <class Candidate>
   bool find_best(std::priority_queue<Candidate>& candidates)
   {
@@ -152,7 +152,8 @@ private:
     return false;
   }
 
-  // Measures several of the best in parallel. They remain where they are in the queue, so that how many they are does not matter.
+  // Measures several of the best candidates in parallel. They remain in their places in the queue, so their number does not
+  // affect the result.
   template <class Candidate>
   void prepare_best(std::priority_queue<Candidate>& candidates)
   {
@@ -197,7 +198,7 @@ private:
     return faces;
   }
 
-  // Fails if the cost in both directions grew by more than `max_growth`, or if the clusters cannot follow.
+  // Fails if the cost in both directions would grow by more than `max_growth`, or if the clusters cannot be relocated.
   Relocation exchange(const Vertex_removal& r, const Vertex_insertion& x, double max_growth)
   {
     const Index v = r.vertex;
@@ -246,7 +247,7 @@ private:
     return sum;
   }
 
-  // The old and new neighbors of the vertices.
+  // Marks the old and the new neighbors of the vertices as touched.
   void touch(const Vertex_removal& r, const Vertex_insertion& x)
   {
     is_touched_[r.into] = true;

@@ -17,15 +17,15 @@ namespace internal {
 // The functions by which a placement that exchanges vertices relocates their clusters.
 struct Vertex_relocation
 {
-  std::size_t rounds = 0; // with exchanges
-  // Is called between the fit and the rounds with exchanges.
+  std::size_t rounds = 0; // the number of rounds with exchanges
+  // Called between the fit and the rounds with exchanges.
   std::function<void()> begins;
-  // Triangles that shall get a vertex each from elsewhere. With any, this is all that the placement does.
+  // Triangles that get a vertex each from elsewhere. If there are any, the placement does nothing else.
   std::vector<Index> destinations;
-  // Moves cluster `x` into a neighbor, to `into` if possible, and back to one of some faces of the surface, the first that is
-  // possible.
+  // Merges cluster `x` into a neighbor, if possible into `into`, and forms it again around one of some faces of the surface, the
+  // first possible one.
   std::function<Relocation(Index x, Index into, const std::vector<Index>& faces)> relocate;
-  // The point nearest to `p` where the vertex of cluster `x` may lie.
+  // Returns the point nearest to `p` that is an admissible position of the vertex of cluster `x`.
   std::function<Vector(Index x, const Vector& p)> within_bounds;
   // Restores all clusters.
   std::function<void()> undo;

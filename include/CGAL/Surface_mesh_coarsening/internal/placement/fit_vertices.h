@@ -15,15 +15,16 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Fits all vertices together, starting from quadrics: see `Fitted_placement`. `mean_angle` is in degrees. After the rounds, as
-// many follow as `relocation` wants, which exchange vertices for as long as there are some to exchange, then two without. The
-// plain fit is the result if none of the last meshes is nearer at angles as large. Returns the squared distance of the plain fit;
-// 0 if that is the result.
+// Fits all vertices together, starting from quadrics; see `Fitted_placement`. `mean_angle` is in degrees. After `rounds` rounds,
+// `relocation` determines the number of rounds that exchange vertices; they end early when there are no profitable exchanges.
+// Two rounds without exchange follow. The plain fit is the result unless one of the last meshes is closer and its angles are
+// not worse. Returns the squared distance of the plain fit; 0 if it was not compared with a mesh after exchanges.
 double fit_vertices(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
                     std::vector<Triangle>& triangles, std::vector<Vector>& positions,
                     const Vertex_relocation& relocation = Vertex_relocation());
 
-// The mean squared distance of a surface from a coarse mesh, or the other way if that is larger, as `Sampled_distance` has it.
+// Returns the mean squared distance between a surface and a coarse mesh in the direction in which it is larger, as measured by
+// `Sampled_distance`.
 double squared_distance(const Clustered_faces& surface, const std::vector<Triangle>& triangles,
                         const std::vector<Vector>& positions);
 

@@ -23,14 +23,15 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A coarse mesh, how far it is from the input, the squared distance of both directions, and the mean of its smallest angles.
+// A coarse mesh, its mean squared distance from the input in the direction in which it is larger, and the mean of its smallest
+// angles.
 struct Fitted_mesh
 {
   std::vector<Triangle> triangles;
   std::vector<Vector> positions;
   double error = 0, mean_angle = 0;
 
-  // Whether it is nearer than another one, and its angles are as they should be, or not worse.
+  // Returns whether this mesh is closer than another one, and its angles reach the goal or are not worse.
   bool improves(const Fitted_mesh& other, double wanted_angle) const
   {
     return error < other.error && mean_angle >= (std::min)(wanted_angle, other.mean_angle);
@@ -53,15 +54,15 @@ public:
 
   const std::vector<Triangle>& triangles() const { return coarse_.triangles(); }
 
-  // What rounds begin with.
+  // The first step of a round.
   void find_feet(std::size_t step = 1) { fit_.find_feet(step); }
 
   void exchange_at_destinations() { exchange_.run_at(relocation_.destinations); }
 
-  // From now on, angles and distance are traded at a rate that changes slowly.
+  // From now on, the exchange rate between angles and distance changes slowly.
   void keep_rate() { is_steady_ = true; }
 
-  // Returns the number of vertices exchanged.
+  // Returns the number of exchanged vertices.
   std::size_t advance(bool exchanges)
   {
     if (is_steady_)
@@ -74,17 +75,17 @@ public:
     return exchanged;
   }
 
-  // Ends the rounds, or some of them.
+  // Completes all rounds, or a group of rounds.
   void settle()
   {
     fit_.find_feet(1);
-    // Narrow triangles that are left now remain, and are worth more.
+    // Narrow triangles that remain now are final, so their worth is increased.
     Angle_worth worth = flips_.worth();
     worth.narrow_rate *= 2;
     angles_.run(worth);
   }
 
-  // The mesh as it is, with feet found.
+  // Returns the current mesh. The feet of the samples must be up to date.
   Fitted_mesh mesh() const { return {triangles(), positions_, fit_.samples().squared_distance(), current_angle()}; }
 
 private:
@@ -98,7 +99,7 @@ private:
     return angles * degrees_per_radian / (std::max)(double(triangles().size()), 1.);
   }
 
-  // Asks flips for more if angles have become too small, and for less if they are larger than they need to be.
+  // Raises the angle that flips aim at if angles have become too small, and lowers it if they are larger than necessary.
   void correct_reserve()
   {
     constexpr double wanted = 0.2, max_reserve = 2, part = 0.5;
@@ -114,7 +115,7 @@ private:
   const Clustered_faces& surface_;
   double mean_angle_;
   bool is_steady_ = false;
-  double reserve_ = 0.4; // of angle, in degrees: movements after the last flips take a little
+  double reserve_ = 0.4; // in degrees: movements after the last flips reduce the angles slightly
   std::vector<Vector>& positions_;
   const Vertex_relocation& relocation_;
   Flippable_triangulation coarse_;
@@ -133,8 +134,8 @@ inline void place_by_quadrics(const Clustered_faces& surface, const Border_arcs&
   }
 }
 
-// Compares a mesh with the one before the exchanges, whose squared distance `plain_distance` receives. The samples of the fit do
-// not decide: they have moved the vertices.
+// Compares a mesh with the mesh before the exchanges; `plain_distance` receives the squared distance of the old mesh. The samples
+// of the fit are not used for the comparison, because the vertices have been fitted to them.
 inline bool is_nearer(const Clustered_faces& surface, const Fitted_mesh& mesh, const Fitted_mesh& plain, double& plain_distance)
 {
   const Sampled_distance distance(surface, plain.triangles.size());
@@ -142,12 +143,12 @@ inline bool is_nearer(const Clustered_faces& surface, const Fitted_mesh& mesh, c
   return distance.squared(mesh.triangles, mesh.positions) < plain_distance;
 }
 
-// Continues a fit with rounds that exchange vertices, and some without. Returns the nearest mesh on the way, or nothing if it
-// is the plain fit.
+// Continues a fit with rounds that exchange vertices, and some rounds without exchange. Returns the best mesh after these
+// rounds, or nothing if none improves on the plain fit.
 inline std::optional<Fitted_mesh> best_after_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, std::size_t rounds,
                                                        double mean_angle, const Cancellation_point& cancellation)
 {
-  // After the last exchange.
+  // The number of rounds after the last exchange.
   constexpr std::size_t last_rounds = 2;
   fit.keep_rate();
   std::size_t exchanged = 1;
@@ -175,7 +176,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_faces& s
                                                       std::size_t rounds, double mean_angle, std::vector<Triangle>& triangles,
                                                       std::vector<Vector>& positions, const Vertex_relocation& relocation)
 {
-  // Before the last rounds, one in so many samples will do.
+  // Before the last rounds, every `step_before`-th sample is sufficient.
   constexpr std::size_t rounds_with_all = 3, step_before = 4;
   if (relocation.destinations.empty())
     place_by_quadrics(surface, border, positions);
@@ -199,7 +200,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_faces& s
   const Fitted_mesh plain = fit->mesh();
   std::optional<Fitted_mesh> best =
     best_after_exchanges(*fit, plain, relocation.rounds, mean_angle, surface.cancellation());
-  fit.reset(); // its samples take memory
+  fit.reset(); // frees the memory of its samples
   double plain_distance = 0;
   if (!best || !is_nearer(surface, *best, plain, plain_distance)) {
     best = plain;

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Returns the fraction of a movement away from the centroid, at most 1, that does not lead beyond the faces.
+// Returns the largest fraction, at most 1, of a movement away from the centroid that does not leave the extent of the faces.
 inline double share_within_reach(const Clustered_faces& surface, std::size_t cluster,
                                  const Vector& center, double square)
 {
@@ -35,7 +35,7 @@ inline double share_within_reach(const Clustered_faces& surface, std::size_t clu
 
 CGAL_SURFACE_MESH_COARSENING_INLINE Vector quadric_position(const Clustered_faces& surface, std::size_t cluster, double pull)
 {
-  // A single pass over the faces, with sums about a point of the first one.
+  // A single pass over the faces, with sums about a point of the first face.
   const Vector origin = surface.centroid(*surface.faces(cluster).begin());
   Vector moment{{0, 0, 0}}, b{{0, 0, 0}};
   double mass = 0, area = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;

@@ -19,9 +19,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Splits a cluster of a valid clustering in two, or merges it into a neighbor, if the clustering remains valid. Checks
-// only what may have become invalid: the changed clusters, and the links of the clusters around them. The time depends
-// on their sizes only.
+// Splits a cluster of a valid clustering, or merges it into a neighbor, if the clustering remains valid. Checks only the changed
+// clusters and the links of the clusters around them, because everything else remains valid. The time depends only on the sizes
+// of these clusters.
 class Cluster_editing
 {
 public:
@@ -58,8 +58,8 @@ public:
     return true;
   }
 
-  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around the first possible of some
-  // faces, taken from the cluster of that face. `changed` receives the changed clusters. Clusters on the border or on features
+  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces, the first
+  // possible one, from the cluster of this face. `changed` receives the changed clusters. Clusters on the border or on features
   // lose no faces, and frozen clusters do not change.
   Relocation relocate(Index x, Index into, const std::vector<Index>& to, std::vector<Index>& changed)
   {
@@ -100,7 +100,7 @@ private:
       visit(c);
   }
 
-  // Returns whether the cluster has no vertex on the border or a feature, and may lose its faces.
+  // Returns whether the cluster has no vertex on the border or on a feature, so it may lose its faces.
   bool is_free(Index x)
   {
     if (labels_.is_frozen(x))
@@ -115,8 +115,8 @@ private:
     return true;
   }
 
-  // Moves the faces of cluster `x` to a neighbor that allows it: to `first` if possible, otherwise to the neighbor
-  // whose inertia grows least. Returns this neighbor; NONE if there is none.
+  // Moves the faces of cluster `x` to a neighbor that can receive them: to `first` if possible, otherwise to the neighbor
+  // whose inertia increases least. Returns this neighbor; NONE if there is none.
   Index merge(Index x, const std::vector<Index>& faces, Index first = NONE)
   {
     std::vector<std::pair<double, Index> > candidates;
@@ -135,7 +135,7 @@ private:
     return NONE;
   }
 
-  // Splits a cluster `x` around face `f` off cluster `y`, or else a half of `y`.
+  // Splits a cluster `x` around face `f` off cluster `y`; if this fails, a half of `y`.
   bool split_around(Index y, Index x, Index f)
   {
     const std::vector<Index> faces = outward(f);
@@ -146,7 +146,7 @@ private:
     return false;
   }
 
-  // Splits cluster `x` into two of similar extent. The new one is `y`.
+  // Splits cluster `x` into two clusters of similar extent. The new cluster is `y`.
   bool split_anyhow(Index x, Index y, const std::vector<Index>& faces)
   {
     constexpr std::size_t attempts = 8;
@@ -218,7 +218,7 @@ private:
     return neighbors;
   }
 
-  // Omits the inertia.
+  // Returns the mass and the centroid; the inertia is not computed.
   Moments moments_of(const std::vector<Index>& faces) const
   {
     Moments result;

@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Relocates clusters of a valid clustering, which remains valid and keeps the number of clusters; can undo all
-// relocations.
+// Relocates clusters of a valid clustering. The clustering remains valid and keeps the number of clusters. All relocations can be
+// undone.
 class Cluster_relocation
 {
 public:
@@ -29,7 +29,7 @@ public:
   std::vector<Index> faces(Index x) { return editing_.faces(x); }
 
   // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces of the
-  // input, or around a piece of it if features are kept.
+  // input, or around a piece of a face if features are kept.
   Relocation relocate(Index x, Index into, std::vector<Index> faces)
   {
     if (cells_)
@@ -50,7 +50,7 @@ public:
     number_ = 0;
   }
 
-  // Gives the faces the labels that they had after some moves.
+  // Sets the labels of the faces.
   void take_labels(const std::vector<Index>& labels)
   {
     for (std::size_t f = 0; f < labels.size(); ++f)

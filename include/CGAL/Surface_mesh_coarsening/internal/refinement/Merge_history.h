@@ -20,12 +20,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Merges valid clusters in pairs, each time the pair that adds least to the energy, as long as the dual remains a
-// simplicial surface, and records how to undo the merges.
+// Merges pairs of valid clusters as long as the dual remains a simplicial surface, and records how to undo the merges. Each step
+// selects the pair that increases the energy least.
 //
-// Clusters are renumbered: level n has the n clusters 0 to n - 1. Cluster k is absent from level k on, merged into its
-// parent, which has a smaller number. A triangle of the dual is stored with its last corners before its removal. From
-// the coarsest level on, undoing a merge restores one or two triangles and moves some corners of others to the restored
+// Clusters are renumbered: level n has the n clusters 0 to n - 1. Cluster k is absent from level k on; it is merged into its
+// parent, which has a smaller number. A triangle of the dual is stored with its last corners before its removal. Beginning
+// at the coarsest level, undoing a merge restores one or two triangles, and moves some corners of other triangles to the restored
 // cluster.
 class Merge_history
 {
@@ -48,7 +48,7 @@ public:
   std::size_t coarsest() const { return finest_ - steps_.size(); }
   // Returns the number of a cluster of the clustering in this history.
   Index number(Index cluster) const { return number_[cluster]; }
-  // Returns the cluster into which a cluster is merged that is not in the coarsest level.
+  // Returns the parent of a cluster that is not in the coarsest level.
   Index parent(Index number) const { return parent_[number - coarsest()]; }
 
   // Returns, for each cluster of level `from`, the cluster of level `n` that contains it.
@@ -61,7 +61,7 @@ public:
     return result;
   }
 
-  // Returns the triangles of a level, in time linear in their number.
+  // Returns the triangles of a level, in time linear in the number of triangles.
   std::vector<Triangle> triangles(std::size_t n) const
   {
     std::vector<Triangle> result(last_.begin(), last_.begin() + first_triangle_[n - coarsest()]);
@@ -81,7 +81,7 @@ private:
     std::array<Index, 2> removed;  // triangles
   };
 
-  // Orders merges by cost; ties go to the smaller numbers.
+  // Orders merges by cost, and merges of equal cost by the numbers of the clusters.
   struct Candidate
   {
     double cost;
@@ -110,7 +110,7 @@ private:
     return s;
   }
 
-  // The energy with the weight of formula (9); the sums of the parts determine it for a union.
+  // The energy with the weight of formula (9). For a union of clusters, it follows from the sums of the clusters.
   static double energy(const Moments& s) { return s.mass * s.inertia; }
 
   void enqueue(Edge e)

@@ -7,13 +7,13 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The result of moving a cluster to another place.
+// The result of the relocation of a cluster.
 enum class Relocation
 {
   DONE,
   TOO_FAR,       // the distance would become too large
-  NOT_FROM_HERE, // the cluster cannot go
-  NOT_THERE      // there can be no other cluster where it shall go to
+  NOT_FROM_HERE, // the cluster cannot be removed from its place
+  NOT_THERE      // no cluster can be formed at the destination
 };
 
 } // namespace internal

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The properties of the input near coarse triangles: the orientation of the surface that they approximate, and whether
-// it intersects itself there.
+// The properties of the input near coarse triangles: the orientation of the surface that they approximate, and whether this
+// surface intersects itself there.
 class Input_oracle
 {
 public:
@@ -43,10 +43,10 @@ public:
     });
   }
 
-  // The mean normal of the faces of a cluster; it is shorter for curved clusters, and zero if they have no area.
+  // The mean normal of the faces of a cluster. It is shorter for curved clusters, and zero if the faces have no area.
   const Vector& normal(Index cluster) const { return normals_[cluster]; }
 
-  // Returns whether any of the clusters of a coarse triangle has an area.
+  // Returns whether any cluster of a coarse triangle has an area.
   bool has_area(const Triangle& t) const
   {
     constexpr Vector none{{0, 0, 0}};
@@ -54,8 +54,8 @@ public:
   }
 
   // Returns whether a coarse triangle faces away from the surface at the closest point of its clusters. The point is computed
-  // only if the mean normals do not decide. If it lies on an edge, or if several points are as close, all faces there count,
-  // so that rounding does not decide.
+  // only if the mean normals are not decisive. If the point lies on an edge, or if several points are equally close, all faces
+  // there count, so the result does not depend on rounding errors.
   bool is_against(const Triangle& t, const std::vector<Vector>& positions) const
   {
     const Vector n = normal_of(positions, t), mean = normals_[t[0]] + normals_[t[1]] + normals_[t[2]];
@@ -83,8 +83,8 @@ public:
     return dot(n, there) < -1e-9 * size * std::sqrt(dot(there, there));
   }
 
-  // Estimates the sum over some clusters of their area times their mean squared distance from coarse triangles. Stops at
-  // `limit`.
+  // Estimates the sum over some clusters of their area times their mean squared distance from coarse triangles. Stops when the
+  // sum exceeds `limit`.
   double squared_distance(const std::vector<Index>& clusters, const std::vector<Triangle>& triangles,
                           const std::vector<Vector>& positions, double limit) const
   {
@@ -108,8 +108,8 @@ public:
     return sum;
   }
 
-  // Returns whether faces of the clusters of two coarse triangles intersect. Faces with a common vertex are not tested:
-  // there are many, and they hardly ever have more in common.
+  // Returns whether faces of the clusters of two coarse triangles intersect. Faces with a common vertex are not tested, because
+  // they are many and rarely have more points in common.
   bool intersects_itself(const Triangle& t, const Triangle& u)
   {
     for (const Index x : t)
@@ -120,7 +120,7 @@ public:
   }
 
 private:
-  // Returns the bound below which squared distances are equal up to rounding, in a triangle of about that squared size.
+  // Returns the bound below which squared distances are equal up to rounding errors, for a triangle of about this squared size.
   static double same_as(double squared_distance, double squared_size)
   {
     return 1.000000001 * squared_distance + 1e-18 * squared_size;
@@ -128,7 +128,7 @@ private:
 
   typedef Clustered_faces::Range Face_range;
 
-  // The nearest face of a cluster is searched in blocks of this number of faces, in order, each with its box.
+  // The nearest face of a cluster is searched in blocks of this many consecutive faces, each with its bounding box.
   static constexpr std::size_t faces_of_block = 32;
 
   // Calls `visit(faces, number)` for each block.
@@ -162,7 +162,7 @@ private:
 
   Vector mean_normal(std::size_t cluster) const
   {
-    constexpr double rounding = 1e-13; // bounds the area of collinear points by rounding of coordinates
+    constexpr double rounding = 1e-13; // exceeds the area of collinear points due to rounding of coordinates
     Vector sum{{0, 0, 0}};
     double area = 0;
     for (const Index f : surface_.faces(cluster)) {
@@ -172,7 +172,7 @@ private:
     return area > rounding * squared_diagonal(box_of_cluster(cluster)) ? (1 / area) * sum : Vector{{0, 0, 0}};
   }
 
-  // Returns the squared distance of the block whose box is nearest.
+  // Returns the squared distance from the faces of the block whose box is nearest.
   double squared_distance_from_nearest_block(const Vector& p, const Triangle& t) const
   {
     double from_box = std::numeric_limits<double>::infinity(), nearest = from_box;
@@ -207,8 +207,8 @@ private:
     return ball;
   }
 
-  // Returns the squared distance from the nearest of some triangles. Skips triangles whose bounding balls are farther
-  // away than the nearest so far.
+  // Returns the squared distance from the nearest of some triangles. Skips triangles whose bounding balls are farther than the
+  // nearest triangle so far.
   static double squared_distance(const Vector& p, const std::vector<Triangle>& triangles, const std::vector<Ball>& balls,
                                  const std::vector<Vector>& positions, std::size_t& last)
   {
@@ -260,7 +260,7 @@ private:
     return std::find_first_of(t.begin(), t.end(), u.begin(), u.end()) != t.end();
   }
 
-  // Returns the faces of a cluster, as fans, that may intersect a box.
+  // Returns the faces of a cluster, triangulated as fans, that may intersect a box.
   std::vector<Triangle> pieces_at(Index x, const Bbox_3& box) const
   {
     std::vector<Triangle> triangles;
@@ -274,7 +274,7 @@ private:
     return triangles;
   }
 
-  // Numbers the corners from 0, and creates their points.
+  // Numbers the corners from 0 and creates their points.
   std::vector<Triangle> name_common_points(std::vector<Triangle> triangles, std::vector<Exact_point>& points) const
   {
     std::vector<Index> used;

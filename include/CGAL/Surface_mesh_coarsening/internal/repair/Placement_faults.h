@@ -18,12 +18,12 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The faults of a coarse mesh: triangles that intersect where the input does not, and triangles that look away from the surface
-// that they stand for.
+// The faults of a coarse mesh: triangles that intersect where the input does not, and triangles that face away from the surface
+// that they approximate.
 class Placement_faults
 {
 public:
-  // The coordinates that a position has in the output.
+  // Maps a position to its coordinates in the output.
   typedef std::function<Vector(const Vector&)> Output_coordinates;
 
   Placement_faults(const Clustered_faces& surface, Input_oracle& reference, const Flippable_triangulation& coarse,
@@ -32,7 +32,7 @@ public:
       positions_(positions), output_(output), points_(positions.size())
   {}
 
-  // Finds all, of the positions as they are now.
+  // Finds all faults of the current positions.
   void find()
   {
     for (std::size_t v = 0; v < positions_.size(); ++v)
@@ -59,7 +59,7 @@ public:
     return Triangle_conflict(points_)(coarse_.triangles()[p.first], coarse_.triangles()[p.second]);
   }
 
-  // Or without area. Where the input has none, triangles need not have any, and look nowhere.
+  // Returns whether a triangle is reversed or has no area. Where the input has no area, no triangle is reversed.
   bool is_reversed(Index t) const
   {
     const Triangle& triangle = coarse_.triangles()[t];
@@ -67,17 +67,17 @@ public:
            (Triangle_conflict(points_).is_flat(triangle) || reference_.is_against(triangle, positions_));
   }
 
-  // Whether the exact tests of all rounds together are few enough yet.
+  // Returns whether the limit on the number of exact tests of all rounds is not reached yet.
   bool may_test() const { return tests_ < (std::min)(max_tests, max_tests_each * coarse_.triangles().size()); }
 
-  // A vertex has another position. It may be taken back as long as nothing is searched for.
+  // Updates the position of a vertex. The change may be undone if no search has begun since.
   void follow(Index v)
   {
     const Vector q = output_(positions_[v]);
     points_[v] = Exact_point(q[0], q[1], q[2]);
   }
 
-  // Some triangles have changed for good.
+  // Updates the data of triangles after a permanent change.
   void update(const std::vector<Index>& triangles)
   {
     const Triangle_conflict conflict(points_);
@@ -85,7 +85,7 @@ public:
       boxes_.grow(t, conflict.box(coarse_.triangles()[t]));
   }
 
-  // Finds the triangles that changes at some vertices can have to do with.
+  // Finds the triangles that changes at some vertices may affect.
   void look_around(const std::vector<Index>& vertices)
   {
     const Triangle_conflict conflict(points_);
@@ -104,7 +104,7 @@ public:
     std::sort(near_.begin(), near_.end());
   }
 
-  // The number of faults of some triangles there, in order, or at least `limit` of them.
+  // Returns the number of faults of some of these triangles; stops when it reaches `limit`.
   long number_of(const std::vector<Index>& altered, long limit)
   {
     const Triangle_conflict conflict(points_);
@@ -116,7 +116,7 @@ public:
       if (faults >= limit)
         return faults;
       cancellation_.poll(near_.size());
-      tests_ += near_.size() / 16; // a comparison of boxes takes a fraction of a test
+      tests_ += near_.size() / 16; // a comparison of boxes takes a fraction of the time of an exact test
       for (const Index u : near_) {
         if (u == t || (u < t && std::binary_search(altered.begin(), altered.end(), u)))
           continue;
@@ -132,8 +132,8 @@ public:
   }
 
 private:
-  // Exact tests of two triangles whose boxes overlap, in all rounds together, for each triangle and for all: a second or two.
-  // What is left of sheets that are too near each other all over stays.
+  // The maximum number of exact tests of two triangles whose boxes overlap, in all rounds together, per triangle and in total:
+  // one or two seconds. If sheets are too close everywhere, the remaining faults are not repaired.
   static constexpr std::size_t max_tests_each = 20000, max_tests = 2000000;
 
   void find_reversed()
@@ -161,7 +161,7 @@ private:
   const Flippable_triangulation& coarse_;
   const std::vector<Vector>& positions_;
   const Output_coordinates output_;
-  std::vector<Exact_point> points_; // of the vertices, as the output will have them
+  std::vector<Exact_point> points_; // of the vertices, with the coordinates of the output
   Box_hierarchy boxes_;
   std::vector<Triangle_pair> pairs_;
   std::vector<Index> reversed_;

@@ -24,10 +24,10 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Moves vertices of a coarse mesh, and flips edges, where triangles intersect that do not in the input, and where they look
-// away from the surface that they stand for. Fault by fault, many small changes are tried: vertices pulled back towards the
-// centroids of their clusters or towards their neighbors, vertices pushed along the normal of the surface, edges flipped. The
-// one that does the least harm to the distance for each fault that it takes away is made.
+// Moves vertices and flips edges of a coarse mesh where triangles intersect that do not in the input, and where triangles face
+// away from the surface that they approximate. For each fault, the repair tries many small changes: it moves vertices towards the
+// centroids of their clusters or towards their neighbors, moves vertices along the normal of the surface, and flips edges. It
+// makes the change that increases the distance least for each fault that it removes.
 class Placement_repair
 {
 public:
@@ -40,7 +40,7 @@ public:
       faults_(surface, reference_, coarse_, positions, output, cancellation), cancellation_(cancellation)
   {}
 
-  // Gives vertices no other positions than those of input vertices of their clusters.
+  // Restricts the positions of vertices to input vertices of their clusters.
   void stay_at_input_vertices() { at_input_vertices_ = true; }
 
   Repair_counts run()
@@ -63,16 +63,16 @@ public:
 
 private:
   static constexpr std::size_t max_rounds = 20;
-  static constexpr std::size_t max_measured = 500; // triangles
+  static constexpr std::size_t max_measured = 500; // maximum number of triangles
 
-  // By how much a change lowers the number of faults, and the squared distance from the input after it.
+  // The number of faults that a change removes, and the increase of the squared distance from the input.
   struct Effect
   {
     long gain = 0;
     double harm = 0;
   };
 
-  // Ends with the fewest faults that were reached.
+  // Ends with the smallest number of faults that was reached.
   void search()
   {
     const std::size_t found = faults_.number();
@@ -116,7 +116,7 @@ private:
         repair({t});
   }
 
-  // Makes the best of the changes at a few triangles, if there is one that leaves fewer faults.
+  // Makes the best change at a few triangles, if a change reduces the number of faults.
   void repair(const std::vector<Index>& faulty)
   {
     const std::vector<Index> vertices = corners_of(faulty);
@@ -137,8 +137,8 @@ private:
       make_for_good(best);
   }
 
-  // Lets vertices go back towards where they were, as far as that lowers the distance and makes no fault: not all that were
-  // perturbed had to move, and later changes may have made room for others.
+  // Moves vertices back towards their previous positions as long as the distance decreases and no fault results: not all
+  // perturbed vertices had to move, and later changes may have removed obstacles.
   void return_to(const std::vector<Vector>& wanted)
   {
     constexpr int times = 3;
@@ -167,14 +167,14 @@ private:
     }
   }
 
-  // What does little harm comes first, and later, when that has not led to an end, what takes most faults away.
+  // At first the change of least harm per removed fault is preferred; if this does not succeed, the change of largest gain.
   bool is_better(const Effect& a, const Effect& b) const
   {
     if (a.gain <= 0 || b.gain <= 0)
       return a.gain > 0;
     if (prefers_gain_ && a.gain != b.gain)
       return a.gain > b.gain;
-    // Roundings decide nothing where a mesh is symmetric and harms are the same.
+    // The margin prevents rounding errors from deciding where a mesh is symmetric and harms are equal.
     const double harm = a.harm * double(b.gain), other = b.harm * double(a.gain);
     return other - harm > 1e-9 * (std::abs(harm) + std::abs(other) + distance_before_ * double(a.gain + b.gain));
   }
@@ -189,7 +189,7 @@ private:
     return vertices;
   }
 
-  // The triangles that a change alters.
+  // Returns the triangles that a change alters.
   std::vector<Index> altered_by(const Placement_change& change) const
   {
     std::vector<Index> altered;
@@ -203,7 +203,7 @@ private:
     return altered;
   }
 
-  // No more is computed than it takes to see whether the effect is better than another one.
+  // Stops the computation when the effect is known to be no better than `other`.
   Effect effect_of(const Placement_change& change, const std::vector<Index>& vertices, const Effect& other)
   {
     const std::vector<Index> altered = altered_by(change);
@@ -233,17 +233,17 @@ private:
     return effect;
   }
 
-  // From which harm on an effect of so large a gain is not better than another one.
+  // Harm limit for pruning: with this gain, an effect of larger harm is not better than `other`.
   double max_harm(long gain, const Effect& other) const
   {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     if (other.gain <= 0 || (prefers_gain_ && gain > other.gain))
       return infinite;
-    // One that takes away fewer faults will not be made, but must not be taken for one that does no harm.
+    // A change that removes fewer faults is not made, but it must not be mistaken for a change without harm.
     return other.harm > 0 ? 1.000001 * other.harm * double(gain) / double(other.gain) : infinite;
   }
 
-  // The faults of triangles as they are; changes of the same vertex alter the same ones.
+  // Returns the current number of faults of triangles. Changes of the same vertex alter the same triangles.
   long faults_before(const std::vector<Index>& altered)
   {
     if (altered != last_altered_) {
@@ -253,8 +253,8 @@ private:
     return last_faults_;
   }
 
-  // Of the clusters of some vertices and those around them. At vertices of very many triangles it would take quadratic time,
-  // and is left out of account.
+  // Returns the squared distance of the clusters of some vertices and of the clusters around them. Vertices of very many
+  // triangles are omitted, because they would take quadratic time.
   double squared_distance_around(const std::vector<Index>& vertices,
                                  double limit = std::numeric_limits<double>::infinity()) const
   {
@@ -292,8 +292,8 @@ private:
     faults_.update(altered);
   }
 
-  // Where nothing helped, brings the vertices around half way to the centroids of their clusters, pushes them out, which
-  // makes thin parts thicker, or pushes them in, which widens gaps; then changes are tried again.
+  // If no change has helped, moves the vertices around faults halfway to the centroids of their clusters, outwards, which
+  // thickens thin parts, or inwards, which widens gaps. Then changes are tried again.
   void perturb_around_faults(std::size_t time)
   {
     std::set<Index> vertices;
@@ -329,7 +329,7 @@ private:
   Cancellation_point cancellation_;
   std::vector<Index> last_altered_; // the triangles whose faults were counted last before a change
   long last_faults_ = 0;
-  double distance_before_ = 0; // of the surroundings of what is being repaired
+  double distance_before_ = 0; // of the surroundings of the current fault
   bool prefers_gain_ = false, at_input_vertices_ = false;
 };
 

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The faults that a repair found and left.
+// The numbers of faults before and after a repair.
 struct Repair_counts
 {
   std::size_t intersections_found = 0, reversals_found = 0, reversals_left = 0;

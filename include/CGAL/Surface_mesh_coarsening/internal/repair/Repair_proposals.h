@@ -23,7 +23,7 @@ struct Vertex_move
   Vector to;
 };
 
-// Moves of vertices, or the flip of an edge.
+// A change of a placement: moves of vertices, or the flip of an edge.
 struct Placement_change
 {
   std::vector<Vertex_move> moves;
@@ -42,7 +42,7 @@ inline double size_around(const Flippable_triangulation& coarse, const std::vect
   return std::sqrt(area);
 }
 
-// The changes that a repair tries at a few triangles.
+// Proposes the changes that a repair tries at a few triangles.
 class Repair_proposals
 {
 public:
@@ -105,8 +105,8 @@ private:
     return places;
   }
 
-  // Changes that move several vertices: all towards their centroids; the vertices of two triangles apart or into each
-  // other, each along the normals of its own surface.
+  // Adds changes that move several vertices: all vertices towards their centroids; the vertices of two triangles apart or towards
+  // each other, each along the normals of its own surface.
   void add_common_moves(const std::vector<Index>& faulty, const std::vector<Index>& vertices,
                         std::vector<Placement_change>& changes) const
   {
@@ -118,7 +118,7 @@ private:
       changes.push_back(change);
     }
     for (const double part : {0.01, -0.01, 0.03, -0.03, 0.1, -0.1, 0.25, -0.25})
-      for (std::size_t chosen = 0; chosen <= faulty.size(); ++chosen) { // one of them, or all
+      for (std::size_t chosen = 0; chosen <= faulty.size(); ++chosen) { // one of the triangles, or all
         Placement_change change;
         for (const Index v : vertices)
           if (!border_.is_on_border(v) && (chosen == faulty.size() || coarse_.corner(faulty[chosen], v) >= 0))

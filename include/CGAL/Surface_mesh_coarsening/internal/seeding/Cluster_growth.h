@@ -13,9 +13,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Section 8.1 of the paper: clusters in turn take the adjacent free faces, one layer per round, until no face is free.
-// A cluster takes a face only if it remains a closed disc, so neighborhoods of seeds that are no discs become discs,
-// too. Neighborhoods are disjoint; they are the first layers of this growth.
+// Growth of the clusters (section 8.1 of the paper): the clusters take turns and take the adjacent free faces, one layer per
+// round, until no face is free. A cluster takes a face only if it remains a closed disc, so neighborhoods of seeds that are not
+// discs also become discs. The neighborhoods are disjoint; they are the first layers of this growth.
 class Cluster_growth
 {
 public:
@@ -48,8 +48,8 @@ public:
     }
   }
 
-  // Seeds new clusters with the remaining faces one after the other; every cluster adjacent to them would have closed
-  // upon itself. Returns the total number of clusters.
+  // Seeds new clusters with the remaining faces, one after the other: every cluster adjacent to them would have closed upon
+  // itself. Returns the total number of clusters.
   template <class FaceRange>
   Index cover(const FaceRange& faces, Index number_of_clusters)
   {
@@ -74,7 +74,7 @@ private:
   const Flat_mesh& mesh_;
   Cancellation_point cancellation_;
   Feature_rules* rules_;
-  std::vector<Index> layer_, next_layer_; // faces taken whose neighbors are not yet visited
+  std::vector<Index> layer_, next_layer_; // the faces of a layer whose neighbors are not visited yet
 };
 
 } // namespace internal

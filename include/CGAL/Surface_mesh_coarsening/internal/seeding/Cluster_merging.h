@@ -22,22 +22,22 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Section 6 of the paper, fewer seeds: repeatedly merges the three clusters around a vertex whose summed size is
-// smallest, until a component has the required number of clusters. Merges two clusters if one too many is left, or if
-// only two may be merged.
+// Reduction of the number of clusters (section 6 of the paper): merges the three clusters around a vertex whose total size is
+// smallest, until a component has the required number of clusters. Merges two clusters if only one cluster too many is left, or
+// if only two of the three may be merged.
 //
-// Size is area in the paper, and here on request. By default it is mass, because clusters of low energy have similar masses:
-// the minimization has to carry all remaining differences across the mesh face by face. But clusters of few faces cannot be
-// round, whatever their mass; so the number of faces bounds their size.
+// In the paper, and here on request, the size of a cluster is its area. By default the size is the mass, because clusters of low
+// energy have similar masses, and the minimization must carry all remaining differences across the mesh face by face. Clusters of
+// few faces cannot be round, whatever their mass, so the number of faces also contributes to the size.
 //
-// Works on the valid clusters of one component, numbered from 0.
+// The clusters of one component must be valid and numbered from 0.
 class Cluster_merging
 {
 public:
-  // `by_threes`: whether three clusters may be merged at a time. If not, the order of merges does not depend on the
-  // required number, and size is area. `by_area`: whether size is area in any case. `may_join_at_vertices`: whether, as a
-  // last resort, clusters may be merged that meet in a vertex only, that is in an edge of the fan there. Pinch_resolution
-  // then has to turn them into discs.
+  // `by_threes`: whether three clusters may be merged at a time. Otherwise the order of merges does not depend on the required
+  // number, and the size is the area. `by_area`: whether the size is the area in any case. `may_join_at_vertices`: whether, as a
+  // last resort, clusters may be merged that meet only in a vertex, that is, in an edge of its fan. Pinch_resolution must then
+  // turn them into discs.
   template <class FaceRange>
   Cluster_merging(const Clustering_input& input, const Cluster_labels& labels, const FaceRange& faces, Index clusters,
                   bool by_threes, bool by_area, bool may_join_at_vertices, const Cancellation_point& cancellation,
@@ -64,8 +64,7 @@ public:
     features_.emplace(cells, labels, faces, Index(merged_into_.size()));
   }
 
-  // Merges until no more than `wanted` clusters are left, if the topology allows it. Returns the number of pairwise
-  // merges.
+  // Merges until at most `wanted` clusters remain, if the topology permits it. Returns the number of pairwise merges.
   std::size_t run(std::size_t wanted)
   {
     wanted_ = wanted;
@@ -80,12 +79,12 @@ public:
     return before - count_;
   }
 
-  // Returns whether clusters have been merged that met in a vertex only.
+  // Returns whether clusters were merged that met only in a vertex.
   bool has_pinches() const { return joins_at_vertices_; }
 
   std::size_t number_of_clusters() const { return count_; }
 
-  // Renumbers the clusters of the faces without gaps, in their old order.
+  // Renumbers the clusters of the faces without gaps, in their previous order.
   template <class FaceRange>
   void relabel(Cluster_labels& labels, const FaceRange& faces)
   {
@@ -112,8 +111,8 @@ private:
   // This number of faces counts as much as the mean mass of a cluster.
   static constexpr double faces_of_round_cluster = 64;
 
-  // A merge is retried after one of its clusters has changed. Changes farther away may enable it, too; they are
-  // considered when the queue is empty.
+  // A merge is retried after one of its clusters has changed. Changes farther away may also enable it; such merges are considered
+  // when the queue is empty.
   void merge_while_possible()
   {
     for (std::size_t last = count_ + 1; last != count_ && excess() > 0;) {
@@ -143,8 +142,8 @@ private:
     queue_.emplace(key, t);
   }
 
-  // Returns the summed size of the three clusters, or of the two smallest, according to the number that would be
-  // merged; -1 if there are no two.
+  // Returns the total size of the three clusters, or of the two smallest, according to the number of clusters to be merged; -1 if
+  // there are fewer than two.
   double key_of(Index t) const
   {
     if (by_threes_ && excess() > 1) {
@@ -161,7 +160,7 @@ private:
     return least;
   }
 
-  // A cluster that is large already, such as one face as large as many others, is not enlarged without need.
+  // A cluster that is already large, such as a single face as large as many other clusters, is not enlarged unnecessarily.
   bool may_be_third(Index merged, Index third) const
   {
     return by_area_ || (size_[merged] + size_[third]).mass <= 4 * mean_mass();
@@ -191,7 +190,7 @@ private:
       if (!dual_.is_triangle(candidate.second))
         continue;
       if (candidate.first < key_of(candidate.second))
-        enqueue(candidate.second); // the clusters have grown since
+        enqueue(candidate.second); // the clusters have grown in the meantime
       else
         merge_at(candidate.second);
     }
@@ -217,7 +216,7 @@ private:
     dual_.for_each_edge_from(merged, [&](Edge f) { enqueue(f / 3); });
   }
 
-  // Returns the edge of smallest summed size among the contractible edges; NONE if there is none.
+  // Returns the contractible edge whose clusters have the smallest total size; NONE if there is none.
   Edge smallest_of(const std::array<Edge, 3>& edges)
   {
     Edge smallest = NONE;

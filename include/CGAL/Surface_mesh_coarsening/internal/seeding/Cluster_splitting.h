@@ -15,11 +15,11 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Splits the clusters of a component, all closed discs numbered from 0, until their dual is a simplicial surface, that
-// is, until the neighbors of every cluster form a simple cycle. Each split divides a disc into smaller discs; this ends
-// at the latest with clusters of one face. If faults remain then, the mesh itself causes them.
+// Splits the clusters of a component, which are closed discs numbered from 0, until their dual is a simplicial surface, that
+// is, until the neighbors of every cluster form a simple cycle. Each split divides a disc into smaller discs, so the splitting
+// ends at the latest with clusters of one face. Faults that remain then are faults of the mesh itself.
 //
-// Clusters with the first numbers may be foreign: they have none of the faces, and they are neither checked nor split.
+// The clusters with the first numbers may be foreign: they have none of the faces, and they are neither checked nor split.
 template <class FaceRange>
 class Cluster_splitting
 {
@@ -31,8 +31,8 @@ public:
       execution_(execution), rules_(rules), faces_(faces),
       foreign_(foreign_clusters), clusters_(number_of_clusters) {}
 
-  // Returns whether the clusters are valid now. They are not if single faces remain faulty. With foreign clusters, such faces
-  // are ignored.
+  // Returns whether the clusters are valid. They are invalid if single faces remain faulty. With foreign clusters, faulty single
+  // faces are ignored.
   bool run()
   {
     for (;;) {
@@ -68,7 +68,7 @@ private:
     }
   }
 
-  // Returns whether they can be split.
+  // Returns whether a faulty cluster can be split.
   bool find_faulty_clusters()
   {
     to_split_.clear();
@@ -87,7 +87,7 @@ private:
     return true;
   }
 
-  // Returns the faulty clusters, each with a cluster that it meets wrongly; with itself if it has no boundary or fewer
+  // Returns each faulty cluster together with the cluster that causes the fault, or with itself if it has no boundary or fewer
   // than three neighbors.
   std::vector<std::pair<Index, Index> > faults() const
   {
@@ -108,8 +108,8 @@ private:
     return all;
   }
 
-  // Returns the larger of the two faulty clusters; a neighbor if both have a single face; NONE if the neighbors have,
-  // too.
+  // Returns the larger of the two faulty clusters. If both have a single face, returns a neighbor; NONE if the neighbors also
+  // have a single face.
   Index cluster_to_split(Index x, Index fault)
   {
     Index largest = x;
@@ -124,7 +124,7 @@ private:
     return size_[largest] == 1 ? NONE : largest;
   }
 
-  // Regrows the cluster from two faces far apart; one is at the feature corner if there is one.
+  // Grows two clusters from two distant faces of the cluster. If it has a feature corner, one of the faces is there.
   void split(Index x)
   {
     const Index corner = rules_ ? rules_->corner_cell(x) : NONE;

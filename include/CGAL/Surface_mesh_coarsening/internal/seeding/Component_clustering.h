@@ -29,11 +29,11 @@ struct Component_seeds
   std::size_t corners = 0; // the cells of feature corners, which are seeds of every level
 };
 
-// Clusters one connected component as its plan says: seeds, growth, splitting, merging.
+// Clusters one connected component according to its plan: seeds, growth, splitting, merging.
 class Component_clustering
 {
 public:
-  // `merges_by_area`: whether the area of clusters tells which are merged.
+  // `merges_by_area`: whether the area of clusters determines which clusters are merged.
   Component_clustering(const Featured_input& input, bool merges_by_area, const Cancellation_point& cancellation,
                        Execution execution)
     : input_(input.items), cells_(input.cells.get()), merges_by_area_(merges_by_area), cancellation_(cancellation),
@@ -46,7 +46,7 @@ public:
     Component_seeds seeds = largest_level_of(faces, plan.min_seeds());
     if (plan.is_on_schedule())
       return seeds_of_level(faces, Component_plan::scheduled_level(seeds.level));
-    // Merging from all faces takes long, and gives no better result than merging from the next level.
+    // Merging from all faces takes long and gives no better result than merging from the next level.
     return seeds.level > 0 ? seeds : largest_level_of(faces, plan.wanted());
   }
 
@@ -93,7 +93,7 @@ public:
   // The numbers of splits and merges of the last growth.
   std::size_t number_of_splits() const { return splits_; }
   std::size_t number_of_merges() const { return merges_; }
-  // Returns whether Pinch_resolution has to turn clusters into discs.
+  // Returns whether Pinch_resolution must turn clusters into discs.
   bool is_pinched() const { return is_pinched_; }
 
 private:
@@ -108,7 +108,7 @@ private:
     return seeds;
   }
 
-  // Takes all corners, and then the seeds on lines.
+  // Takes all corners first, then the seeds on lines.
   void take_seeds_on_features(const Face_range& faces, Component_seeds& seeds)
   {
     std::vector<Index> on_lines;
@@ -125,11 +125,11 @@ private:
     walk_.run(on_lines, seeds.level, seeds.faces);
   }
 
-  // Returns the seeds of the largest level, near the expected one, that gives at least `wanted` of them.
+  // Returns the seeds of the largest level, near the expected level, with at least `wanted` seeds.
   Component_seeds largest_level_of(const Face_range& faces, std::size_t wanted)
   {
-    // On a regular mesh the neighborhood of level k has 1 + 3 k (k + 1) / 2 faces, and about three quarters of all
-    // faces lie in one.
+    // On a regular mesh, the neighborhood of level k has 1 + 3 k (k + 1) / 2 faces, and the neighborhoods contain about three
+    // quarters of all faces.
     const double faces_each = 0.75 * double(faces.size()) / double(wanted);
     const Index level = faces_each <= 1 ? 0 : Index(std::lround(std::sqrt((faces_each - 1) / 1.5 + 0.25)));
     Component_seeds seeds = seeds_of_level(faces, level);

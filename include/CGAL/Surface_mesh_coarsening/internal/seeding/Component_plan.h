@@ -14,25 +14,24 @@ namespace internal {
 
 // The plan that brings a connected component to its number of clusters.
 //
-// The standard way is the paper's: seeds of the largest level that gives twice the number, growth, and merging, three
-// clusters at a time. It may end too high where the faces or the topology leave little freedom. Then, and always below
-// `always_enough()` clusters, a schedule of levels applies, which is the same for all smaller numbers.
+// The standard method is the method of the paper: seeds of the largest level that gives twice the number, growth, and merging of
+// three clusters at a time. It may end with too many clusters if the faces or the topology leave little freedom. In this case,
+// and always below `always_enough()` clusters, a schedule of levels applies, which is the same for all smaller numbers.
 //
-// From the seeds of a level, clusters are merged in pairs, in an order that does not depend on the number wanted. So a
+// From the seeds of a level, clusters are merged in pairs, in an order that does not depend on the required number. So a
 // level gives every number between the start and the end of its merging. The schedule begins with the highest level
 // whose merging starts with always_enough() clusters or more, or with the lowest level. The levels above follow, as
-// long as their merging starts no lower than the merging of earlier levels has ended; then the levels below; then the
+// long as their merging starts no lower than the end of the merging of earlier levels; then the levels below; then the
 // same levels with subdivided faces, which can form any clusters. Hence all numbers from the smallest end of a level
-// are attainable. The number of consecutive levels without a smaller end is limited, so that the work on large
-// components is proportional to their faces: with large clusters all levels end near the same number.
+// are attainable. The number of consecutive levels without a smaller end is limited, so the work on large components is
+// proportional to their number of faces: with large clusters, all levels end near the same number.
 class Component_plan
 {
 public:
-  // Merging until no two clusters may be merged leads to an irreducible triangulation. Closed surfaces of genus g have
-  // irreducible triangulations of at most 26 g - 4 vertices (Joret and Wood: Irreducible triangulations are small,
-  // 2010); with b border loops the number is linear in g and b, too (Boulch, Colin de Verdiere, Nakamoto: Irreducible
-  // triangulations of surfaces with boundary, 2013). Features keep clusters apart; these results do not bound the
-  // additional clusters.
+  // If merging continues until no two clusters may be merged, the dual is an irreducible triangulation. Closed surfaces of genus
+  // g have irreducible triangulations of at most 26 g - 4 vertices (Joret and Wood: Irreducible triangulations are small, 2010).
+  // With b border loops the number is also linear in g and b (Boulch, Colin de Verdiere, Nakamoto: Irreducible triangulations of
+  // surfaces with boundary, 2013). Features keep clusters apart; these results do not bound the additional clusters.
   static std::size_t always_enough(const Component& c)
   {
     return 8 + 26 * c.genus() + 8 * c.loops + 4 * c.feature_clusters;
@@ -51,7 +50,7 @@ public:
     go_to_first();
   }
 
-  // The same with the seeds of level `level` in the standard way.
+  // Restarts with the seeds of level `level`, in the standard method.
   void begin(const Component& component, std::size_t wanted, Index level)
   {
     aim_at(component, wanted);
@@ -61,7 +60,7 @@ public:
     level_ = level;
   }
 
-  // The level of the seeds; NONE: the largest that gives min_seeds(), or the scheduled level below it.
+  // The level of the seeds. NONE: the largest level that gives min_seeds(), or the scheduled level below it.
   Index level() const { return level_; }
   std::size_t min_seeds() const { return on_schedule_ ? (std::max)(wanted_, enough_) : seeds_per_cluster * wanted_; }
   bool is_on_schedule() const { return on_schedule_; }
@@ -71,7 +70,7 @@ public:
   // Returns whether merging may begin with `clusters`.
   bool may_begin_with(std::size_t clusters) const { return !is_climbing_ || clusters >= lowest_end_; }
 
-  // Returns the highest level of the schedule that is not above `level`.
+  // Returns the highest level of the schedule that is at most `level`.
   static Index scheduled_level(Index level)
   {
     Index below = 0;
@@ -84,9 +83,8 @@ public:
   std::size_t nearest() const { return nearest_; }
   bool has_nearest() const { return nearest_ != (std::numeric_limits<std::size_t>::max)(); }
 
-  // Records a failed attempt: with `seeds` seeds of level `level` it ended with `reached` clusters, or with reached = 0
-  // if merging may not begin there. Returns whether another attempt remains; if not, nearest() is the smallest
-  // attainable number.
+  // Records a failed attempt: with `seeds` seeds of level `level`, it ended with `reached` clusters; `reached` is 0 if merging
+  // may not begin with these seeds. Returns whether another attempt remains. If not, nearest() is the smallest attainable number.
   bool revise(Index level, std::size_t seeds, std::size_t reached)
   {
     if (on_schedule_ && reached > wanted_ && reached < nearest_) {
@@ -121,7 +119,7 @@ public:
   }
 
 private:
-  // Seeds are spread by the number of faces only: if they outnumber the clusters, merging can balance masses.
+  // Seeds are distributed by the number of faces only. If there are more seeds than clusters, merging can balance masses.
   static constexpr std::size_t seeds_per_cluster = 2;
 
   static Index next_scheduled_level(Index level)
@@ -132,7 +130,7 @@ private:
     return is_power_of_two ? level + level / 2 : level / 3 * 4;
   }
 
-  // With even more seeds, merging takes long on large components and ends no better.
+  // With more seeds, merging takes long on large components, and the result is no better.
   std::size_t max_seeds() const { return 16 * enough_; }
 
   std::size_t max_in_vain() const

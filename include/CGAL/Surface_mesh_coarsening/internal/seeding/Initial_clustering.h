@@ -22,15 +22,15 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Seeds and growth: computes a clustering with the required number of clusters, all closed discs, whose dual is a
-// simplicial surface of the topology of the mesh.
+// Seeds and growth: computes a clustering with the required number of clusters. All clusters are closed discs, and their dual is
+// a simplicial surface with the topology of the mesh.
 //
-// Apportions the number among the connected components; Component_clustering brings each component to its share.
-// Components with fewer faces than clusters, or whose faces do not suffice, are subdivided.
+// Apportions the number among the connected components; Component_clustering brings each component to its share. Components are
+// subdivided if they have fewer faces than clusters, or if their faces do not suffice.
 class Initial_clustering
 {
 public:
-  // `merges_by_area`: whether the area of clusters tells which are merged.
+  // `merges_by_area`: whether the area of clusters determines which clusters are merged.
   Initial_clustering(const Featured_input& input, bool merges_by_area, Coarsening_report& report,
                      const Cancellation_point& cancellation, Execution execution)
     : uncut_input_(&input),
@@ -58,7 +58,7 @@ public:
     is_pinched_.assign(components.size(), false);
   }
 
-  // Subdivides all faces until each cluster has at least `faces_each`.
+  // Subdivides all faces until there are at least `faces_each` faces for each cluster.
   void subdivide(std::size_t clusters, std::size_t faces_each)
   {
     if (clusters > max_clusters_of_subdivided(faces_each))
@@ -71,21 +71,21 @@ public:
     bound_by_vertices();
   }
 
-  // The smallest and the largest number of clusters that can be reached.
+  // Returns the smallest and the largest attainable number of clusters.
   std::pair<std::size_t, std::size_t> range()
   {
     find_minimum();
     return {sum(min_), sum(max_)};
   }
 
-  // The largest number that faces can be subdivided for: the last subdivision has up to four
-  // times as many pieces, with four corners each.
+  // The largest number of clusters for which faces can be subdivided: the last subdivision has up to four times as many pieces,
+  // with four corners each.
   static constexpr std::size_t max_clusters_of_subdivided(std::size_t faces_each)
   {
     return NONE / 2 / 16 / faces_each - 1;
   }
 
-  // Finds enough seeds for `number` clusters. Throws if that number cannot be reached.
+  // Finds enough seeds for `number` clusters. Throws if this number cannot be reached.
   void seed(std::size_t number)
   {
     number_ = number;
@@ -115,10 +115,10 @@ public:
     number_ = sum(wanted_);
   }
 
-  // The faces of the seeds and clusters: the given ones, or pieces of them.
+  // The faces of the seeds and clusters: the given faces or pieces of them.
   const Featured_input& input() const { return resolved_input_ ? *resolved_input_ : *input_; }
 
-  // Returns the seeds, and after growth a face of each cluster.
+  // Returns the seeds; after growth, a face of each cluster.
   std::vector<Index> seeds() const
   {
     return face_of_cluster_.empty() ? found_seeds() : face_of_cluster_;
@@ -164,7 +164,7 @@ private:
     return std::accumulate(v.begin(), v.end(), std::size_t(0));
   }
 
-  // Frees memory for later stages. Further growth finds the same seeds again.
+  // Frees memory for later stages. A repeated growth finds the same seeds.
   void release()
   {
     clustering_.reset();
@@ -220,7 +220,7 @@ private:
     });
   }
 
-  // The smallest attainable number is known once every component has reached its own.
+  // The smallest attainable number is known after every component has reached its minimum.
   void find_minimum()
   {
     do {
@@ -289,8 +289,7 @@ private:
     }
   }
 
-  // Brings all components to their numbers of clusters. Returns false if the minimum of a component has turned out to
-  // be larger.
+  // Brings all components to their numbers of clusters. Returns false if the minimum of a component turns out to be larger.
   bool grow_components()
   {
     for (;;) {
@@ -307,7 +306,7 @@ private:
     }
   }
 
-  // Tries the attempts in the plan of a component until one succeeds, or until its faces have to be subdivided first.
+  // Tries the attempts in the plan of a component until one succeeds, or until its faces must be subdivided first.
   bool grow_component(std::size_t i)
   {
     while (plan_[i].from_pieces() == cut_[i]) {

@@ -14,18 +14,19 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Turns clusters into discs that are pinched at a vertex because two were merged that met in this vertex only, that is,
-// in an edge of the fan there: cuts corners off the faces of the other clusters, and moves them to the pinched one.
+// Turns pinched clusters into discs. A cluster is pinched at a vertex if it results from the merge of two clusters that met only
+// in this vertex, that is, in an edge of its fan. Corners are cut off the faces of the other clusters and moved to the pinched
+// cluster.
 //
-// The pinched cluster is the cluster of the first face around the vertex, the apex of the fan. Segments between its
-// parts are cut off from the vertex, except the last, which contains the border if the vertex lies there. Along the
-// cuts the cluster meets the others in the order of the fan, so the dual is the contracted fan.
+// The pinched cluster is the cluster of the first face around the vertex, the apex of the fan. The segments between its
+// parts are cut off from the vertex, except the last segment, which contains the border if the vertex lies on it. Along the
+// cuts, the cluster meets the other clusters in the order of the fan, so the dual is the contracted fan.
 class Pinch_resolution
 {
 public:
   Pinch_resolution(const Clustering_input& input, const Cluster_labels& labels) : input_(input), labels_(labels) {}
 
-  // Returns the input with the corners cut off, and the labels of its faces.
+  // Returns the input with the corners cut off. `new_labels` receives the labels of its faces.
   Clustering_input run(std::vector<Index>& new_labels)
   {
     const Flat_mesh& m = input_.mesh;
@@ -52,8 +53,8 @@ private:
     if (begin == end)
       return;
     const Index pinched = label_of_first(v);
-    // The last segment follows the last part of the cluster; at an inner vertex, the cluster may continue across the
-    // end.
+    // The last segment follows the last part of the cluster. At an inner vertex, the cluster may continue across the end of the
+    // sequence.
     Index last = end;
     if (!m.is_on_border(v))
       while (last != begin && labels_[m.star[last - 1]] == pinched)

@@ -12,13 +12,13 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Section 6 of the paper: traverses the faces in order and takes a face as a seed if no face within `level` steps
-// across edges belongs to the neighborhood of an earlier seed.
+// Selection of seeds (section 6 of the paper): traverses the faces in order, and takes a face as a seed if no face within `level`
+// steps across edges belongs to the neighborhood of an earlier seed.
 //
-// Two neighborhoods of `level` steps are disjoint if and only if their centers are more than 2 * level steps apart. So
-// each new seed marks the faces within 2 * level steps, and testing a face takes one look at its mark. Marking stops at
-// faces that an earlier seed reached in as few steps, because that seed has marked all faces behind. Since seeds are
-// far apart, few of them reach a face, and the time is linear in the number of faces for every level.
+// Two neighborhoods of `level` steps are disjoint if and only if their centers are more than 2 * level steps apart. So each new
+// seed marks the faces within 2 * level steps, and the test of a face reads only its mark. Marking stops at faces that an earlier
+// seed reached in as few steps, because the earlier seed has marked all faces behind them. Seeds are far apart, so few of them
+// reach a face, and the time is linear in the number of faces for every level.
 class Seed_walk
 {
 public:
@@ -39,7 +39,7 @@ public:
     }
   }
 
-  // Takes face `f` as a seed regardless of other seeds.
+  // Takes face `f` as a seed, independently of other seeds.
   void take(Index f, Index level, std::vector<Index>& seeds)
   {
     steps_.resize(mesh_.number_of_faces(), NONE);
@@ -82,7 +82,7 @@ private:
 
   const Flat_mesh& mesh_;
   Cancellation_point cancellation_;
-  std::vector<Index> steps_; // to the nearest seed, as far as walked; NONE: out of reach
+  std::vector<Index> steps_; // the number of steps to the nearest seed found; NONE: none within reach
   std::vector<Index> queue_;
 };
 

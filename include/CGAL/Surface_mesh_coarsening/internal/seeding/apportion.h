@@ -14,14 +14,14 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Returns a lower bound on the vertices of simplicial surfaces with the component's topology. Closed surfaces of genus
-// g need ceil((7 + sqrt(1 + 48 g)) / 2) of them (Jungerman and Ringel, 1980). One more vertex per loop closes a surface
-// with border, and its loops, which share no vertex, have at least three each.
+// Returns a lower bound of the number of vertices of simplicial surfaces with the topology of the component. Closed surfaces of
+// genus g need ceil((7 + sqrt(1 + 48 g)) / 2) vertices (Jungerman and Ringel, 1980). A surface with border is closed by one more
+// vertex per loop. Its loops have no common vertices, and each loop has at least three.
 inline std::size_t fewest_vertices(const Component& c)
 {
   const std::size_t g = c.genus();
-  // The smallest n with (n - 3)(n - 4) >= 12 g, in integers. The exception of the Klein bottle is not orientable; the
-  // exception of genus 2 is, and needs 10.
+  // The smallest n with (n - 3)(n - 4) >= 12 g, in integers. The exception of the Klein bottle does not apply, because it is not
+  // orientable. The exception of genus 2 applies; this surface needs 10.
   std::size_t n = 4;
   while ((n - 3) * (n - 4) < 12 * g)
     ++n;
@@ -30,13 +30,13 @@ inline std::size_t fewest_vertices(const Component& c)
   return (std::max)({3 * c.loops, n - (std::min)(n, c.loops), c.feature_clusters});
 }
 
-// Apportions `total` in proportion to `shares`, with `least[i] <= result[i] <= most[i]`. The sums of `least` and `most`
-// have to enclose `total`. Rounds by largest remainders; ties go to the smaller index.
+// Apportions `total` in proportion to `shares`, with `least[i] <= result[i] <= most[i]`. `total` must lie between the sums of
+// `least` and `most`. Rounds by largest remainders; of equal remainders, the smaller index comes first.
 inline std::vector<std::size_t> apportion(std::size_t total, std::vector<double> shares,
                                           const std::vector<std::size_t>& least, const std::vector<std::size_t>& most)
 {
   const std::size_t n = shares.size();
-  // Shares are positive, so that components without area receive the rest.
+  // Shares must be positive, so that components without area receive the rest.
   const double all_shares = std::accumulate(shares.begin(), shares.end(), 0.);
   const double all_most = double(std::accumulate(most.begin(), most.end(), std::size_t(0)));
   for (std::size_t i = 0; i < n; ++i)
@@ -44,7 +44,7 @@ inline std::vector<std::size_t> apportion(std::size_t total, std::vector<double>
   const auto clamped = [&](std::size_t i, double x) {
     return (std::min)((std::max)(x, double(least[i])), double(most[i]));
   };
-  // Finds the factor at which the clamped shares add up to the total by bisection, up to rounding.
+  // Finds by bisection the factor at which the clamped shares add up to the total, up to rounding errors.
   double low = 0, high = 1;
   const auto sum_at = [&](double factor) {
     double sum = 0;
@@ -64,12 +64,12 @@ inline std::vector<std::size_t> apportion(std::size_t total, std::vector<double>
   for (std::size_t i = 0; i < n; ++i) {
     const double exact = clamped(i, high * shares[i]);
     result[i] = std::size_t(exact + 1e-6);
-    remainder[i] = std::floor(1024 * (exact - double(result[i])) + 0.5); // rounded: equal shares stay equal
+    remainder[i] = std::floor(1024 * (exact - double(result[i])) + 0.5); // rounded, so that equal shares remain equal
     given += result[i];
   }
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return remainder[a] > remainder[b]; });
-  while (given != total) // ends: the bounds enclose the total
+  while (given != total) // terminates because the bounds enclose the total
     for (std::size_t k = 0; k < n && given != total; ++k) {
       const std::size_t i = given < total ? order[k] : order[n - 1 - k];
       if (given < total && result[i] < most[i]) {

@@ -17,12 +17,12 @@ namespace internal {
 //
 // Around a coarse vertex, seams divide the faces of its cluster and of the adjacent clusters into sectors. A triangle
 // there belongs to the sector of the face nearest to its center, and its corner takes the value at the nearest point of
-// that sector. So all triangles on the same side of a seam have the same value at the vertex, and no value mixes two
+// this sector. So all triangles on the same side of a seam have the same value at the vertex, and no value mixes the two
 // sides.
 class Chart_sectors
 {
 public:
-  // `is_seam`: for each corner of the mesh, whether the edge after it is a seam.
+  // `is_seam` states, for each corner of the mesh, whether the edge after it is a seam.
   Chart_sectors(Surface_correspondence& surfaces, const std::vector<bool>& is_seam)
     : surfaces_(surfaces), mesh_(surfaces.mesh()), is_seam_(is_seam), stamp_(mesh_.number_of_faces(), NONE),
       sector_(mesh_.number_of_faces(), NONE)

@@ -21,7 +21,7 @@ namespace internal {
 class Surface_correspondence
 {
 public:
-  // Faces of cluster NONE correspond to nothing. Coordinates of both meshes have the same origin.
+  // Faces of cluster NONE have no correspondence. Coordinates of both meshes have the same origin.
   Surface_correspondence(Flat_mesh mesh, std::vector<double> areas, std::vector<Vector> centroids, std::vector<Index> clusters,
                     std::vector<Vector> positions, std::vector<Triangle> triangles)
     : mesh_(std::move(mesh)), area_(std::move(areas)), centroid_(std::move(centroids)), cluster_(std::move(clusters)),
@@ -37,7 +37,7 @@ public:
       }
   }
 
-  Surface_correspondence(const Surface_correspondence&) = delete; // its parts refer to each other
+  Surface_correspondence(const Surface_correspondence&) = delete; // its members refer to each other
   Surface_correspondence& operator=(const Surface_correspondence&) = delete;
 
   const Flat_mesh& mesh() const { return mesh_; }
@@ -50,7 +50,7 @@ public:
   Bucketed_items<Index>::Range faces(Index x) const { return faces_[x]; }
   const Nearest_point_search& search() const { return search_; }
 
-  // A third of the area of the triangles around a vertex.
+  // Returns a third of the area of the triangles around a vertex.
   double dual_area(Index x) const { return dual_area_[x]; }
   double area_of_triangle(Index t) const
   {
@@ -60,7 +60,7 @@ public:
   Vector center(const std::array<Index, 2>& edge) const { return 0.5 * (position_[edge[0]] + position_[edge[1]]); }
   Vector center(const Triangle& t) const { return (1. / 3) * (position_[t[0]] + position_[t[1]] + position_[t[2]]); }
 
-  // The nearest point to each coarse vertex.
+  // Returns the nearest point to each coarse vertex.
   const std::vector<Nearest_point>& sources()
   {
     if (sources_.empty())
@@ -70,7 +70,7 @@ public:
   }
 
   // Returns the point nearest to the center of an edge or a triangle, within the clusters of its ends or corners.
-  // Nearer points on the other side of a thin sheet do not correspond to it.
+  // Closer points on the other side of a thin sheet do not correspond to it.
   template <class Clusters>
   Nearest_point triangle_source(const Clusters& clusters) const
   {
@@ -89,7 +89,7 @@ public:
     return triangle_sources_;
   }
 
-  // The nearest triangle to each face of the mesh among the triangles around the vertex of its cluster; NONE if there
+  // Returns the nearest triangle to each face of the mesh, among the triangles around the vertex of its cluster; NONE if there
   // are none.
   const std::vector<Index>& triangles_of_faces()
   {
@@ -99,8 +99,8 @@ public:
     return triangle_of_face_;
   }
 
-  // Returns the vertex that receives the values to be spread over the dual cell of `x`: `x`, or the first vertex with
-  // an area found from it. Depends on the arguments only.
+  // Returns the vertex that receives the values to be distributed over the dual cell of `x`: `x`, or the first vertex with
+  // an area found from `x`. Depends on the arguments only.
   Index vertex_with_area(Index x) const
   {
     if (dual_area_[x] > 0)

@@ -32,7 +32,7 @@ Number to_number(double x)
   }
 }
 
-// The numbers that make up a value, if they have means.
+// The numbers of a value, if its type has means.
 template <class Value, class = void>
 struct Value_components
 {

@@ -34,7 +34,7 @@ std::vector<Triangle> numbered_triangles(const FaceGraph& mesh, const Numbering<
   return triangles;
 }
 
-// Returns the points of a mesh in the frame of another one.
+// Returns the points of a mesh in the frame of another mesh.
 template <class FaceGraph, class NamedParameters>
 std::vector<Vector> points_in_frame(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
                                     const Local_frame& frame)
