@@ -17,7 +17,7 @@ add_compile_options(-Wall -Wextra)
 # Distributions have no static oneTBB and Assimp.
 if(SURFACE_MESH_COARSENING_STATIC_TOOL)
   set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
-  set(Boost_USE_STATIC_LIBS ON)
+  set(CGAL_Boost_USE_STATIC_LIBS ON)
   set(CMAKE_DISABLE_FIND_PACKAGE_TBB ON)
   set(SURFACE_MESH_COARSENING_ASSIMP OFF)
 endif()
