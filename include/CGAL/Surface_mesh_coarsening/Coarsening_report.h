@@ -59,7 +59,7 @@ struct Coarsening_report
   /// the number of triangles that were degenerate after the placement, or faced away from the surface that they approximate,
   /// if that surface has an area.
   std::size_t reversals_found = 0;
-  ///   the number of degenerate or reversed triangles after the repair.
+  /// the number of degenerate or reversed triangles after the repair.
   std::size_t reversals_left = 0;
   /// the faces of the output with an angle of less than 10 degrees, numbered in the order of their creation. `Fitted_placement`
   /// leaves small angles where borders, features, close sheets or sharp parts of the input require them.

@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_BOX_HIERARCHY_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_BOX_HIERARCHY_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/divide_boxes.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -68,15 +68,7 @@ private:
       nodes_[node] += boxes_[order_[i]];
     if (last - first == 1)
       return;
-    const Bbox_3& all = nodes_[node];
-    const double spans[3] = {all.x_span(), all.y_span(), all.z_span()};
-    const int axis = int(std::max_element(spans, spans + 3) - spans);
-    const std::size_t middle = middle_of(first, last);
-    const auto center = [&](Index i) { return (boxes_[i].min)(axis) + (boxes_[i].max)(axis); };
-    const auto at = [&](std::size_t i) { return order_.begin() + std::ptrdiff_t(i); };
-    std::nth_element(at(first), at(middle), at(last), [&](Index i, Index j) {
-      return center(i) < center(j) || (center(i) == center(j) && i < j);
-    });
+    const std::size_t middle = divide_boxes(boxes_, nodes_[node], order_, first, last);
     build(node + 1, first, middle);
     build(node + 2 * (middle - first), middle, last);
   }

@@ -3,9 +3,10 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_NEAREST_POINT_SEARCH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_NEAREST_POINT_SEARCH_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/divide_boxes.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
 
 #include <boost/container/small_vector.hpp>
@@ -53,10 +54,14 @@ class Nearest_point_search
 public:
   // Omits faces of group NONE.
   Nearest_point_search(const Flat_mesh& mesh, const std::vector<Index>& group_of_face, std::size_t groups)
-    : mesh_(mesh), root_of_(groups, NONE)
+    : Nearest_point_search(mesh, Bucketed_items<Index>(numbers_below(Index(group_of_face.size())), groups,
+                                                       [&](Index f) { return group_of_face[f]; }))
+  {}
+
+  // `faces` are the faces of each group.
+  Nearest_point_search(const Flat_mesh& mesh, const Bucketed_items<Index>& faces) : mesh_(mesh), root_of_(faces.size(), NONE)
   {
-    const Bucketed_items<Index> faces(numbers_below(Index(group_of_face.size())), groups,
-                                      [&](Index f) { return group_of_face[f]; });
+    const std::size_t groups = faces.size();
     std::vector<Index> all;
     std::vector<Bbox_3> boxes(groups);
     std::size_t leaves = 0;
@@ -147,20 +152,13 @@ private:
   {
     if (end - begin <= max_items)
       return make_leaf(begin, end);
-    const auto center = [&](Index i, int axis) { return (boxes[i].min)(axis) + (boxes[i].max)(axis); };
     Bbox_3 box, centers;
     for (std::size_t i = begin; i < end; ++i) {
-      box += boxes[items[i]];
-      centers += box_of_point({{center(items[i], 0), center(items[i], 1), center(items[i], 2)}});
+      const Bbox_3& b = boxes[items[i]];
+      box += b;
+      centers += box_of_point({{doubled_center(b, 0), doubled_center(b, 1), doubled_center(b, 2)}});
     }
-    const double spans[3] = {centers.x_span(), centers.y_span(), centers.z_span()};
-    const int axis = int(std::max_element(spans, spans + 3) - spans);
-    const std::size_t middle = begin + (end - begin) / 2;
-    const auto at = [&](std::size_t i) { return items.begin() + std::ptrdiff_t(i); };
-    std::nth_element(at(begin), at(middle), at(end), [&](Index i, Index j) {
-      const double a = center(i, axis), b = center(j, axis);
-      return a < b || (a == b && i < j);
-    });
+    const std::size_t middle = divide_boxes(boxes, centers, items, begin, end);
     const Index number = Index(node_.size());
     node_.push_back({box, false, NONE, NONE});
     const Index first = build(items, boxes, begin, middle, max_items, make_leaf),

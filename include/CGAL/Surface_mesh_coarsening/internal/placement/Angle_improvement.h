@@ -36,7 +36,7 @@ public:
   void run(const Angle_worth& worth)
   {
     worth_ = worth;
-    is_near_.assign(positions_.size(), false);
+    is_marked_.assign(positions_.size(), false);
     std::vector<std::pair<double, Index> > narrow;
     for (std::size_t t = 0; t < coarse_.triangles().size(); ++t) {
       cancellation_.poll();
@@ -47,7 +47,7 @@ public:
     std::sort(narrow.begin(), narrow.end());
     std::vector<Index> triangles;
     for (const auto& [angle, t] : narrow) {
-      if (triangles.size() == at_a_time || is_near_others(t))
+      if (triangles.size() == at_a_time || depends_on_marked(t))
         improve(triangles);
       triangles.push_back(t);
       mark(t, true);
@@ -93,20 +93,28 @@ private:
     triangles.clear();
   }
 
-  void mark(Index t, bool is_near)
+  bool may_move(Index v) const { return !border_.is_on_border(v) && coarse_.around(v).size() <= max_valence; }
+
+  // Marks the corners that may move.
+  void mark(Index t, bool is_marked)
   {
     for (const Index v : coarse_.triangles()[t])
-      is_near_[v] = is_near;
+      if (may_move(v))
+        is_marked_[v] = is_marked;
   }
 
-  // Returns whether a corner of a marked triangle is a corner of a triangle around a corner of `t`.
-  bool is_near_others(Index t) const
+  // Returns whether a marked vertex is a corner of `t` or of a triangle around a corner of `t` that may move.
+  bool depends_on_marked(Index t) const
   {
+    const auto has_marked_corner = [this](Index u) {
+      const Triangle& c = coarse_.triangles()[u];
+      return std::any_of(c.begin(), c.end(), [this](Index v) { return is_marked_[v]; });
+    };
+    if (has_marked_corner(t))
+      return true;
     for (const Index v : coarse_.triangles()[t])
-      for (const Index u : coarse_.around(v))
-        for (const Index w : coarse_.triangles()[u])
-          if (is_near_[w])
-            return true;
+      if (may_move(v) && std::any_of(coarse_.around(v).begin(), coarse_.around(v).end(), has_marked_corner))
+        return true;
     return false;
   }
 
@@ -116,7 +124,7 @@ private:
     Move best;
     for (int i = 0; i < 3; ++i) {
       const Index v = coarse_.triangles()[t][std::size_t(i)];
-      if (!border_.is_on_border(v) && coarse_.around(v).size() <= max_valence)
+      if (may_move(v))
         try_moves(t, i, best);
     }
     return best;
@@ -223,7 +231,7 @@ private:
   const Cancellation_point cancellation_;
   const Execution execution_;
   Angle_worth worth_;
-  std::vector<char> is_near_; // of each vertex: whether it is a corner of a marked triangle
+  std::vector<char> is_marked_; // of each vertex
 };
 
 } // namespace internal

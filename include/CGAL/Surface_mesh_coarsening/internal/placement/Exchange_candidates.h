@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -20,42 +21,41 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The removal of a vertex by a collapse of its edge to `into`, which moves to `place`.
-struct Vertex_removal
+// What is known about a change of the mesh before it is made.
+struct Change_estimate
 {
-  double loss; // an estimate until the removal is the best candidate; then measured
-  Index vertex, into;
-  bool is_measured = false, is_prepared = false; // whether `measured` is known
-  double measured = 0;
-  Vector place{{0, 0, 0}};
+  double value; // an estimate until the change is the best candidate; then measured
+  bool is_measured = false;
+  std::optional<double> measured = std::nullopt; // before it replaces the estimate
+  Vector place{{0, 0, 0}};                        // of the vertex
 
   void take_measured()
   {
-    loss = measured;
+    value = *measured;
     is_measured = true;
   }
-  bool may_pay() const { return loss < std::numeric_limits<double>::infinity(); }
+};
+
+// The removal of a vertex by a collapse of its edge to `into`, which moves to `place`.
+struct Vertex_removal : Change_estimate
+{
+  Index vertex, into;
+
+  double loss() const { return value; }
+  bool may_pay() const { return loss() < std::numeric_limits<double>::infinity(); }
   // The smallest loss has the highest priority.
-  bool operator<(const Vertex_removal& r) const { return std::tie(loss, vertex) > std::tie(r.loss, r.vertex); }
+  bool operator<(const Vertex_removal& r) const { return std::tie(value, vertex) > std::tie(r.value, r.vertex); }
 };
 
 // The insertion of a vertex at `place` on the edge between the first two of the four corners of two triangles.
-struct Vertex_insertion
+struct Vertex_insertion : Change_estimate
 {
-  double gain; // an estimate until the insertion is the best candidate; then measured
   Index t, u;
   std::array<Index, 4> corners;
-  bool is_measured = false, is_prepared = false; // whether `measured` is known
-  double measured = 0;
-  Vector place{{0, 0, 0}};
 
-  void take_measured()
-  {
-    gain = measured;
-    is_measured = true;
-  }
-  bool may_pay() const { return gain > 0; }
-  bool operator<(const Vertex_insertion& i) const { return std::tie(gain, i.t, i.u) < std::tie(i.gain, t, u); }
+  double gain() const { return value; }
+  bool may_pay() const { return gain() > 0; }
+  bool operator<(const Vertex_insertion& i) const { return std::tie(value, i.t, i.u) < std::tie(i.value, t, u); }
 };
 
 // The removals and insertions of vertices of a coarse mesh, with their effect on the distance.
@@ -122,13 +122,13 @@ public:
   Vertex_insertion insertion_at(Index t, int i) const
   {
     const Index u = coarse_.across(t, i), a = triangle(t)[i], b = triangle(t)[(i + 1) % 3];
-    return {insertion_part * (cost_[t] + cost_[u]), t, u,
+    return {{insertion_part * (cost_[t] + cost_[u])}, t, u,
             {a, b, coarse_.opposite(t, i), coarse_.opposite(u, coarse_.corner(u, b))}};
   }
 
   // Measures some removals, or some insertions.
   template <class Candidate>
-  void prepare(std::vector<Candidate>& candidates) const
+  void measure(std::vector<Candidate>& candidates) const
   {
     for_each_chunk(execution_, candidates.size(), 1,
                    [&](std::size_t i, std::size_t, std::size_t) { measure(candidates[i]); });
@@ -164,7 +164,6 @@ private:
       }
     }
     r.measured = rest - cost;
-    r.is_prepared = true;
   }
 
   void measure(Vertex_insertion& x) const
@@ -183,7 +182,6 @@ private:
     const double least = (std::min)({min_angle, angle_[x.t], angle_[x.u]});
     const double rest = best_place(fan, middle, max_steps, least, std::numeric_limits<double>::infinity(), x.place);
     x.measured = cost_[x.t] + cost_[x.u] - worth_(angle_[x.t]) - worth_(angle_[x.u]) - rest;
-    x.is_prepared = true;
   }
 
   // Factors of the estimates. The removal of the apex of a pyramid increases the squared distance by the first factor times the
@@ -215,7 +213,7 @@ private:
   // Returns the collapse of an edge at the vertex after which the surface is closest to the old position of the vertex.
   Vertex_removal estimated_removal(Index v) const
   {
-    Vertex_removal best{std::numeric_limits<double>::infinity(), v, NONE};
+    Vertex_removal best{{std::numeric_limits<double>::infinity()}, v, NONE};
     double area = 0, worth = 0, least = min_angle;
     for (const Index t : coarse_.around(v)) {
       const Vector n = normal(t);
@@ -229,8 +227,8 @@ private:
       if (!look_at_collapse(v, w, least, height, new_worth))
         continue;
       const double loss = pyramid_part * area * height + worth - new_worth;
-      if (loss < best.loss && may_collapse(v, w)) {
-        best.loss = loss;
+      if (loss < best.loss() && may_collapse(v, w)) {
+        best.value = loss;
         best.into = w;
       }
     }

@@ -45,13 +45,13 @@ public:
     while (find_best(removals_) && find_best(insertions_)) {
       const Vertex_removal removal = removals_.top();
       const Vertex_insertion insertion = insertions_.top();
-      if (!(insertion.gain > min_ratio * removal.loss))
+      if (!(insertion.gain() > min_ratio * removal.loss()))
         break;
       removals_.pop();
       if (do_overlap(removal, insertion))
         continue;
       insertions_.pop();
-      const Relocation outcome = exchange(removal, insertion, insertion.gain);
+      const Relocation outcome = exchange(removal, insertion, insertion.gain());
       exchanged += outcome == Relocation::DONE;
       if (outcome == Relocation::NOT_THERE)
         removals_.push(removal);
@@ -140,13 +140,13 @@ private:
         candidates.pop();
       } else if (best.is_measured) {
         return true;
-      } else if (best.is_prepared) {
+      } else if (best.measured) {
         candidates.pop();
         best.take_measured();
         if (best.may_pay())
           candidates.push(best);
       } else {
-        prepare_best(candidates);
+        measure_best(candidates);
       }
     }
     return false;
@@ -155,17 +155,17 @@ private:
   // Measures several of the best candidates in parallel. They remain in their places in the queue, so their number does not
   // affect the result.
   template <class Candidate>
-  void prepare_best(std::priority_queue<Candidate>& candidates)
+  void measure_best(std::priority_queue<Candidate>& candidates)
   {
-    std::vector<Candidate> best, prepared;
+    std::vector<Candidate> best, measured;
     while (best.size() < at_a_time && !candidates.empty() && !candidates.top().is_measured) {
       if (!is_touched(candidates.top()))
-        (candidates.top().is_prepared ? prepared : best).push_back(candidates.top());
+        (candidates.top().measured ? measured : best).push_back(candidates.top());
       candidates.pop();
     }
     cancellation_.poll(steps_of_candidate * best.size());
-    candidates_.prepare(best);
-    for (const std::vector<Candidate>& some : {best, prepared})
+    candidates_.measure(best);
+    for (const std::vector<Candidate>& some : {best, measured})
       for (const Candidate& c : some)
         candidates.push(c);
   }

@@ -28,7 +28,7 @@ public:
       position_(std::move(positions)), triangles_(std::move(triangles)), around_(position_.size()),
       dual_area_(position_.size(), 0),
       faces_(numbers_below(Index(cluster_.size())), position_.size(), [this](Index f) { return cluster_[f]; }),
-      search_(mesh_, cluster_, position_.size())
+      search_(mesh_, faces_)
   {
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       for (const Index x : triangles_[t]) {
