@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The boxes that a `Box_hierarchy` finds are the boxes that a loop over all finds, also after boxes have grown.
+// The boxes that a `Box_hierarchy` and a `Box_list` find are the boxes that a loop over all finds, also after boxes have changed.
 
 #define BOOST_TEST_MODULE box_hierarchy
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_hierarchy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_list.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -15,6 +16,7 @@
 
 using CGAL::Bbox_3;
 using CGAL::Surface_mesh_coarsening::internal::Box_hierarchy;
+using CGAL::Surface_mesh_coarsening::internal::Box_list;
 using CGAL::Surface_mesh_coarsening::internal::Index;
 
 namespace {
@@ -38,10 +40,11 @@ private:
   int cells_;
 };
 
-std::vector<Index> found_by(const Box_hierarchy& hierarchy, const Bbox_3& region)
+template <class Boxes>
+std::vector<Index> found_by(const Boxes& boxes, const Bbox_3& region)
 {
   std::vector<Index> found;
-  hierarchy.for_each_overlapping(region, [&](Index i) { found.push_back(i); });
+  boxes.for_each_overlapping(region, [&](std::size_t i) { found.push_back(Index(i)); });
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -68,9 +71,14 @@ BOOST_AUTO_TEST_CASE(finds_what_a_loop_finds)
         boxes.push_back(random(cells / 5 + 1));
       Box_hierarchy hierarchy;
       hierarchy.build(boxes);
+      Box_list list;
+      list.resize(number);
+      for (std::size_t i = 0; i < number; ++i)
+        list.set(i, boxes[i]);
       for (int i = 0; i < regions; ++i) {
         const Bbox_3 region = random(cells / 2 + 1);
         BOOST_TEST(found_by(hierarchy, region) == found_by_loop(boxes, region), boost::test_tools::per_element());
+        BOOST_TEST(found_by(list, region) == found_by_loop(boxes, region), boost::test_tools::per_element());
       }
     }
 }
@@ -91,6 +99,23 @@ BOOST_AUTO_TEST_CASE(finds_boxes_that_have_grown)
     hierarchy.grow(Index(grown), by);
     BOOST_TEST(found_by(hierarchy, region) == found_by_loop(boxes, region), boost::test_tools::per_element());
     BOOST_TEST(found_by(hierarchy, by) == found_by_loop(boxes, by), boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(finds_boxes_that_have_been_replaced)
+{
+  constexpr int cells = 100, changes = 300;
+  Random_boxes random(cells);
+  std::vector<Bbox_3> boxes(200);
+  Box_list list;
+  list.resize(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    list.set(i, boxes[i] = random(5));
+  for (int i = 0; i < changes; ++i) {
+    const std::size_t changed = std::size_t(random.below(int(boxes.size())));
+    list.set(changed, boxes[changed] = random(5));
+    const Bbox_3 region = random(30);
+    BOOST_TEST(found_by(list, region) == found_by_loop(boxes, region), boost::test_tools::per_element());
   }
 }
 

@@ -35,6 +35,23 @@ double seconds_each(const std::string& name, const Mesh& mesh, std::size_t numbe
 
 } // namespace
 
+// The repair ends within its budget on surfaces that can hardly be embedded with so few vertices.
+BOOST_AUTO_TEST_CASE(repair)
+{
+  using namespace generated;
+  const double usual = seconds_each("sphere", test::to_mesh(triangle_sphere(5)), 3000);
+  constexpr double bound = 60;
+  BOOST_CHECK_LE(seconds_each("bipyramid", test::to_mesh(bipyramid(1000)), 350), bound * usual);
+  BOOST_CHECK_LE(seconds_each("tube", test::to_mesh(triangulated(tube(3, 1000))), 300), bound * usual);
+}
+
+BOOST_AUTO_TEST_CASE(convex_bipyramid_does_not_intersect_itself)
+{
+  Mesh output;
+  const SMC::Coarsening_report report = SMC::coarsen_mesh(test::to_mesh(generated::bipyramid(1000)), 350, output);
+  BOOST_TEST(report.intersections_left == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(high_valence)
 {
   using namespace generated;

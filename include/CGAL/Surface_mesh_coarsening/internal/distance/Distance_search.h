@@ -277,7 +277,8 @@ private:
     }
     minimize(state_, minimization_end_);
     ++report_.clusterings;
-    Placed_dual dual = place_and_exchange(state_, placement_, output_coordinates_);
+    Repair_budget budget = repair_budget(state_);
+    Placed_dual dual = place_and_exchange(state_, placement_, output_coordinates_, budget);
     report_placement(state_, dual.triangles, dual.positions, dual.counts);
     if (dual.number_left() > 0)
       return infinite;

@@ -76,12 +76,14 @@ public:
     }
   }
 
-  // Returns the closest point of one face to `p`.
-  Closest closest_on_face(const Vector& p, Index f) const
+  // Returns the squared distance of `p` from one face; infinity if it is known to exceed `limit`.
+  double squared_distance_from_face(const Vector& p, Index f, double limit) const
   {
     Candidate candidate;
+    if (mesh_.degree(f) <= max_in_fan)
+      candidate.foot.squared_distance = limit;
     improve(p, f, candidate);
-    return closest(candidate);
+    return candidate.face == NONE ? std::numeric_limits<double>::infinity() : candidate.foot.squared_distance;
   }
 
   // Returns the closest point to `p` found by a descent of at most `steps` steps, beginning at a face of the surface. A

@@ -60,11 +60,11 @@ inline std::vector<Vector> place_vertices(const Clustered_faces& surface, const 
 // Moves vertices and flips edges where triangles intersect that do not in the input, or face away from the surface.
 inline Repair_counts repair_placement(const Clustered_faces& surface, const Border_arcs& border,
                                       const Placement_model& placement, const Output_coordinates& output_coordinates,
-                                      std::vector<Triangle>& triangles, std::vector<Vector>& positions,
+                                      std::vector<Triangle>& triangles, std::vector<Vector>& positions, Repair_budget& budget,
                                       const Cancellation_point& cancellation)
 {
   cancellation.stage_begins(Coarsening_stage::REPAIR);
-  Placement_repair repair(surface, border, output_coordinates, triangles, positions, cancellation);
+  Placement_repair repair(surface, border, output_coordinates, triangles, positions, budget, cancellation);
   if (placement.is_at_input_vertices)
     repair.stay_at_input_vertices();
   const Repair_counts counts = repair.run();
@@ -79,8 +79,10 @@ inline std::vector<Vector> place_vertices(const Clustered_faces& surface, const 
                                           Repair_counts& counts, const Cancellation_point& cancellation = Cancellation_point())
 {
   std::vector<Vector> positions = place_vertices(surface, border, placement, triangles, cancellation);
-  counts = with_repair ? repair_placement(surface, border, placement, output_coordinates, triangles, positions, cancellation)
-                       : Repair_counts();
+  Repair_budget budget(surface.input().mesh.number_of_faces());
+  counts = with_repair
+             ? repair_placement(surface, border, placement, output_coordinates, triangles, positions, budget, cancellation)
+             : Repair_counts();
   return positions;
 }
 

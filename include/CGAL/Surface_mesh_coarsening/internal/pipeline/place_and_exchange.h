@@ -18,6 +18,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
+// Each placement after the first takes about as long as this number of exact tests for each triangle.
+constexpr std::size_t placement_tests = 1000;
+
 // Returns the surface with its current clusters.
 inline std::unique_ptr<Clustered_faces> clustered_faces(const Clustering_state& state, Placed_dual& dual)
 {
@@ -26,10 +29,15 @@ inline std::unique_ptr<Clustered_faces> clustered_faces(const Clustering_state& 
                                              state.execution, dual.pieces->features(), state.cancellation());
 }
 
-// Returns whether pairs of triangles still intersect, and are at most half as many as the clusters.
-inline bool is_worth_repairing(const Clustering_state& state, const Placed_dual& dual)
+inline Repair_budget repair_budget(const Clustering_state& state)
 {
-  return dual.number_left() > 0 && 2 * dual.number_left() <= state.number_of_clusters();
+  return Repair_budget(state.base_input().mesh.number_of_faces());
+}
+
+// Returns whether pairs of triangles still intersect, and are at most half as many as the clusters.
+inline bool is_worth_repairing(const Clustering_state& state, const Placed_dual& dual, const Repair_budget& budget)
+{
+  return dual.number_left() > 0 && 2 * dual.number_left() <= state.number_of_clusters() && !budget.is_spent();
 }
 
 // Returns whether there are more than one for a thousand clusters. Fewer do not justify another placement or clustering of the
@@ -58,23 +66,47 @@ inline Vertex_relocation vertex_relocation(const Clustering_state& state, const 
   return relocation;
 }
 
+// Repairs a placement if the output is to be repaired.
+inline Repair_counts repaired(const Clustering_state& state, const Clustered_faces& surface, const Placement_model& placement,
+                              const Output_coordinates& output_coordinates, Placed_dual& dual, Repair_budget& budget)
+{
+  if (!state.repairs_output)
+    return Repair_counts();
+  return repair_placement(surface, Border_arcs(surface, state.places_on_borders), placement, output_coordinates,
+                          dual.triangles, dual.positions, budget, state.cancellation());
+}
+
+// Places the vertices and repairs the placement.
+inline Placed_dual place(const Clustering_state& state, const Placement_model& placement,
+                         const Output_coordinates& output_coordinates, Repair_budget& budget)
+{
+  state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
+  Placed_dual dual;
+  const std::unique_ptr<Clustered_faces> surface = clustered_faces(state, dual);
+  dual.triangles = dual_triangles(labels(state), state.cancellation(), state.execution);
+  state.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
+  dual.positions = place_vertices(*surface, Border_arcs(*surface, state.places_on_borders), placement, dual.triangles,
+                                  state.cancellation());
+  dual.counts = repaired(state, *surface, placement, output_coordinates, dual, budget);
+  state.visitor.throw_if_cancelled();
+  return dual;
+}
+
 // Moves the vertices into their bounds and repairs the placement.
 inline Repair_counts repair_exchanged(const Clustering_state& state, const Clustered_faces& surface,
                                       const Placement_model& placement, const Output_coordinates& output_coordinates,
-                                      Placed_dual& dual)
+                                      Placed_dual& dual, Repair_budget& budget)
 {
   for (std::size_t x = 0; x < dual.positions.size(); ++x)
     dual.positions[x] = surface.within_bounds(x, dual.positions[x]);
-  return state.repairs_output ? repair_placement(surface, Border_arcs(surface, state.places_on_borders), placement,
-                                                 output_coordinates, dual.triangles, dual.positions, state.cancellation())
-                              : Repair_counts();
+  return repaired(state, surface, placement, output_coordinates, dual, budget);
 }
 
 // Relocates a vertex from elsewhere to each of some triangles, and repeats the repair of the placement.
 inline Placed_dual with_vertices_at(const std::vector<Index>& triangles, Clustering_state& state,
                                     const Placement_model& placement, const Output_coordinates& output_coordinates,
                                     Cluster_relocation& clusters, std::unique_ptr<Clustered_faces>& surface,
-                                    const Placed_dual& dual)
+                                    const Placed_dual& dual, Repair_budget& budget)
 {
   Placed_dual next;
   next.triangles = dual.triangles;
@@ -85,7 +117,7 @@ inline Placed_dual with_vertices_at(const std::vector<Index>& triangles, Cluster
   placement.exchanging(*surface, Border_arcs(*surface, state.places_on_borders), next.triangles, next.positions, relocation);
   state.visitor.stage_ends(Coarsening_stage::FEEDBACK);
   surface = clustered_faces(state, next);
-  next.counts = repair_exchanged(state, *surface, placement, output_coordinates, next);
+  next.counts = repair_exchanged(state, *surface, placement, output_coordinates, next, budget);
   next.counts.intersections_found = dual.counts.intersections_found;
   next.counts.reversals_found = dual.counts.reversals_found;
   return next;
@@ -94,14 +126,15 @@ inline Placed_dual with_vertices_at(const std::vector<Index>& triangles, Cluster
 // Relocates vertices to the triangles that still intersect. Returns whether fewer pairs remain; otherwise nothing changes.
 inline bool repair_by_exchange(Clustering_state& state, const Placement_model& placement,
                                const Output_coordinates& output_coordinates, Cluster_relocation& clusters,
-                               std::unique_ptr<Clustered_faces>& surface, Placed_dual& dual)
+                               std::unique_ptr<Clustered_faces>& surface, Placed_dual& dual, Repair_budget& budget)
 {
+  budget.spend(placement_tests * dual.triangles.size());
   const std::vector<Index> old_labels = labels(state).labels();
   std::vector<Index> triangles;
   for (const auto& pair : dual.counts.intersections_left)
     triangles.insert(triangles.end(), {pair.first, pair.second});
   sort_unique(triangles);
-  Placed_dual next = with_vertices_at(triangles, state, placement, output_coordinates, clusters, surface, dual);
+  Placed_dual next = with_vertices_at(triangles, state, placement, output_coordinates, clusters, surface, dual, budget);
   const bool is_better = next.number_left() < dual.number_left();
   if (is_better) {
     dual = std::move(next);
@@ -116,7 +149,7 @@ inline bool repair_by_exchange(Clustering_state& state, const Placement_model& p
 // the squared distance of the fit without exchange, before the repair.
 inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
                                       const Output_coordinates& output_coordinates, Cluster_relocation& clusters,
-                                      double& plain_distance)
+                                      Repair_budget& budget, double& plain_distance)
 {
   state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
   Placed_dual dual;
@@ -132,10 +165,10 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
   state.visitor.stage_ends(Coarsening_stage::FEEDBACK);
   if (clusters.number() > 0)
     surface = clustered_faces(state, dual);
-  dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual);
+  dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual, budget);
   bool is_better = true;
-  for (std::size_t i = 0; i < state.max_local_repairs && is_better && is_worth_repairing(state, dual); ++i)
-    is_better = repair_by_exchange(state, placement, output_coordinates, clusters, surface, dual);
+  for (std::size_t i = 0; i < state.max_local_repairs && is_better && is_worth_repairing(state, dual, budget); ++i)
+    is_better = repair_by_exchange(state, placement, output_coordinates, clusters, surface, dual, budget);
   state.visitor.throw_if_cancelled();
   return dual;
 }
@@ -150,19 +183,20 @@ inline bool may_exchange_vertices(const Clustering_state& state, const Placement
 // placement has fewer, or it has no more intersections and a smaller distance. `plain_distance` is the squared distance of the
 // placement without exchange before its repair. Returns whether the placement was replaced.
 inline bool is_better_plain(Clustering_state& state, const Placement_model& placement,
-                            const Output_coordinates& output_coordinates, Cluster_relocation& clusters, double plain_distance,
-                            Placed_dual& dual)
+                            const Output_coordinates& output_coordinates, Cluster_relocation& clusters, Repair_budget& budget,
+                            double plain_distance, Placed_dual& dual)
 {
   const bool is_repaired = dual.counts.intersections_found + dual.counts.reversals_found > 0;
-  if (!is_repaired)
+  if (!is_repaired || budget.is_spent())
     return false;
+  budget.spend(placement_tests * dual.triangles.size());
   const double distance = squared_distance(*clustered_faces(state, dual), dual.triangles, dual.positions);
   const bool has_many = has_many_intersections(state, dual);
   if (!has_many && distance < plain_distance)
     return false;
   const std::vector<Index> labels_of_dual = labels(state).labels();
   clusters.undo();
-  Placed_dual plain = place(state, placement, output_coordinates);
+  Placed_dual plain = place(state, placement, output_coordinates, budget);
   const std::size_t left = plain.number_left();
   if ((has_many && left < dual.number_left()) ||
       (left <= dual.number_left() &&
@@ -176,16 +210,16 @@ inline bool is_better_plain(Clustering_state& state, const Placement_model& plac
 
 // Selects the better placement, with or without exchange.
 inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
-                                      const Output_coordinates& output_coordinates)
+                                      const Output_coordinates& output_coordinates, Repair_budget& budget)
 {
   if (!may_exchange_vertices(state, placement))
-    return place(state, placement, output_coordinates);
+    return place(state, placement, output_coordinates, budget);
   Cluster_relocation clusters(state.featured_input(), *state.labels, Index(state.number_of_clusters()));
   try {
     double plain_distance = 0;
-    Placed_dual dual = place_and_exchange(state, placement, output_coordinates, clusters, plain_distance);
+    Placed_dual dual = place_and_exchange(state, placement, output_coordinates, clusters, budget, plain_distance);
     std::size_t exchanged = clusters.number();
-    if (is_better_plain(state, placement, output_coordinates, clusters, plain_distance, dual))
+    if (is_better_plain(state, placement, output_coordinates, clusters, budget, plain_distance, dual))
       exchanged = 0;
     if (exchanged > 0) {
       state.minimization.reset();

@@ -286,19 +286,8 @@ CGAL_SURFACE_MESH_COARSENING_INLINE bool remove_cluster(Clustering_state& state,
 CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place(const Clustering_state& state, const Placement_model& placement,
                                                       const Output_coordinates& output_coordinates)
 {
-  const Cluster_labels& current = labels(state);
-  state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
-  const Cancellation_point cancellation = state.cancellation();
-  Placed_dual dual;
-  dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), current, state.number_of_clusters());
-  const Clustered_faces surface(dual.pieces->input(), dual.pieces->labels(), state.number_of_clusters(), state.execution,
-                                  dual.pieces->features(), cancellation);
-  dual.triangles = dual_triangles(current, cancellation, state.execution);
-  state.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
-  dual.positions = place_vertices(surface, Border_arcs(surface, state.places_on_borders), placement, state.repairs_output,
-                                  output_coordinates, dual.triangles, dual.counts, cancellation);
-  state.visitor.throw_if_cancelled();
-  return dual;
+  Repair_budget budget = repair_budget(state);
+  return place(state, placement, output_coordinates, budget);
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE void
@@ -334,9 +323,9 @@ inline void recluster(Clustering_state& state, const std::vector<double>& densit
 }
 
 // Returns whether other densities are likely to reduce the number of intersections.
-inline bool is_worth_reclustering(const Clustering_state& state, const Placed_dual& dual)
+inline bool is_worth_reclustering(const Clustering_state& state, const Placed_dual& dual, const Repair_budget& budget)
 {
-  return is_worth_repairing(state, dual) && has_many_intersections(state, dual) && state.seeding.kind != Seeding::BY_CALLER &&
+  return is_worth_repairing(state, dual, budget) && has_many_intersections(state, dual) && state.seeding.kind != Seeding::BY_CALLER &&
          state.energy->depends_on_densities();
 }
 
@@ -368,15 +357,17 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
                                                                const Output_coordinates& output_coordinates)
 {
   constexpr std::size_t max_repetitions = 4;
-  Placed_dual dual = place_and_exchange(state, placement, output_coordinates);
-  if (!is_worth_reclustering(state, dual))
+  Repair_budget budget = repair_budget(state);
+  Placed_dual dual = place_and_exchange(state, placement, output_coordinates, budget);
+  if (!is_worth_reclustering(state, dual, budget))
     return dual;
   std::size_t clusterings = 1, fewest = dual.number_left();
   std::vector<double> densities = state.base_input().density, best_densities = densities;
-  while (clusterings <= max_repetitions && is_worth_reclustering(state, dual)) {
+  while (clusterings <= max_repetitions && is_worth_reclustering(state, dual, budget)) {
     raise_at_intersections(densities, state, dual);
     recluster(state, densities);
-    dual = place(state, placement, output_coordinates);
+    budget.spend(placement_tests * dual.triangles.size());
+    dual = place(state, placement, output_coordinates, budget);
     ++clusterings;
     if (dual.number_left() <= fewest) {
       fewest = dual.number_left();
@@ -388,7 +379,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
     ++clusterings;
   }
   if (dual.number_left() > fewest || may_exchange_vertices(state, placement))
-    dual = place_and_exchange(state, placement, output_coordinates);
+    dual = place_and_exchange(state, placement, output_coordinates, budget);
   dual.clusterings = clusterings;
   return dual;
 }

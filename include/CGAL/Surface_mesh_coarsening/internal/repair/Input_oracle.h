@@ -55,8 +55,9 @@ public:
 
   // Returns whether a coarse triangle faces away from the surface at the closest point of its clusters. The point is computed
   // only if the mean normals are not decisive. If the point lies on an edge, or if several points are equally close, all faces
-  // there count, so the result does not depend on rounding errors.
-  bool is_against(const Triangle& t, const std::vector<Vector>& positions) const
+  // there count, so the result does not depend on rounding errors. Adds the number of faces whose distance it computes to
+  // `visited`.
+  bool is_against(const Triangle& t, const std::vector<Vector>& positions, std::size_t& visited) const
   {
     const Vector n = normal_of(positions, t), mean = normals_[t[0]] + normals_[t[1]] + normals_[t[2]];
     const double size = std::sqrt(dot(n, n));
@@ -65,12 +66,14 @@ public:
     const Vector middle = (1. / 3) * (positions[t[0]] + positions[t[1]] + positions[t[2]]);
     double nearest = squared_distance_from_nearest_block(middle, t);
     std::vector<std::pair<double, Index> > faces;
+    visited += faces_of_block;
     for (const Index x : t)
       for_each_block(x, [&](const Face_range& block, std::size_t i) {
         if (squared_distance_from_box(middle, box_of_block_[i]) > same_as(nearest, size))
           return;
+        visited += block.size();
         for (const Index f : block) {
-          const double squared_distance = input_.closest_on_face(middle, f).squared_distance;
+          const double squared_distance = input_.squared_distance_from_face(middle, f, 1.000001 * same_as(nearest, size));
           if (squared_distance <= same_as(nearest, size))
             faces.emplace_back(squared_distance, f);
           nearest = (std::min)(nearest, squared_distance);
@@ -186,7 +189,7 @@ private:
         }
       });
     for (const Index f : block)
-      nearest = (std::min)(nearest, input_.closest_on_face(p, f).squared_distance);
+      nearest = (std::min)(nearest, input_.squared_distance_from_face(p, f, nearest));
     return nearest;
   }
 

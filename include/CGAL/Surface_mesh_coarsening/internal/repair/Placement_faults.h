@@ -5,9 +5,11 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_hierarchy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_list.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Triangle_conflicts.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Input_oracle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_budget.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,8 +29,9 @@ public:
   typedef std::function<Vector(const Vector&)> Output_coordinates;
 
   Placement_faults(const Clustered_faces& surface, Input_oracle& reference, const Flippable_triangulation& coarse,
-                   const std::vector<Vector>& positions, const Output_coordinates& output, const Cancellation_point& cancellation)
-    : cancellation_(cancellation), execution_(surface.execution()), surface_(surface), reference_(reference), coarse_(coarse),
+                   const std::vector<Vector>& positions, const Output_coordinates& output, Repair_budget& budget,
+                   const Cancellation_point& cancellation)
+    : budget_(budget), cancellation_(cancellation), execution_(surface.execution()), surface_(surface), reference_(reference), coarse_(coarse),
       positions_(positions), output_(output), points_(positions.size())
   {}
 
@@ -60,15 +63,16 @@ public:
   }
 
   // Returns whether a triangle is reversed or has no area. Where the input has no area, no triangle is reversed.
-  bool is_reversed(Index t) const
+  bool is_reversed(Index t)
   {
-    const Triangle& triangle = coarse_.triangles()[t];
-    return reference_.has_area(triangle) &&
-           (Triangle_conflict(points_).is_flat(triangle) || reference_.is_against(triangle, positions_));
+    std::size_t visited = 0;
+    const bool is_reversed = this->is_reversed(t, visited);
+    spend(visited / 4); // the distance from a face takes a fraction of the time of an exact test
+    return is_reversed;
   }
 
-  // Returns whether the limit on the number of exact tests of all rounds is not reached yet.
-  bool may_test() const { return tests_ < (std::min)(max_tests, max_tests_each * coarse_.triangles().size()); }
+  // Returns whether neither the budget nor the maximum number of exact tests of this repair is exhausted.
+  bool may_test() const { return tests_ < max_tests && !budget_.is_spent(); }
 
   // Updates the position of a vertex. The change may be undone if no search has begun since.
   void follow(Index v)
@@ -102,47 +106,75 @@ public:
     boxes_.for_each_overlapping(region, [this](Index t) { near_.push_back(t); });
     cancellation_.poll(near_.size());
     std::sort(near_.begin(), near_.end());
+    near_boxes_.resize(near_.size());
+    for (std::size_t i = 0; i < near_.size(); ++i)
+      near_boxes_.set(i, conflict.box(coarse_.triangles()[near_[i]]));
+    last_altered_.clear();
   }
 
   // Returns the number of faults of some of these triangles; stops when it reaches `limit`.
   long number_of(const std::vector<Index>& altered, long limit)
   {
     const Triangle_conflict conflict(points_);
+    update_near_boxes(last_altered_); // their changes may have been undone
+    update_near_boxes(altered);
+    last_altered_ = altered;
     long faults = 0;
     for (const Index t : altered) {
       const Triangle triangle = coarse_.triangles()[t];
-      const Bbox_3 box = conflict.box(triangle);
       faults += is_reversed(t);
       if (faults >= limit)
         return faults;
       cancellation_.poll(near_.size());
-      tests_ += near_.size() / 16; // a comparison of boxes takes a fraction of the time of an exact test
-      for (const Index u : near_) {
+      spend(near_.size() / 16); // a comparison of boxes takes a fraction of the time of an exact test
+      near_boxes_.for_each_overlapping(conflict.box(triangle), [&](std::size_t i) {
+        const Index u = near_[i];
         if (u == t || (u < t && std::binary_search(altered.begin(), altered.end(), u)))
-          continue;
-        const Triangle& other = coarse_.triangles()[u];
-        if (!do_overlap(box, conflict.box(other)))
-          continue;
-        ++tests_;
-        if (conflict(triangle, other) && !is_in_input({t, u}))
+          return;
+        spend(1);
+        if (conflict(triangle, coarse_.triangles()[u]) && !is_in_input({t, u}))
           ++faults;
-      }
+      });
     }
     return faults;
   }
 
 private:
-  // The maximum number of exact tests of two triangles whose boxes overlap, in all rounds together, per triangle and in total:
-  // one or two seconds. If sheets are too close everywhere, the remaining faults are not repaired.
-  static constexpr std::size_t max_tests_each = 20000, max_tests = 2000000;
+  // The maximum number of exact tests, or of steps that take as long, in all rounds of a repair together: one or two seconds.
+  static constexpr std::size_t max_tests = 8000000;
+
+  void spend(std::size_t tests)
+  {
+    tests_ += tests;
+    budget_.spend(tests);
+  }
+
+  void update_near_boxes(const std::vector<Index>& triangles)
+  {
+    const Triangle_conflict conflict(points_);
+    for (const Index t : triangles) {
+      const auto place = std::lower_bound(near_.begin(), near_.end(), t);
+      if (place != near_.end() && *place == t)
+        near_boxes_.set(std::size_t(place - near_.begin()), conflict.box(coarse_.triangles()[t]));
+    }
+  }
+
+  // Counts the visited faces of the input.
+  bool is_reversed(Index t, std::size_t& visited) const
+  {
+    const Triangle& triangle = coarse_.triangles()[t];
+    return reference_.has_area(triangle) &&
+           (Triangle_conflict(points_).is_flat(triangle) || reference_.is_against(triangle, positions_, visited));
+  }
 
   void find_reversed()
   {
     reversed_.clear();
     std::vector<char> reversed(coarse_.triangles().size());
     for_each_chunk(execution_, reversed.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
+      std::size_t visited = 0;
       for (std::size_t t = begin; t < end; ++t)
-        reversed[t] = is_reversed(Index(t));
+        reversed[t] = is_reversed(Index(t), visited);
     });
     for (std::size_t t = 0; t < reversed.size(); ++t)
       if (reversed[t])
@@ -154,6 +186,7 @@ private:
     return reference_.intersects_itself(coarse_.triangles()[pair.first], coarse_.triangles()[pair.second]);
   }
 
+  Repair_budget& budget_;
   const Cancellation_point cancellation_;
   const Execution execution_;
   const Clustered_faces& surface_;
@@ -166,6 +199,8 @@ private:
   std::vector<Triangle_pair> pairs_;
   std::vector<Index> reversed_;
   std::vector<Index> near_;
+  Box_list near_boxes_;              // of these triangles
+  std::vector<Index> last_altered_; // the triangles of the last count
   std::size_t tests_ = 0;
 };
 

@@ -34,10 +34,11 @@ public:
   typedef Placement_faults::Output_coordinates Output_coordinates;
 
   Placement_repair(const Clustered_faces& surface, const Border_arcs& border, const Output_coordinates& output,
-                   std::vector<Triangle>& triangles, std::vector<Vector>& positions, const Cancellation_point& cancellation)
+                   std::vector<Triangle>& triangles, std::vector<Vector>& positions, Repair_budget& budget,
+                   const Cancellation_point& cancellation)
     : surface_(surface), border_(border), result_(triangles), positions_(positions),
       coarse_(triangles, positions.size(), surface.features()), reference_(surface),
-      faults_(surface, reference_, coarse_, positions, output, cancellation), cancellation_(cancellation)
+      faults_(surface, reference_, coarse_, positions, output, budget, cancellation), cancellation_(cancellation)
   {}
 
   // Restricts the positions of vertices to input vertices of their clusters.

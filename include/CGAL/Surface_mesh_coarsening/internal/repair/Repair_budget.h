@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_REPAIR_BUDGET_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_REPAIR_BUDGET_H
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Bounds the work of all repairs of one output in proportion to the input. The unit is one exact test of two triangles, and
+// steps that take as long. If sheets are too close everywhere, the remaining faults are not repaired.
+class Repair_budget
+{
+public:
+  explicit Repair_budget(std::size_t faces) : left_(tests_per_face * (std::max)(faces, min_faces)) {}
+
+  void spend(std::size_t tests) { left_ -= (std::min)(tests, left_); }
+  bool is_spent() const { return left_ == 0; }
+
+private:
+  // With a third of these tests, more than twice as many intersections remain on meshes of long triangles. Meshes with fewer
+  // faces than the second number have the same budget.
+  static constexpr std::size_t tests_per_face = 3000, min_faces = 2000;
+
+  std::size_t left_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_REPAIR_BUDGET_H
