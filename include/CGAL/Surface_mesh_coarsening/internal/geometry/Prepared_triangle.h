@@ -35,28 +35,49 @@ public:
   Prepared_triangle(const std::vector<Vector>& positions, const Triangle& t)
     : Prepared_triangle(positions[t[0]], positions[t[1]], positions[t[2]]) {}
 
-  // Returns whether the closest point may be nearer than the square root of `limit`: the planes of the triangle, and
-  // the planes through its sides orthogonal to it, bound the distance from below.
-  bool may_be_nearer(const Vector& p, double limit) const
-  {
-    if (is_flat_)
-      return true;
-    const Vector d = p - corners_[0];
-    const double across = dot(normal_, d), v = dot(gradients_[0], d), w = dot(gradients_[1], d);
-    const double beside = (std::max)((std::max)(-v * heights_[1], -w * heights_[2]), (std::max)((v + w - 1) * heights_[0], 0.));
-    return across * across + beside * beside < limit;
-  }
-
   Foot_point closest(const Vector& p) const
   {
     if (is_flat_)
       return closest_on_triangle(p, corners_[0], corners_[1], corners_[2]);
     const Vector d = p - corners_[0];
-    const double v = dot(gradients_[0], d), w = dot(gradients_[1], d), u = 1 - v - w;
-    if (u >= 0 && v >= 0 && w >= 0) {
-      const double across = dot(normal_, d);
-      return {{{u, v, w}}, across * across};
+    return closest(p, dot(normal_, d), dot(gradients_[0], d), dot(gradients_[1], d));
+  }
+
+  // Replaces `best` by the closest point if it is nearer. Returns whether it is. The planes of the triangle, and the planes
+  // through its sides orthogonal to it, bound the distance from below.
+  bool improve(const Vector& p, Foot_point& best) const
+  {
+    Foot_point foot;
+    if (is_flat_) {
+      foot = closest_on_triangle(p, corners_[0], corners_[1], corners_[2]);
+    } else {
+      const Vector d = p - corners_[0];
+      const double across = dot(normal_, d), v = dot(gradients_[0], d), w = dot(gradients_[1], d);
+      const double beside =
+        (std::max)((std::max)(-v * heights_[1], -w * heights_[2]), (std::max)((v + w - 1) * heights_[0], 0.));
+      if (!(across * across + beside * beside < best.squared_distance))
+        return false;
+      foot = closest(p, across, v, w);
     }
+    if (!(foot.squared_distance < best.squared_distance))
+      return false;
+    best = foot;
+    return true;
+  }
+
+  // The unit normal; zero for a triangle of almost no area.
+  const Vector& normal() const { return normal_; }
+
+private:
+  // The square of the height of a triangle with longest side 1, below which rounding errors are too large.
+  static constexpr double flat = 1e-20;
+
+  // `across` is the distance from the plane; `v` and `w` are the last two barycentric coordinates.
+  Foot_point closest(const Vector& p, double across, double v, double w) const
+  {
+    const double u = 1 - v - w;
+    if (u >= 0 && v >= 0 && w >= 0)
+      return {{{u, v, w}}, across * across};
     // The closest point lies on a side that separates the point from the triangle.
     Foot_point best{{{1, 0, 0}}, -1};
     if (u < 0)
@@ -67,10 +88,6 @@ public:
       improve_on_side(p, 0, 1, best);
     return best;
   }
-
-private:
-  // The square of the height of a triangle with longest side 1, below which rounding errors are too large.
-  static constexpr double flat = 1e-20;
 
   void improve_on_side(const Vector& p, int i, int j, Foot_point& best) const
   {
@@ -87,7 +104,7 @@ private:
 
   std::array<Vector, 3> corners_;
   std::array<Vector, 2> gradients_; // of the last two barycentric coordinates
-  Vector normal_;
+  Vector normal_{{0, 0, 0}};
   std::array<double, 3> heights_;
   bool is_flat_ = true;
 };

@@ -139,9 +139,9 @@ public:
     for (const Index old : {t, u})
       for (Index i = first_on_[old]; i != NONE; i = next_on_[i]) {
         const Vector& p = samples_[i].position;
-        const double one = to_first.closest(p).squared_distance;
-        const bool may_be_second = to_second.may_be_nearer(p, one);
-        sum += may_be_second ? (std::min)(one, to_second.closest(p).squared_distance) : one;
+        Foot_point foot = to_first.closest(p);
+        to_second.improve(p, foot);
+        sum += foot.squared_distance;
         if (each * sum > limit_at_once)
           return each * sum;
       }
@@ -272,13 +272,8 @@ private:
 
   void improve_foot(Sample& s, Index t) const
   {
-    if (t == NONE || !prepared_[t].may_be_nearer(s.position, s.foot.squared_distance))
-      return;
-    const Foot_point foot = prepared_[t].closest(s.position);
-    if (foot.squared_distance < s.foot.squared_distance) {
-      s.foot = foot;
+    if (t != NONE && prepared_[t].improve(s.position, s.foot))
       s.triangle = t;
-    }
   }
 
   // Returns the last feet of the triangle, and some of the samples on it and on its neighbors.

@@ -136,16 +136,9 @@ private:
   {
     Foot_point best = triangles_[nearest].prepared.closest(s);
     const std::size_t first = nearest;
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-      const Prepared_triangle& t = triangles_[i].prepared;
-      if (i == first || !t.may_be_nearer(s, best.squared_distance))
-        continue;
-      const Foot_point foot = t.closest(s);
-      if (foot.squared_distance < best.squared_distance) {
-        best = foot;
+    for (std::size_t i = 0; i < triangles_.size(); ++i)
+      if (i != first && triangles_[i].prepared.improve(s, best))
         nearest = i;
-      }
-    }
     return best;
   }
 
@@ -158,9 +151,11 @@ private:
       return;
     const Vector d = s - (b[0] * t.corner[0] + b[1] * t.corner[1] + b[2] * t.corner[2]);
     const bool is_inside = b[0] > 0 && b[1] > 0 && b[2] > 0;
-    Vector n = is_inside ? cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]) : d;
-    const double length = std::sqrt(dot(n, n));
-    n = length > 0 ? (1 / length) * n : n;
+    Vector n = t.prepared.normal();
+    if (!is_inside) {
+      const double length = std::sqrt(dot(d, d));
+      n = length > 0 ? (1 / length) * d : d;
+    }
     const Eigen::Vector3d e(n[0], n[1], n[2]);
     matrix += part * part * ((1 - damping) * e * e.transpose() + damping * Eigen::Matrix3d::Identity());
     right += part * Eigen::Vector3d(d[0], d[1], d[2]);
