@@ -103,7 +103,7 @@ Run run(const Method& method, const Mesh& mesh, std::size_t number)
 // methods do not end, or crash.
 Run run_for_limited_time(const Method& method, const Mesh& mesh, std::size_t number)
 {
-  constexpr rlim_t seconds = 60;
+  constexpr rlim_t seconds = 30;
   int ends[2];
   const pid_t process = pipe(ends) == 0 ? fork() : -1;
   if (process < 0)
