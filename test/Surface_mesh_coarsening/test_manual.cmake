@@ -34,11 +34,26 @@ function(check_number what measured stated)
   endif()
 endfunction()
 
-# Reads the rows with figures, without the semicolons of &deg; that would divide them.
+# Reads the rows with figures, without the semicolons of &deg; that would divide them, and without times.
 function(read_rows result file)
   file(READ ${file} text)
   string(REPLACE ";" "" text "${text}")
-  string(REGEX MATCHALL "\\|[^\n]*[0-9][^\n]*" rows "${text}")
+  string(REGEX MATCHALL "\\|[^\n]*" lines "${text}")
+  list(GET lines 0 heading)
+  string(REPLACE "|" ";" heading "${heading}")
+  set(rows "")
+  foreach(line IN LISTS lines)
+    string(REPLACE "|" ";" cells "${line}")
+    set(row "")
+    foreach(title cell IN ZIP_LISTS heading cells)
+      if(NOT title MATCHES ", s *$")
+        string(APPEND row "${cell}|")
+      endif()
+    endforeach()
+    if(row MATCHES "[0-9]")
+      list(APPEND rows "${row}")
+    endif()
+  endforeach()
   set(${result} "${rows}" PARENT_SCOPE)
 endfunction()
 
@@ -75,7 +90,12 @@ function(check_table name)
   endforeach()
 endfunction()
 
-set(tables weights_and_placements borders distance levels)
+set(tables weights_and_placements energies borders distance levels tolerance)
+foreach(name features frozen_weights) # by programs of the benchmarks, which may be left out of the build
+  if(EXISTS ${BIN}/measure_${name})
+    list(APPEND tables ${name})
+  endif()
+endforeach()
 list(JOIN tables " " names)
 execute_process(COMMAND ${CMAKE_COMMAND} -D BIN=${BIN} -D MESHES=${CGAL_DATA_DIR}/meshes -D MODELS= -D SHORT=ON "-D NAMES=${names}"
   -D OUT=${CMAKE_CURRENT_BINARY_DIR}/tables -P ${PROJECT_SOURCE_DIR}/benchmark/Surface_mesh_coarsening/make_tables.cmake
@@ -83,6 +103,31 @@ execute_process(COMMAND ${CMAKE_COMMAND} -D BIN=${BIN} -D MESHES=${CGAL_DATA_DIR
 foreach(name IN LISTS tables)
   check_table(${name})
 endforeach()
+
+# Fails unless a page states the number that a header has, where `text` and `code` match with the number as their first group.
+function(check_constant page text header code)
+  file(READ ${doc}/${page} page_text)
+  string(REGEX REPLACE "[ \n]+" " " page_text "${page_text}")
+  file(READ ${PROJECT_SOURCE_DIR}/include/CGAL/Surface_mesh_coarsening/${header} header_text)
+  if(NOT header_text MATCHES "${code}")
+    message(SEND_ERROR "${header} does not have '${code}'")
+    return()
+  endif()
+  set(number ${CMAKE_MATCH_1})
+  if(NOT page_text MATCHES "${text}")
+    message(SEND_ERROR "${page} does not have '${text}'")
+  elseif(NOT CMAKE_MATCH_1 STREQUAL number)
+    message(SEND_ERROR "${page} has '${CMAKE_MATCH_0}', but ${header} has ${number}")
+  endif()
+endfunction()
+
+set(angles internal/placement/Angle_worth.h)
+check_constant(Surface_mesh_coarsening.txt "smallest angle of the triangles stays at ([0-9]+) degrees" Vertex_placement/Fitted_placement.h
+  "mean_angle = ([0-9]+)")
+check_constant(Surface_mesh_coarsening.txt "create no angle below ([0-9]+) degrees" ${angles} "min_angle = ([0-9]+)")
+check_constant(Surface_mesh_coarsening.txt "triangles with angles below ([0-9]+) degrees move" ${angles} "narrow_angle = ([0-9]+)")
+check_constant(Surface_mesh_coarsening.txt "remaining triangles with angles below ([0-9]+) degrees" ${angles} "min_angle = ([0-9]+)")
+check_constant(Robustness.txt "after `number_of_iterations` rounds, ([0-9]+) by default" defaults.h "number_of_iterations = ([0-9]+)")
 
 # Rows of the README: a command between backquotes, the distance and the angle that it measures.
 file(STRINGS ${PROJECT_SOURCE_DIR}/README.md rows REGEX "^\\| `coarsen_mesh fandisk.off [^`]*` \\| [0-9.]+ \\| [0-9.]+&deg")

@@ -55,6 +55,15 @@ Clustering_run run_with(const Mesh& mesh, unsigned level, double maximum_density
   return run;
 }
 
+// Visits the faces in the order of their places.
+std::size_t number_of_seeds(const Mesh& mesh, unsigned level, const std::vector<std::size_t>& place)
+{
+  std::vector<Face> seeds;
+  SMC::neighborhood_seeds(mesh, level, std::back_inserter(seeds),
+                          SMC::parameters::face_index_map(CGAL::make_property_map(place)));
+  return seeds.size();
+}
+
 } // namespace
 
 Clustering_run run_clustering(const Mesh& mesh, unsigned level, Paper_weight weight, double maximum_density,
@@ -71,7 +80,28 @@ Clustering_run run_clustering(const Mesh& mesh, unsigned level, Paper_weight wei
   return run_with<SMC::Density_variance_weight>(mesh, level, maximum_density, with_minimization);
 }
 
-std::pair<std::size_t, std::size_t> seeds_in_other_orders(const Mesh& mesh, unsigned level)
+std::size_t seeds_in_breadth_first_order(const Mesh& mesh, unsigned level)
+{
+  std::vector<std::size_t> place(mesh.number_of_faces(), mesh.number_of_faces());
+  std::vector<Face> order;
+  const auto reach = [&](Face f) {
+    if (place[f] == place.size()) {
+      place[f] = order.size();
+      order.push_back(f);
+    }
+  };
+  for (Face first : mesh.faces()) {
+    const std::size_t begin = order.size();
+    reach(first);
+    for (std::size_t i = begin; i < order.size(); ++i)
+      for (Face f : mesh.faces_around_face(mesh.halfedge(order[i])))
+        if (f != mesh.null_face())
+          reach(f);
+  }
+  return number_of_seeds(mesh, level, place);
+}
+
+std::pair<std::size_t, std::size_t> seeds_in_random_orders(const Mesh& mesh, unsigned level)
 {
   std::mt19937 engine;
   std::vector<std::size_t> place(mesh.number_of_faces());
@@ -80,10 +110,8 @@ std::pair<std::size_t, std::size_t> seeds_in_other_orders(const Mesh& mesh, unsi
   for (int order = 0; order < 10; ++order) {
     for (std::size_t i = place.size(); i > 1; --i)
       std::swap(place[i - 1], place[engine() % i]);
-    std::vector<Face> seeds;
-    SMC::neighborhood_seeds(mesh, level, std::back_inserter(seeds),
-                            SMC::parameters::face_index_map(CGAL::make_property_map(place)));
-    range = {(std::min)(range.first, seeds.size()), (std::max)(range.second, seeds.size())};
+    const std::size_t seeds = number_of_seeds(mesh, level, place);
+    range = {(std::min)(range.first, seeds), (std::max)(range.second, seeds)};
   }
   return range;
 }

@@ -31,8 +31,12 @@ Clustering_run run_clustering(const Mesh& mesh, unsigned level, Paper_weight wei
 // Runs them with equal weights for all clusters: the ordinary centroidal Voronoi diagram that the paper compares with.
 Clustering_run run_uniform_clustering(const Mesh& mesh, unsigned level, double maximum_density);
 
-// The smallest and the largest number of seeds in ten random orders of the faces: what the order of a file may make of it.
-std::pair<std::size_t, std::size_t> seeds_in_other_orders(const Mesh& mesh, unsigned level);
+// The number of seeds if the faces are visited in breadth-first order across edges, from the first face of each component. Seeds
+// are then dense: each is as near to the previous ones as it may be.
+std::size_t seeds_in_breadth_first_order(const Mesh& mesh, unsigned level);
+
+// The smallest and the largest number of seeds in ten random orders of the faces.
+std::pair<std::size_t, std::size_t> seeds_in_random_orders(const Mesh& mesh, unsigned level);
 
 } // namespace reproduce_paper
 

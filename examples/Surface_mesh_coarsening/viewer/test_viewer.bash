@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # test_viewer.bash VIEWER MESH [PICTURE]: on the display at hand, starts the viewer, presses its keys, and compares what is drawn.
-# PICTURE receives the first window.
+# PICTURE receives the first window, at the resolution that QT_SCALE_FACTOR sets.
 set -euo pipefail
 
-viewer=$1 mesh=$2 picture=${3:-}
+viewer=$1 mesh=$2 picture=${3:-} scale=${QT_SCALE_FACTOR:-1}
 fail() { echo "test_viewer: $*" >&2; exit 1; }
 
 "$viewer" "$mesh" 400 &
@@ -29,7 +29,7 @@ shot() {
   local width height
   read -r width height < <(identify -format "%w %h\n" "$1.png")
   for i in 0 1 2 3; do
-    convert "$1.png" -crop "$((width / 4))x$((height - 170))+$((i * width / 4))+80" +repage "$1-$i.png"
+    convert "$1.png" -crop "$((width / 4))x$((height - 170 * scale))+$((i * width / 4))+$((80 * scale))" +repage "$1-$i.png"
   done
 }
 

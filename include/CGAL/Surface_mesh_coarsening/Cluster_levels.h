@@ -109,8 +109,8 @@ public:
   /// \param level the number of clusters
   /// \param output is cleared and filled; its `i`-th vertex is the vertex of cluster `i`
   /// \param placement computes the position of the vertex of each cluster in the interior
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits`
-  /// of `output`
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{vertex_point_map} and
+  /// \smcParam{geom_traits} of `output`
   /// \throws Unreachable_number_of_vertices if the level does not exist.
   /// \throws Coarsening_cancelled if the visitor of the clustering cancels.
   ///

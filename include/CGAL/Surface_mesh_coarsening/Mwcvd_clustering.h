@@ -54,11 +54,13 @@ public:
   ///
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \param mesh a 2-manifold polygon mesh
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `face_density_map`, `maximum_density`,
-  /// `border_densities`, `cluster_weight`, `cluster_energy`, `minimum_component_area`, `subdivide_input`, `merge_by_area`,
-  /// `boundary_count_check`, `place_on_borders`, `repair_output`, `error_feedback`, `local_repairs`,
-  /// `feature_angle`, `edge_is_constrained_map`, `vertex_is_constrained_map`, `face_patch_map`, `vertex_point_map`,
-  /// `face_index_map`, `geom_traits` and `visitor`, as in `coarsen_mesh()`
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{face_density_map},
+  /// \smcParam{maximum_density}, \smcParam{border_densities}, \smcParam{cluster_weight}, \smcParam{cluster_energy},
+  /// \smcParam{minimum_component_area}, \smcParam{subdivide_input}, \smcParam{merge_by_area}, \smcParam{boundary_count_check},
+  /// \smcParam{place_on_borders}, \smcParam{repair_output}, \smcParam{error_feedback}, \smcParam{local_repairs},
+  /// \smcParam{feature_angle}, \smcParam{edge_is_constrained_map}, \smcParam{vertex_is_constrained_map},
+  /// \smcParam{face_patch_map}, \smcParam{vertex_point_map}, \smcParam{face_index_map}, \smcParam{geom_traits} and
+  /// \smcParam{visitor}, as in `coarsen_mesh()`
   /// \throws Invalid_input if the mesh has no faces, is not a 2-manifold, has a coordinate that is not finite, or if a
   /// parameter is out of range.
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -231,8 +233,9 @@ public:
   /// \param output is cleared and filled
   /// \param placement computes the position of the vertex of each cluster in the interior; vertices of clusters on the border or
   /// on features lie on the border or on the features
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `geom_traits`,
-  /// `edge_is_constrained_map`, `vertex_is_constrained_map` and `face_patch_map` of `output`
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{vertex_point_map},
+  /// \smcParam{geom_traits}, \smcParam{edge_is_constrained_map}, \smcParam{vertex_is_constrained_map} and
+  /// \smcParam{face_patch_map} of `output`
   /// \pre `grow()` or `set_clusters()` was called; `std::logic_error` is thrown otherwise.
   template <class Output, class VertexPlacement = Fitted_placement,
             class NamedParameters = parameters::Default_named_parameters>

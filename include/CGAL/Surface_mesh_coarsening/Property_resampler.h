@@ -62,10 +62,10 @@ public:
   /// \param mesh the input of `coarsen_mesh()`
   /// \param clusters the `face_cluster_map` written by `coarsen_mesh()`
   /// \param coarse the output of `coarsen_mesh()`
-  /// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
-  /// `mesh`
-  /// \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
-  /// `coarse`
+  /// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{vertex_point_map} and
+  /// \smcParam{geom_traits} of `mesh`
+  /// \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{vertex_point_map} and
+  /// \smcParam{geom_traits} of `coarse`
   /// \throws Invalid_input if a mesh has no faces or is not a 2-manifold, if a face of `coarse` is not a triangle, if a
   /// cluster is larger than the number of vertices of `coarse`, or if a coordinate is not finite.
   template <class FaceClusterMap, class NamedParameters1 = parameters::Default_named_parameters,

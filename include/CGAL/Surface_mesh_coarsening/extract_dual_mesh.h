@@ -86,10 +86,11 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
 /// \param mesh a 2-manifold polygon mesh
 /// \param clusters the labels of the faces, which may be any numbers; the vertices are in the order of the labels
 /// \param output is cleared and filled
-/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`, `face_index_map`,
-/// `geom_traits`, `vertex_placement` and `repair_output` as in `coarsen_mesh()`, and `face_density_map`, which is 1 by default
-/// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
-/// `output`
+/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{vertex_point_map},
+/// \smcParam{face_index_map}, \smcParam{geom_traits}, \smcParam{vertex_placement} and \smcParam{repair_output} as in
+/// `coarsen_mesh()`, and \smcParam{face_density_map}, which is 1 by default
+/// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{vertex_point_map} and
+/// \smcParam{geom_traits} of `output`
 ///
 /// \throws Invalid_input if the mesh is not a 2-manifold, if a cluster is not a closed disc, or if two clusters meet
 /// such that the dual is not a simplicial surface. The output does not change if an exception is thrown.

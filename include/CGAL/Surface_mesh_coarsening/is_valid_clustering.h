@@ -31,7 +31,8 @@ namespace Surface_mesh_coarsening {
 ///
 /// \param mesh a 2-manifold polygon mesh
 /// \param clusters the labels, which may be any numbers
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `face_index_map` as in `coarsen_mesh()`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{face_index_map} as in
+/// `coarsen_mesh()`
 ///
 /// \return the first fault, with the label of its cluster.
 /// \throws Invalid_input if the mesh is not a 2-manifold.

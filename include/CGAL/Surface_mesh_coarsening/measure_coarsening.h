@@ -123,10 +123,10 @@ inline void measure_borders(const Triangle_mesh& a, const Triangle_mesh& b, std:
 /// \param mesh the first mesh, for example the input of `coarsen_mesh()`
 /// \param coarse the second mesh, for example its output
 /// \param number_of_samples the number of samples in each direction
-/// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
-/// `mesh`
-/// \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
-/// `coarse`
+/// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{vertex_point_map} and
+/// \smcParam{geom_traits} of `mesh`
+/// \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{vertex_point_map} and
+/// \smcParam{geom_traits} of `coarse`
 ///
 /// \pre Both meshes have a face.
 /// \throws Invalid_input if a mesh has no face, or if a coordinate is not finite.

@@ -250,9 +250,10 @@ private:
 /// \param clusters the `face_cluster_map` written by `coarsen_mesh()`
 /// \param coarse the output of `coarsen_mesh()`
 /// \param policies the policies of properties of vertices and faces, by name
-/// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of `mesh`
-/// \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` and `geom_traits` of
-/// `coarse`
+/// \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{vertex_point_map} and
+/// \smcParam{geom_traits} of `mesh`
+/// \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{vertex_point_map} and
+/// \smcParam{geom_traits} of `coarse`
 ///
 /// \return the names of the property maps of unsupported types, which are not transferred.
 /// \throws Invalid_input as the constructor of `Property_resampler` does, before `coarse` changes, and if values without

@@ -18,7 +18,9 @@ namespace internal {
 class Border_arc
 {
 public:
+  //! [pieces]
   static constexpr std::size_t max_pieces = 16;
+  //! [pieces]
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   // `fixed` is the only point that may be chosen, if given.

@@ -52,6 +52,7 @@ public:
 private:
   // The number of border edges on each side of a vertex between which the turning angle is measured; with fewer edges, the zigzag
   // of triangles contributes.
+  //! [border]
   static constexpr std::size_t edges_aside = 3;
   // The range of a border relative to the length of its loop: a small hole needs few vertices, even if it has a large
   // curvature.
@@ -62,6 +63,7 @@ private:
   // mostly where densities are low. With these two constants, measured on open meshes, both distances are about equal.
   static constexpr double strength = 32;
   static constexpr double max_raised = 4;
+  //! [border]
 
   void measure_border()
   {

@@ -12,7 +12,9 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
+//! [density]
 constexpr double largest_density = 1e20; // its inverse is the smallest density
+//! [density]
 
 // The input of the clustering: items with additive sums. `mesh` holds their neighbors and corners. Items are faces,
 // pieces of faces, or cells of several faces. An item has an area A, a density r, a mass r A, and a centroid g.

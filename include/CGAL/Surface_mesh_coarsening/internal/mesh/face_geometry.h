@@ -146,7 +146,9 @@ public:
   }
 
 private:
+  //! [valence]
   static constexpr Index max_compared = 256;
+  //! [valence]
   static constexpr Vector none{{0, 0, 0}};
 
   static Index place(Index j, Index valence)
@@ -185,9 +187,11 @@ inline double largest_of(const std::vector<double>& deviations)
 // rounding errors of the coordinates.
 inline void map_to_densities(std::vector<double>& deviations, double maximum, double maximum_density)
 {
+  //! [flat]
   constexpr double flat = 1e-6;
   for (double& d : deviations)
     d = maximum > flat ? 1 + (maximum_density - 1) * (d / maximum) : 1;
+  //! [flat]
 }
 
 } // namespace internal

@@ -24,7 +24,9 @@ inline double rounded_like(double x, double largest, int digits)
 }
 
 // Rounds a sum so coarsely that only noticeable differences count.
+//! [comparison]
 inline double rounded_for_comparison(double sum) { return rounded_like(sum, sum, 16); }
+//! [comparison]
 
 // Rounds the coordinates of a computed position to 43 binary digits relative to the largest coordinate. Otherwise exact
 // intersection tests would detect rounding errors where triangles just touch, as on symmetric meshes.
@@ -33,7 +35,9 @@ inline Vector without_last_digits(const Vector& p)
   const double largest = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   if (!(largest > 0) || !std::isfinite(largest))
     return p;
+  //! [digits]
   return {{rounded_like(p[0], largest, 43), rounded_like(p[1], largest, 43), rounded_like(p[2], largest, 43)}};
+  //! [digits]
 }
 
 } // namespace internal

@@ -21,7 +21,9 @@ class Cluster_editing;
 class Initial_clustering;
 
 // The number of faces per cluster that the subdivision provides. A cluster of this many faces can be round.
+//! [faces]
 constexpr std::size_t faces_per_cluster = 20;
+//! [faces]
 
 // The origin of the clusters.
 struct Seeding

@@ -108,8 +108,10 @@ private:
     Size operator+(const Size& other) const { return {mass + other.mass, faces + other.faces}; }
   };
 
+  //! [size]
   // This number of faces counts as much as the mean mass of a cluster.
   static constexpr double faces_of_round_cluster = 64;
+  //! [size]
 
   // A merge is retried after one of its clusters has changed. Changes farther away may also enable it; such merges are considered
   // when the queue is empty.
