@@ -162,18 +162,17 @@ void flush_output()
     throw Failure("standard output", "cannot be written: " + std::generic_category().message(errno ? errno : EIO));
 }
 
-// One for each field of the input that the result does not have.
-std::vector<std::string> warnings_of(const Options& options, const Input& input)
+// One for each field of the input or the result that the output does not have.
+std::vector<std::string> warnings_of(const Options& options, const Input& input, const Mesh& result)
 {
   std::vector<std::string> warnings;
   for (const std::string& field : input.left_out)
     warnings.push_back(options.input + ": " + field + " are not read");
   const std::string type = type_of(options, options.output);
-  for (const std::string& field : fields_without_room(input.mesh, type, input.notes))
-    warnings.push_back(options.output + ": " + field + " are left out, the format " + upper_case(type) + " cannot hold them");
-  if (options.distances && type != "ply")
-    warnings.push_back(options.output + ": the distances of vertices are left out, the format " + upper_case(type) +
-                       " cannot hold them");
+  const std::string reason = is_own_file_type(type) ? ", the format " + upper_case(type) + " cannot hold them"
+                                                    : ", Assimp does not write them as " + upper_case(type);
+  for (const std::string& field : fields_without_room(result, type, input.notes))
+    warnings.push_back(options.output + ": " + field + " are left out" + reason);
   return warnings;
 }
 
@@ -316,7 +315,7 @@ void run(const Options& options)
   if (!options.clusters.empty())
     files.emplace_back(options.clusters, cluster_bytes(input.mesh, result.labels));
   progress.end();
-  findings.warnings = warnings_of(options, input);
+  findings.warnings = warnings_of(options, input, result.mesh);
   write_files(
     options, files,
     [&] {

@@ -2,6 +2,7 @@
 
 #include "io/write_mesh.h"
 
+#include "io/Corner_fields.h"
 #include "io/Failure.h"
 #include "io/Number_property.h"
 #include "io/assimp_formats.h"
@@ -70,6 +71,7 @@ Field field_of_faces(const Mesh& mesh, const std::string& name)
 std::vector<Field> fields(const Mesh& mesh, const File_notes& notes)
 {
   static const Mesh plain;
+  const bool corners_agree = !Texture_properties(mesh) && texture_of_vertices(mesh);
   std::vector<Field> result;
   for (const std::string& name : mesh.properties<Vertex>())
     if (!is_one_of(name, plain.properties<Vertex>()))
@@ -79,10 +81,11 @@ std::vector<Field> fields(const Mesh& mesh, const File_notes& notes)
       result.push_back(field_of_faces(mesh, name));
   for (const std::string& name : mesh.properties<Halfedge>())
     if (name == texture_property)
-      result.push_back({"the texture coordinates of corners", {"ply", "obj"}});
+      result.push_back({"the texture coordinates of corners",
+                        corners_agree ? std::vector<std::string>{"ply", "off", "obj"} : std::vector<std::string>{"ply", "obj"}});
     else if (name == normal_property)
       result.push_back({"the normals of corners", {"obj"}});
-  if (!notes.material_library.empty())
+  if (!notes.material_libraries.empty())
     result.push_back({"the names of material libraries", {"obj"}});
   if (!notes.comments.empty())
     result.push_back({"the comments", {"ply", "off", "obj"}});
