@@ -34,6 +34,7 @@ class SurfaceMeshCoarsening(ConanFile):
         cmake.configure({
             "SURFACE_MESH_COARSENING_BUILD_EXAMPLES": "OFF",
             "SURFACE_MESH_COARSENING_BUILD_BENCHMARKS": "OFF",
+            "SURFACE_MESH_COARSENING_BUILD_PYTHON": "OFF",
             "SURFACE_MESH_COARSENING_BUILD_TESTS": "OFF",
         })
 

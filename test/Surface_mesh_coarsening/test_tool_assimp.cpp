@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(round_trips)
 {
   const Tool_directory shop;
   shop.write("in.obj", painted_obj());
-  for (const std::string type : {"glb", "gltf", "dae"}) {
+  for (const std::string type : {"glb", "gltf", "dae", "3mf"}) {
     if (!assimp_reads(type) || !assimp_writes(type)) {
       BOOST_TEST_MESSAGE("this Assimp does not read and write " << type);
       continue;
@@ -107,11 +107,11 @@ BOOST_AUTO_TEST_CASE(round_trips)
     {
       const Tool_outcome there = shop.run("in.obj out." + type + " -n 60");
       BOOST_TEST_REQUIRE(there.status == 0, there.err);
-      BOOST_CHECK(there.names("the materials of faces are left out"));
       const Soup soup = parse_soup(test::content_of(shop / ("out." + type)), type);
       BOOST_CHECK_EQUAL(soup.points.size(), 60u);
       const auto says = [&](const char* field) { return there.names(std::string("the ") + field + " are left out"); };
       BOOST_CHECK_EQUAL(find(soup, "red") == nullptr, says("colors of vertices"));
+      BOOST_CHECK_EQUAL(soup.materials.empty(), says("materials of faces"));
       BOOST_CHECK_EQUAL(find(soup, "nx") == nullptr, says("normals of vertices"));
       BOOST_CHECK_EQUAL(soup.texture_points.empty(), says("texture coordinates of corners"));
       const Tool_outcome back = shop.run("out." + type + " back.ply -n 30");
@@ -121,15 +121,20 @@ BOOST_AUTO_TEST_CASE(round_trips)
   }
 }
 
-BOOST_AUTO_TEST_CASE(gltf_has_all_but_materials)
+BOOST_AUTO_TEST_CASE(gltf_has_all)
 {
   const Tool_directory shop;
   shop.write("in.obj", painted_obj());
   for (const std::string type : {"glb", "gltf"}) {
-    const Tool_outcome outcome = shop.run("in.obj out." + type + " -n 60 --quiet");
+    const Tool_outcome outcome = shop.run("in.obj out." + type + " -n 60 --patches material");
     BOOST_TEST_REQUIRE(outcome.status == 0, outcome.err);
+    BOOST_CHECK_EQUAL(outcome.err, "");
     const Soup soup = parse_soup(test::content_of(shop / ("out." + type)), type);
     check_texture_and_normals(soup);
+    BOOST_REQUIRE_EQUAL(soup.materials.size(), soup.polygons.size());
+    for (std::size_t f = 0; f < soup.polygons.size(); ++f)
+      for (const std::size_t v : soup.polygons[f])
+        BOOST_CHECK_GE((soup.points[v].x() - 10) * (soup.materials[f] == "granite" ? -1 : 1), -0.05);
     const double color[] = {51, 102, 255};
     const char* const names[] = {"red", "green", "blue"};
     for (int i = 0; i < 3; ++i) {
@@ -138,6 +143,36 @@ BOOST_AUTO_TEST_CASE(gltf_has_all_but_materials)
         BOOST_CHECK_EQUAL(x, color[i]);
     }
   }
+}
+
+// A 3MF file has one object with all faces, also of several materials.
+BOOST_AUTO_TEST_CASE(solids)
+{
+  const Tool_directory shop;
+  if (!assimp_reads("3mf") || !assimp_writes("3mf"))
+    return;
+  shop.write("in.obj", painted_obj());
+  const Tool_outcome outcome = shop.run("in.obj out.3mf -n 60");
+  BOOST_TEST_REQUIRE(outcome.status == 0, outcome.err);
+  for (const char* field : {"materials of faces", "colors of vertices", "normals of vertices", "texture coordinates of corners"})
+    BOOST_CHECK(outcome.names(std::string("the ") + field + " are left out, Assimp does not write them as 3MF"));
+  BOOST_CHECK_EQUAL(parse_soup(test::content_of(shop / "out.3mf"), "3mf").points.size(), 60u);
+}
+
+BOOST_AUTO_TEST_CASE(opacities)
+{
+  const Tool_directory shop;
+  std::string text = painted_obj();
+  for (std::size_t at = text.find(" 0.2 0.4 1\n"); at != std::string::npos; at = text.find(" 0.2 0.4 1\n"))
+    text.replace(at, 11, " .2 .4 1 .6\n");
+  shop.write("in.obj", text);
+  BOOST_CHECK_EQUAL(shop.run("in.obj out.glb -n 60").err, "");
+  const Tool_outcome outcome = shop.run("out.glb out.ply -n 30");
+  BOOST_CHECK(!outcome.names("opacities"));
+  const Soup soup = parse_soup(test::content_of(shop / "out.ply"), "ply");
+  BOOST_REQUIRE(find(soup, "alpha"));
+  for (const double x : find(soup, "alpha")->values)
+    BOOST_CHECK_EQUAL(x, 153);
 }
 
 // Points are repeated where materials meet, and are one again when they are read.

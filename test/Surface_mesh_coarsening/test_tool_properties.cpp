@@ -239,6 +239,50 @@ BOOST_AUTO_TEST_CASE(fields_of_text)
   BOOST_CHECK_EQUAL(creased.normal_corners.size(), 2u);
 }
 
+// Comments at the head of a file describe the file, and those below the first vertex describe elements that do not return.
+BOOST_AUTO_TEST_CASE(comments_of_text)
+{
+  const std::vector<std::string> comments = {"made by hand", "TextureFile stone.png"};
+  const std::string head = "####\n# made by hand\n  #TextureFile stone.png #\n";
+  const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
+  const Soup off = parse_soup("OFF\n" + head + "3 1 0\n" + vertices + "3 0 1 2\n", "off");
+  BOOST_CHECK(off.notes.comments == comments);
+  BOOST_CHECK(off.left_out.empty());
+  const Soup obj = parse_soup(head + "g part#1\nv 0 0 0\nv 1 0 0\nv 0 1 0\ng part#2\nf 1 2 3\n", "obj");
+  BOOST_CHECK(obj.notes.comments == comments);
+  BOOST_CHECK(obj.left_out.empty());
+  for (const Soup& soup : {parse_soup("OFF\n3 1 0\n" + vertices + "# face\n3 0 1 2\n", "off"),
+                           parse_soup("v 0 0 0\nv 1 0 0 # second\nv 0 1 0\nf 1 2 3\n", "obj")}) {
+    BOOST_CHECK(soup.notes.comments.empty());
+    BOOST_CHECK(soup.left_out == std::vector<std::string>{"comments below the first vertex"});
+  }
+
+  const Tool_directory shop;
+  shop.write("in.obj", head + textured_obj() + "# the end\n");
+  const Tool_outcome outcome = shop.run("in.obj out.ply -n 40");
+  check_done(outcome);
+  BOOST_CHECK(outcome.names("warning: in.obj: comments below the first vertex are not read"));
+  BOOST_CHECK(parse_soup(test::content_of(shop / "out.ply"), "ply").notes.comments == comments);
+  check_done(shop.run("out.ply out.obj -n 30"));
+  BOOST_CHECK(parse_soup(test::content_of(shop / "out.obj"), "obj").notes.comments == comments);
+  BOOST_CHECK(shop.run("in.obj out.stl -n 40").names("warning: out.stl: the comments are left out"));
+}
+
+BOOST_AUTO_TEST_CASE(names_of_obj)
+{
+  const Tool_directory shop;
+  shop.write("in.obj", "mtllib a.mtl b.mtl\nmtllib c.mtl\ng left half\nusemtl old  stone # of the wall\nv 0 0 0\nv 1 0 0\n"
+                       "v 1 1 0\nv 0 1 0\nvt 0 0 .5\nf 1 2 3\nusemtl old wood\nf 1 3 4\n");
+  const Tool_outcome outcome = shop.run("in.obj out.obj -n 4 --patches material");
+  check_done(outcome);
+  BOOST_CHECK(outcome.names("third coordinates of textures are not read"));
+  const Soup soup = parse_soup(test::content_of(shop / "out.obj"), "obj");
+  BOOST_CHECK(soup.notes.material_libraries == (std::vector<std::string>{"a.mtl b.mtl", "c.mtl"}));
+  BOOST_CHECK(soup.groups == std::vector<std::string>(2, "left half"));
+  BOOST_CHECK((std::set<std::string>(soup.materials.begin(), soup.materials.end()) ==
+               std::set<std::string>{"old stone", "old wood"}));
+}
+
 // Two strips of a square of four triangles around its middle, one with a vertex that is repeated.
 BOOST_AUTO_TEST_CASE(strips_of_triangles)
 {
@@ -270,7 +314,7 @@ BOOST_AUTO_TEST_CASE(distances_become_numbers_of_vertices)
   check_done(shop.run("out.ply again.ply -n 20 --distances")); // the numbers are not carried over
   const Soup again = parse_soup(test::content_of(shop / "again.ply"), "ply");
   BOOST_REQUIRE_EQUAL(again.of_points.size(), 1u);
-  BOOST_CHECK(shop.run("sphere.off out.off -n 40 --distances").names("the distances of vertices are left out"));
+  BOOST_CHECK(shop.run("sphere.off out.off -n 40 --distances").names("the numbers 'distance' of vertices are left out"));
 }
 
 BOOST_AUTO_TEST_CASE(borders_of_materials_are_kept_on_request)
@@ -308,6 +352,31 @@ BOOST_AUTO_TEST_CASE(textures_go_from_obj_to_ply)
   BOOST_CHECK(!parse_soup(test::content_of(shop / "again.obj"), "obj").texture_points.empty());
 }
 
+// OFF has texture coordinates of vertices: it holds those of corners that agree at each vertex.
+BOOST_AUTO_TEST_CASE(textures_go_from_obj_to_off)
+{
+  const Tool_directory shop;
+  shop.write("in.obj", textured_obj());
+  const Tool_outcome outcome = shop.run("in.obj out.off -n 40");
+  check_done(outcome);
+  BOOST_CHECK(!outcome.names("texture"));
+  const Soup soup = parse_soup(test::content_of(shop / "out.off"), "off");
+  BOOST_REQUIRE_EQUAL(soup.of_points.size(), 2u);
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+    for (int k = 0; k < 2; ++k)
+      BOOST_CHECK_SMALL(soup.of_points[k].values[v] - soup.points[v][k] / 20, 1e-9);
+
+  // The same square with another texture on the right half.
+  std::string cut = textured_obj();
+  const std::size_t marble = cut.find("usemtl marble");
+  cut.insert(cut.find("f ", marble), "vt 9 9\n");
+  std::string right = cut.substr(marble);
+  for (std::size_t at = right.find('/'); at != std::string::npos; at = right.find('/', at + 1))
+    right.replace(at + 1, right.find_first_of(" \n", at) - at - 1, "-1");
+  shop.write("cut.obj", cut.substr(0, marble) + right);
+  BOOST_CHECK(shop.run("cut.obj out.off -n 40").names("the texture coordinates of corners are left out"));
+}
+
 BOOST_AUTO_TEST_CASE(obj_files_keep_textures_and_materials)
 {
   const Tool_directory shop;
@@ -315,7 +384,7 @@ BOOST_AUTO_TEST_CASE(obj_files_keep_textures_and_materials)
   check_done(shop.run("in.obj out.obj -n 40"));
   const Soup soup = parse_soup(test::content_of(shop / "out.obj"), "obj");
   BOOST_REQUIRE_EQUAL(soup.points.size(), 40u);
-  BOOST_CHECK_EQUAL(soup.notes.material_library, "stones.mtl");
+  BOOST_CHECK(soup.notes.material_libraries == std::vector<std::string>{"stones.mtl"});
   BOOST_REQUIRE_EQUAL(soup.texture_corners.size(), soup.polygons.size());
   BOOST_REQUIRE_EQUAL(soup.materials.size(), soup.polygons.size());
   BOOST_REQUIRE_EQUAL(soup.groups.size(), soup.polygons.size());

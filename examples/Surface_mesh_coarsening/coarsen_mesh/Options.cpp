@@ -244,7 +244,7 @@ void print_help(const po::options_description& described)
                "Coarsens a polygon mesh to a triangle mesh with few vertices that keeps the features of the surface,\n"
                "by multiplicatively weighted centroidal Voronoi diagrams. INPUT is an oriented 2-manifold mesh; INPUT\n"
                "and OUTPUT are .off, .obj, .ply or .stl files, or - with --format; where the program is built with the library\n"
-               "Assimp, .glb, .gltf, .dae and other files, too. With several inputs, OUTPUT is a directory\n"
+               "Assimp, .glb, .gltf, .3mf, .dae and other files, too. With several inputs, OUTPUT is a directory\n"
                "or a pattern such as coarse/%.ply, in which % is the input's name without its ending (%% is a %).\n"
                "Messages number faces and vertices from 0.\n\n"
             << described

@@ -126,6 +126,23 @@ void check_written(const std::string& file, const std::string& type, const std::
               (type == "stl" ? " (use .ply, .off or .obj, which keep all digits, or move the mesh to the origin)" : ""));
 }
 
+// The number of filled holes, and the lengths of the others, in the unit of --fill-holes.
+std::string holes_text(const Options& options, const Mesh& mesh, const Hole_filling& filling)
+{
+  const std::string text = counted(filling.number(Hole_state::FILLED), "hole") + " filled, ";
+  std::vector<double> left;
+  for (const Hole& hole : filling.holes)
+    if (hole.state != Hole_state::FILLED)
+      left.push_back(hole.length);
+  if (left.empty())
+    return text;
+  const auto range = std::minmax_element(left.begin(), left.end());
+  const double unit = options.hole_length_is_relative ? diagonal(mesh) / 100 : 1;
+  return text + counted(left.size(), "hole") + " of length " + shown(*range.first / unit) +
+         (left.size() > 1 ? " to " + shown(*range.second / unit) : "") +
+         (options.hole_length_is_relative ? "% of the diagonal" : "") + " left, ";
+}
+
 std::string summary(const Options& options, const Input& input, const Coarsening_result& result,
                     const Findings& findings, const Stage_times& times)
 {
@@ -137,7 +154,7 @@ std::string summary(const Options& options, const Input& input, const Coarsening
   const auto& report = result.report;
   std::string remarks;
   if (findings.holes)
-    remarks += counted(findings.holes->number(Hole_state::FILLED), "hole") + " filled, ";
+    remarks += holes_text(options, input.mesh, *findings.holes);
   if (options.features || !options.patches.empty())
     remarks += counted(report.feature_lines, "feature line") + " and " + counted(report.feature_corners, "corner") + " kept by " +
                counted_vertices(result.vertices_on_features) + ", ";
@@ -162,18 +179,17 @@ void flush_output()
     throw Failure("standard output", "cannot be written: " + std::generic_category().message(errno ? errno : EIO));
 }
 
-// One for each field of the input that the result does not have.
-std::vector<std::string> warnings_of(const Options& options, const Input& input)
+// One for each field of the input or the result that the output does not have.
+std::vector<std::string> warnings_of(const Options& options, const Input& input, const Mesh& result)
 {
   std::vector<std::string> warnings;
   for (const std::string& field : input.left_out)
     warnings.push_back(options.input + ": " + field + " are not read");
   const std::string type = type_of(options, options.output);
-  for (const std::string& field : fields_without_room(input.mesh, type, input.notes))
-    warnings.push_back(options.output + ": " + field + " are left out, the format " + upper_case(type) + " cannot hold them");
-  if (options.distances && type != "ply")
-    warnings.push_back(options.output + ": the distances of vertices are left out, the format " + upper_case(type) +
-                       " cannot hold them");
+  const std::string reason = is_own_file_type(type) ? ", the format " + upper_case(type) + " cannot hold them"
+                                                    : ", Assimp does not write them as " + upper_case(type);
+  for (const std::string& field : fields_without_room(result, type, input.notes))
+    warnings.push_back(options.output + ": " + field + " are left out" + reason);
   return warnings;
 }
 
@@ -316,7 +332,7 @@ void run(const Options& options)
   if (!options.clusters.empty())
     files.emplace_back(options.clusters, cluster_bytes(input.mesh, result.labels));
   progress.end();
-  findings.warnings = warnings_of(options, input);
+  findings.warnings = warnings_of(options, input, result.mesh);
   write_files(
     options, files,
     [&] {

@@ -24,9 +24,8 @@ Panel::Panel(const Panel_scenes& scenes, std::size_t number, View& view, std::fu
 void Panel::draw(bool coarsely)
 {
   constexpr int pixels_of_coarse = 3;
-  // A screen of high resolution has several pixels for each pixel of the window.
-  const int pixels = int((std::min)(width(), height()) * devicePixelRatioF());
-  const int size = (std::max)(1, pixels / (coarsely ? pixels_of_coarse : 1));
+  const double side = (std::min)(width(), height()) * devicePixelRatioF(); // in pixels of the screen
+  const int size = (std::max)(1, int(side) / (coarsely ? pixels_of_coarse : 1));
   const Image image = scenes_.image(number_, view_, std::size_t(size));
   image_ = QImage(int(image.width), int(image.height), QImage::Format_RGB32);
   for (std::size_t y = 0; y < image.height; ++y)

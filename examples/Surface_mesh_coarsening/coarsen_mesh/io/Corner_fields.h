@@ -6,6 +6,9 @@
 #include "io/Number_property.h"
 
 #include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace coarsening_support {
 
@@ -44,6 +47,29 @@ public:
                    : Normal{{vertex_normal_.x(v), vertex_normal_.y(v), vertex_normal_.z(v)}};
   }
 };
+
+// Returns the texture coordinates of vertices; if there are none, those of the corners, if all corners at each vertex agree.
+inline std::optional<std::vector<Texture_point> > texture_of_vertices(const Mesh& mesh)
+{
+  const Texture_properties of_vertices(mesh);
+  const Found_property<Halfedge, Texture_point> of_corners(mesh, texture_property);
+  if (!of_vertices && !of_corners)
+    return std::nullopt;
+  std::vector<Texture_point> result(mesh.number_of_vertices());
+  if (of_vertices) {
+    for (const Vertex v : mesh.vertices())
+      result[std::size_t(v)] = {{of_vertices.u(v), of_vertices.v(v)}};
+    return result;
+  }
+  for (const Face f : mesh.faces())
+    for (const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      result[std::size_t(mesh.target(h))] = of_corners.map[h];
+  for (const Face f : mesh.faces())
+    for (const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      if (of_corners.map[h] != result[std::size_t(mesh.target(h))])
+        return std::nullopt;
+  return result;
+}
 
 } // namespace coarsening_support
 

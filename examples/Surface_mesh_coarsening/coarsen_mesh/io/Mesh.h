@@ -41,8 +41,7 @@ struct Soup_property
 // What a file says of itself.
 struct File_notes
 {
-  std::string material_library;
-  std::vector<std::string> comments;
+  std::vector<std::string> material_libraries, comments;
 };
 
 // Holds polygons as they stand in a file: nothing is known yet about how they hang together.

@@ -3,6 +3,7 @@
 #include "io/read_obj.h"
 
 #include "io/Row_numbers.h"
+#include "io/read_comments.h"
 
 #include <algorithm>
 #include <charconv>
@@ -147,13 +148,32 @@ void give_normals_to_points(Soup& soup)
   soup.normal_corners.clear();
 }
 
-// Behind the coordinates there may be a color, and nothing else that is known.
+// Behind the coordinates there may be a color, with or without an opacity, and nothing else that is known.
 void add_numbers_behind_points(const Row_numbers& numbers, Soup& soup)
 {
-  if (numbers.is_regular() && numbers.width() == 3)
-    numbers.add_colors(0, 3, soup.of_points);
+  if (numbers.is_regular() && (numbers.width() == 3 || numbers.width() == 4))
+    numbers.add_colors(0, numbers.width(), soup.of_points);
   else if (!numbers.empty())
     soup.leave_out("the numbers behind the coordinates of vertices");
+}
+
+// The words up to the end of the line: names may have blanks.
+std::string name_of(Text_scanner& text)
+{
+  std::string name;
+  for (std::string_view word = text.word(); !word.empty(); word = text.word())
+    (name += name.empty() ? "" : " ") += word;
+  return name;
+}
+
+void read_obj_texture_point(Text_scanner& text, Soup& soup)
+{
+  const double u = text.number("coordinate u of a texture point"),
+               v = text.next_word().empty() ? 0 : text.number("coordinate v of a texture point");
+  double depth = 0;
+  if (!text.next_word().empty() && text.try_number(depth) && depth != 0)
+    soup.leave_out("third coordinates of textures");
+  soup.texture_points.push_back({{std::isfinite(u) ? u : 0, std::isfinite(v) ? v : 0}});
 }
 
 // Assigns its name to the polygons since the last one.
@@ -167,6 +187,7 @@ void name_polygons(std::vector<std::string>& names, const std::string& name, con
 
 void read_obj(const std::string& content, Soup& soup, const Stop& stop)
 {
+  read_comments(content, "vf", soup);
   Text_scanner text(content.data(), content.data() + content.size(), '#', true);
   std::string material, group;
   Obj_corners corners;
@@ -181,17 +202,15 @@ void read_obj(const std::string& content, Soup& soup, const Stop& stop)
     } else if (keyword == "vn") {
       read_obj_normal(text, soup);
     } else if (keyword == "vt") {
-      const double u = text.number("coordinate u of a texture point"),
-                   v = text.next_word().empty() ? 0 : text.number("coordinate v of a texture point");
-      soup.texture_points.push_back({{std::isfinite(u) ? u : 0, std::isfinite(v) ? v : 0}});
+      read_obj_texture_point(text, soup);
     } else if (keyword == "usemtl") {
       name_polygons(soup.materials, material, soup);
-      material = std::string(text.word());
+      material = name_of(text);
     } else if (keyword == "g") {
       name_polygons(soup.groups, group, soup);
-      group = std::string(text.word());
+      group = name_of(text);
     } else if (keyword == "mtllib") {
-      soup.notes.material_library = std::string(text.word());
+      soup.notes.material_libraries.push_back(name_of(text));
     } else {
       const char* const field = other_obj_field(keyword);
       if (field == nullptr)

@@ -4,6 +4,7 @@
 
 #include "io/Byte_scanner.h"
 #include "io/Row_numbers.h"
+#include "io/read_comments.h"
 
 #include <algorithm>
 #include <cctype>
@@ -160,6 +161,7 @@ void read_off(const std::string& content, Soup& soup, const Stop& stop)
   Text_scanner text(content.data(), content.data() + content.size(), '#');
   const Off_header header = read_off_header(text);
   if (!header.binary) {
+    read_comments(content, "0123456789", soup);
     read_text_off(text, header, soup, stop);
     return;
   }

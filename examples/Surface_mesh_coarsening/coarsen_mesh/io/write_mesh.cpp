@@ -2,6 +2,7 @@
 
 #include "io/write_mesh.h"
 
+#include "io/Corner_fields.h"
 #include "io/Failure.h"
 #include "io/Number_property.h"
 #include "io/assimp_formats.h"
@@ -70,6 +71,7 @@ Field field_of_faces(const Mesh& mesh, const std::string& name)
 std::vector<Field> fields(const Mesh& mesh, const File_notes& notes)
 {
   static const Mesh plain;
+  const bool corners_agree = !Texture_properties(mesh) && texture_of_vertices(mesh);
   std::vector<Field> result;
   for (const std::string& name : mesh.properties<Vertex>())
     if (!is_one_of(name, plain.properties<Vertex>()))
@@ -79,10 +81,11 @@ std::vector<Field> fields(const Mesh& mesh, const File_notes& notes)
       result.push_back(field_of_faces(mesh, name));
   for (const std::string& name : mesh.properties<Halfedge>())
     if (name == texture_property)
-      result.push_back({"the texture coordinates of corners", {"ply", "obj"}});
+      result.push_back({"the texture coordinates of corners",
+                        corners_agree ? std::vector<std::string>{"ply", "off", "obj"} : std::vector<std::string>{"ply", "obj"}});
     else if (name == normal_property)
       result.push_back({"the normals of corners", {"obj"}});
-  if (!notes.material_library.empty())
+  if (!notes.material_libraries.empty())
     result.push_back({"the names of material libraries", {"obj"}});
   if (!notes.comments.empty())
     result.push_back({"the comments", {"ply", "off", "obj"}});
@@ -94,11 +97,13 @@ std::vector<std::string> fields_that_return(const std::string& type)
 {
   Mesh mesh;
   mesh.add_face(mesh.add_vertex(Point(0, 0, 0)), mesh.add_vertex(Point(1, 0, 0)), mesh.add_vertex(Point(0, 1, 0)));
-  for (const char* name : {"v:red", "v:green", "v:blue"})
+  for (const char* name : {"v:red", "v:green", "v:blue", "v:alpha"})
     mesh.add_property_map<Vertex, double>(name, 0.5);
   for (const char* name : {"v:nx", "v:ny", "v:nz"})
     mesh.add_property_map<Vertex, double>(name, name[3] == 'z');
   mesh.add_property_map<Halfedge, Texture_point>(texture_property, Texture_point{{0.25, 0.75}});
+  const std::string material = "stone";
+  mesh.add_property_map<Face, std::string>(material_property, material);
   const Soup soup = parse_soup(assimp_bytes(mesh, type), type);
   const auto has = [&](const char* name) {
     return std::any_of(soup.of_points.begin(), soup.of_points.end(), [&](const Soup_property& p) { return p.name == name; });
@@ -106,6 +111,10 @@ std::vector<std::string> fields_that_return(const std::string& type)
   std::vector<std::string> result;
   if (has("red"))
     result.push_back("the colors of vertices");
+  if (has("alpha"))
+    result.push_back("the opacities of vertices");
+  if (soup.materials == std::vector<std::string>{material})
+    result.push_back("the materials of faces");
   if (has("nx"))
     result.insert(result.end(), {"the normals of vertices", "the normals of corners"});
   if (!soup.texture_points.empty())

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace coarsen_mesh_tool {
@@ -95,8 +96,8 @@ std::string obj_bytes(const Mesh& mesh, const File_notes& notes)
 {
   Text_writer text;
   text.comments(notes);
-  if (!notes.material_library.empty())
-    text << "mtllib " << notes.material_library << '\n';
+  for (const std::string& libraries : notes.material_libraries)
+    text << "mtllib " << libraries << '\n';
   write_vertices(mesh, text);
   write_faces(mesh, text);
   return std::move(text).bytes();

@@ -2,10 +2,13 @@
 
 #include "io/write_off.h"
 
+#include "io/Corner_fields.h"
 #include "io/Number_property.h"
 #include "io/Text_writer.h"
 
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace coarsen_mesh_tool {
 namespace {
@@ -25,7 +28,7 @@ std::string off_bytes(const Mesh& mesh, const File_notes& notes)
   const Color_properties<Vertex> color(mesh);
   const Color_properties<Face> face_color(mesh);
   const Normal_properties normal(mesh);
-  const Texture_properties texture(mesh);
+  const std::optional<std::vector<Texture_point> > texture = texture_of_vertices(mesh);
   Text_writer text;
   text << (texture ? "ST" : "") << (color ? "C" : "") << (normal ? "N" : "") << "OFF\n";
   text.comments(notes);
@@ -39,7 +42,8 @@ std::string off_bytes(const Mesh& mesh, const File_notes& notes)
     if (color)
       write_color(color, v, text);
     if (texture)
-      ((text << ' ').number(texture.u(v)) << ' ').number(texture.v(v));
+      for (const double x : (*texture)[std::size_t(v)])
+        (text << ' ').number(x);
     text << '\n';
   }
   for (const Face f : mesh.faces()) {

@@ -15,8 +15,10 @@ std::string material_name(const aiScene& scene, const aiMesh& mesh)
 {
   if (mesh.mMaterialIndex >= scene.mNumMaterials)
     return "";
-  const std::string name = scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str();
-  return name == AI_DEFAULT_MATERIAL_NAME ? "" : name;
+  const std::string name = scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str(), none = AI_DEFAULT_MATERIAL_NAME;
+  // The reader of 3MF puts a number before each name.
+  const bool is_none = name.size() >= none.size() && name.compare(name.size() - none.size(), none.size(), none) == 0;
+  return is_none ? "" : name;
 }
 
 // Names in OBJ end at a space.
@@ -79,10 +81,8 @@ std::size_t Scene_text::add_point(const aiMesh& mesh, unsigned v, const aiMatrix
   (text_ << "v ").coordinates(Point(p.x, p.y, p.z));
   if (has_colors_) {
     colors_.push_back(color);
-    for (const float part : {color.r, color.g, color.b})
+    for (const float part : {color.r, color.g, color.b, color.a})
       (text_ << ' ').number(double(part));
-    if (color.a != 1)
-      left_out_.insert("opacities of vertices");
   }
   text_ << '\n';
   return found.first->second;

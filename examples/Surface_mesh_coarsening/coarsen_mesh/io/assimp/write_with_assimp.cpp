@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <string>
 #include <system_error>
 #include <tuple>
 #include <vector>
@@ -81,33 +82,66 @@ public:
         result.mTextureCoords[0][i] = vector3(fields_.texture(h)[0], fields_.texture(h)[1], 0);
       const auto part = [v](const Number_property<Vertex>& numbers) { return ai_real(numbers.byte(v) / 255.); };
       if (color)
-        result.mColors[0][i] = aiColor4D(part(color.red), part(color.green), part(color.blue), 1);
+        result.mColors[0][i] =
+          aiColor4D(part(color.red), part(color.green), part(color.blue), color.alpha ? part(color.alpha) : 1);
     }
   }
 };
 
-std::unique_ptr<aiScene> scene_of(const Mesh& mesh)
+aiMaterial* new_material(const std::string& name)
 {
-  auto scene = std::make_unique<aiScene>();
-  scene->mMaterials = new aiMaterial* [scene->mNumMaterials = 1] { new aiMaterial() };
-  scene->mMeshes = new aiMesh* [scene->mNumMeshes = 1] { new aiMesh() };
-  const aiString no_name(AI_DEFAULT_MATERIAL_NAME);
-  scene->mMaterials[0]->AddProperty(&no_name, AI_MATKEY_NAME);
-  scene->mRootNode = new aiNode("mesh");
-  scene->mRootNode->mMeshes = new unsigned[scene->mRootNode->mNumMeshes = 1]{0};
-  aiMesh& result = *scene->mMeshes[0];
-  result.mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
-  result.mName = "mesh";
-  result.mFaces = new aiFace[result.mNumFaces = mesh.number_of_faces()];
+  auto result = std::make_unique<aiMaterial>();
+  const aiString words(name.empty() ? AI_DEFAULT_MATERIAL_NAME : name);
+  result->AddProperty(&words, AI_MATKEY_NAME);
+  return result.release();
+}
+
+aiMesh* new_mesh(const Mesh& mesh, const std::vector<Face>& faces, unsigned material)
+{
+  auto result = std::make_unique<aiMesh>();
+  result->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
+  result->mName = "mesh";
+  result->mMaterialIndex = material;
+  result->mFaces = new aiFace[result->mNumFaces = unsigned(faces.size())];
   Corner_vertices vertices(mesh);
-  for (const Face f : mesh.faces()) {
-    aiFace& face = result.mFaces[std::size_t(f)];
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    aiFace& face = result->mFaces[f];
     face.mIndices = new unsigned[face.mNumIndices = 3];
-    Halfedge h = mesh.halfedge(f);
+    Halfedge h = mesh.halfedge(faces[f]);
     for (unsigned i = 0; i < 3; ++i, h = mesh.next(h))
       face.mIndices[i] = vertices.number(h);
   }
-  vertices.write_to(result);
+  vertices.write_to(*result);
+  return result.release();
+}
+
+// The faces of each material, all under one empty name if materials are not written.
+std::map<std::string, std::vector<Face> > faces_by_material(const Mesh& mesh, bool writes_materials)
+{
+  const Found_property<Face, std::string> material(mesh, material_property);
+  std::map<std::string, std::vector<Face> > result;
+  for (const Face f : mesh.faces())
+    result[writes_materials && material ? material.map[f] : ""].push_back(f);
+  return result;
+}
+
+// A mesh of Assimp has one material. All meshes belong to a child of the root, because 3MF leaves out those of the root itself.
+std::unique_ptr<aiScene> scene_of(const Mesh& mesh, bool writes_materials)
+{
+  const auto pieces = faces_by_material(mesh, writes_materials);
+  auto scene = std::make_unique<aiScene>();
+  scene->mMaterials = new aiMaterial*[pieces.size()]();
+  scene->mMeshes = new aiMesh*[pieces.size()]();
+  aiNode* node = new aiNode("mesh");
+  scene->mRootNode = new aiNode("root");
+  scene->mRootNode->addChildren(1, &node);
+  node->mMeshes = new unsigned[node->mNumMeshes = unsigned(pieces.size())];
+  for (const auto& piece : pieces) {
+    const unsigned number = scene->mNumMeshes;
+    scene->mMaterials[scene->mNumMaterials++] = new_material(piece.first);
+    scene->mMeshes[scene->mNumMeshes++] = new_mesh(mesh, piece.second, number);
+    node->mMeshes[number] = number;
+  }
   return scene;
 }
 
@@ -169,7 +203,7 @@ std::optional<std::string> export_format(const std::string& type)
 
 std::string assimp_bytes(const Mesh& mesh, const std::string& type)
 {
-  const auto scene = scene_of(mesh);
+  const auto scene = scene_of(mesh, type != "3mf"); // in which each material would take an object of its own
   Assimp::Exporter exporter;
   const std::string format = export_format(type).value_or(type);
   const aiExportDataBlob* blob = exporter.ExportToBlob(scene.get(), format);
