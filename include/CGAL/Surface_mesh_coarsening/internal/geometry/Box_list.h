@@ -54,8 +54,8 @@ private:
     const double *x = sides_[0].data() + first, *y = sides_[1].data() + first, *z = sides_[2].data() + first,
                  *to_x = sides_[3].data() + first, *to_y = sides_[4].data() + first, *to_z = sides_[5].data() + first;
     for (std::size_t i = 0; i < number; ++i)
-      overlaps[i] = char((x[i] <= box.xmax()) & (y[i] <= box.ymax()) & (z[i] <= box.zmax()) & (to_x[i] >= box.xmin()) &
-                         (to_y[i] >= box.ymin()) & (to_z[i] >= box.zmin()));
+      overlaps[i] = char(int(x[i] <= box.xmax()) & int(y[i] <= box.ymax()) & int(z[i] <= box.zmax()) &
+                         int(to_x[i] >= box.xmin()) & int(to_y[i] >= box.ymin()) & int(to_z[i] >= box.zmin()));
   }
 
   std::array<std::vector<double>, 6> sides_; // the smallest and the largest coordinates
