@@ -262,12 +262,17 @@ def test_interrupt_is_heeded_and_the_lock_is_released():
         os.kill(os.getpid(), signal.SIGINT)
 
     timer = threading.Timer(0.5, interrupt)
-    timer.start()
-    with pytest.raises(KeyboardInterrupt):
-        while True:
-            smc.coarsen(points, faces, 20000)
-    assert time.monotonic() - sent[0] < 2
-    timer.join()
+    # Processes in the background may ignore the signal.
+    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        timer.start()
+        with pytest.raises(KeyboardInterrupt):
+            while not sent or time.monotonic() - sent[0] < 10:
+                smc.coarsen(points, faces, 20000)
+        assert time.monotonic() - sent[0] < 2
+        timer.join()
+    finally:
+        signal.signal(signal.SIGINT, handler)
 
 
 def test_input_is_not_modified():
