@@ -53,12 +53,7 @@ std::vector<Method> all_methods()
   methods.push_back(acvd("CGAL ACVD by quadrics", seed.use_qem_based_energy(true)));
   methods.push_back(acvd("CGAL ACVD with gradation", seed.gradation_factor(1.)));
 #endif
-#ifdef COARSENING_HAS_MESHOPTIMIZER
-  methods.push_back({"meshoptimizer", run_meshoptimizer});
-#endif
-#ifdef COARSENING_HAS_OPENMESH
-  methods.push_back({"OpenMesh decimation", run_openmesh});
-#endif
+  add_other_libraries(methods);
   methods.push_back(our_method_with_energy<SMC::Weighted_inertia_energy<> >("ours"));
   methods.push_back(our_method_with_energy<SMC::Quadric_energy>("ours by quadrics"));
   methods.push_back(our_method_with_energy<SMC::Normal_deviation_energy>("ours by normals"));

@@ -24,12 +24,7 @@ inline std::vector<Method> all_methods()
 #ifdef COARSENING_HAS_ACVD
   methods.push_back(acvd("CGAL ACVD", CGAL::parameters::random_seed(0)));
 #endif
-#ifdef COARSENING_HAS_MESHOPTIMIZER
-  methods.push_back({"meshoptimizer", run_meshoptimizer});
-#endif
-#ifdef COARSENING_HAS_OPENMESH
-  methods.push_back({"OpenMesh decimation", run_openmesh});
-#endif
+  add_other_libraries(methods);
   return methods;
 }
 

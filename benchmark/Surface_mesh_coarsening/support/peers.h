@@ -275,6 +275,17 @@ Method our_method_with_energy(const std::string& name)
           }};
 }
 
+// Adds the methods of the libraries that have been found.
+inline void add_other_libraries([[maybe_unused]] std::vector<Method>& methods)
+{
+#ifdef COARSENING_HAS_MESHOPTIMIZER
+  methods.push_back({"meshoptimizer", run_meshoptimizer});
+#endif
+#ifdef COARSENING_HAS_OPENMESH
+  methods.push_back({"OpenMesh decimation", run_openmesh});
+#endif
+}
+
 } // namespace benchmark_support
 
 #endif // COARSENING_BENCHMARK_PEERS_H
