@@ -378,8 +378,10 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
     recluster(state, best_densities);
     ++clusterings;
   }
-  if (dual.number_left() > fewest || may_exchange_vertices(state, placement))
+  if (dual.number_left() > fewest || may_exchange_vertices(state, placement)) {
+    budget = repair_budget(state); // the selected result must not be worse than before
     dual = place_and_exchange(state, placement, output_coordinates, budget);
+  }
   dual.clusterings = clusterings;
   return dual;
 }
