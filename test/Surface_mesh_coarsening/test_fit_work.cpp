@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(repair)
 {
   using namespace generated;
   const double usual = seconds_each("sphere", test::to_mesh(triangle_sphere(5)), 3000);
-  constexpr double bound = 60;
+  constexpr double bound = 20;
   BOOST_CHECK_LE(seconds_each("bipyramid", test::to_mesh(bipyramid(1000)), 350), bound * usual);
   BOOST_CHECK_LE(seconds_each("tube", test::to_mesh(triangulated(tube(3, 1000))), 300), bound * usual);
 }

@@ -127,9 +127,7 @@ private:
   Fan fan(Index f) const
   {
     const Index begin = mesh_.first_corner[f], degree = mesh_.degree(f);
-    const Index* corners = mesh_.corner_vertex.data() + begin;
-    if (degree == 3) // the usual case, without a loop
-      return {mesh_, begin, 3, corners[0] < corners[1] ? (corners[0] < corners[2] ? 0u : 2u) : (corners[1] < corners[2] ? 1u : 2u)};
+    const auto corners = mesh_.corner_vertex.begin() + begin;
     return {mesh_, begin, degree, Index(std::min_element(corners, corners + degree) - corners)};
   }
 

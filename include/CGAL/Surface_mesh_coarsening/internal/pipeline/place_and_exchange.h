@@ -189,13 +189,13 @@ inline bool is_better_plain(Clustering_state& state, const Placement_model& plac
   const bool is_repaired = dual.counts.intersections_found + dual.counts.reversals_found > 0;
   if (!is_repaired || budget.is_spent())
     return false;
-  budget.spend(placement_tests * dual.triangles.size());
   const double distance = squared_distance(*clustered_faces(state, dual), dual.triangles, dual.positions);
   const bool has_many = has_many_intersections(state, dual);
   if (!has_many && distance < plain_distance)
     return false;
   const std::vector<Index> labels_of_dual = labels(state).labels();
   clusters.undo();
+  budget.spend(placement_tests * dual.triangles.size());
   Placed_dual plain = place(state, placement, output_coordinates, budget);
   const std::size_t left = plain.number_left();
   if ((has_many && left < dual.number_left()) ||

@@ -325,8 +325,8 @@ inline void recluster(Clustering_state& state, const std::vector<double>& densit
 // Returns whether other densities are likely to reduce the number of intersections.
 inline bool is_worth_reclustering(const Clustering_state& state, const Placed_dual& dual, const Repair_budget& budget)
 {
-  return is_worth_repairing(state, dual, budget) && has_many_intersections(state, dual) && state.seeding.kind != Seeding::BY_CALLER &&
-         state.energy->depends_on_densities();
+  return is_worth_repairing(state, dual, budget) && has_many_intersections(state, dual) &&
+         state.seeding.kind != Seeding::BY_CALLER && state.energy->depends_on_densities();
 }
 
 // Raises the densities of the faces in clusters whose vertices belong to intersecting triangles.

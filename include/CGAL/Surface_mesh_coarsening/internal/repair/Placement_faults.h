@@ -31,8 +31,8 @@ public:
   Placement_faults(const Clustered_faces& surface, Input_oracle& reference, const Flippable_triangulation& coarse,
                    const std::vector<Vector>& positions, const Output_coordinates& output, Repair_budget& budget,
                    const Cancellation_point& cancellation)
-    : budget_(budget), cancellation_(cancellation), execution_(surface.execution()), surface_(surface), reference_(reference), coarse_(coarse),
-      positions_(positions), output_(output), points_(positions.size())
+    : budget_(budget), cancellation_(cancellation), execution_(surface.execution()), surface_(surface), reference_(reference),
+      coarse_(coarse), positions_(positions), output_(output), points_(positions.size())
   {}
 
   // Finds all faults of the current positions.
@@ -66,9 +66,9 @@ public:
   bool is_reversed(Index t)
   {
     std::size_t visited = 0;
-    const bool is_reversed = this->is_reversed(t, visited);
+    const bool result = is_reversed(t, visited);
     spend(visited / 4); // the distance from a face takes a fraction of the time of an exact test
-    return is_reversed;
+    return result;
   }
 
   // Returns whether neither the budget nor the maximum number of exact tests of this repair is exhausted.
@@ -159,7 +159,7 @@ private:
     }
   }
 
-  // Counts the visited faces of the input.
+  // The same, for several threads. Adds the number of visited faces of the input to `visited`.
   bool is_reversed(Index t, std::size_t& visited) const
   {
     const Triangle& triangle = coarse_.triangles()[t];

@@ -21,8 +21,8 @@ public:
   bool is_spent() const { return left_ == 0; }
 
 private:
-  // With a third of these tests, more than twice as many intersections remain on meshes of long triangles. Meshes with fewer
-  // faces than the second number have the same budget.
+  // With half of these tests, intersections remain on bipyramids and uneven grids that are repaired otherwise. Meshes with fewer
+  // faces than the second number have the budget of that number.
   static constexpr std::size_t tests_per_face = 3000, min_faces = 2000;
 
   std::size_t left_;
