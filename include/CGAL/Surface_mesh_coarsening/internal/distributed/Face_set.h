@@ -48,6 +48,7 @@ struct Face_record
 
   static constexpr Index own_bit = Index(1) << 31;
   static constexpr std::size_t words_of_face = 4, words_of_corner = 4;
+  static constexpr std::size_t words_of_triangle = words_of_face + 3 * words_of_corner;
 
   void write(Words& words) const
   {
@@ -98,6 +99,19 @@ struct Face_set
 
   std::size_t size() const { return place.size(); }
   std::size_t degree(std::size_t f) const { return first_corner[f + 1] - first_corner[f]; }
+
+  // Reserves memory for triangles.
+  void reserve(std::size_t triangles)
+  {
+    is_own.reserve(triangles);
+    place.reserve(triangles);
+    density.reserve(triangles);
+    cluster.reserve(triangles);
+    origin.reserve(triangles);
+    first_corner.reserve(triangles + 1);
+    vertex.reserve(3 * triangles);
+    point.reserve(3 * triangles);
+  }
 
   void append(const Face_record& face)
   {

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PATCH_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/sort_runs.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Number_table.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_store.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
@@ -73,11 +74,17 @@ public:
     check_fans();
     faces_.vertex = std::vector<std::uint64_t>();
     faces_.point = std::vector<Vector>();
-    complete_topology(mesh_, patch_.number.size(), cancellation, Execution::SEQUENTIAL);
+    complete_stars(mesh_, patch_.number.size(), cancellation, Execution::SEQUENTIAL);
     find_inner_vertices();
   }
 
 private:
+  // The other ends of the edges before and after a corner.
+  struct Edge_ends
+  {
+    Index previous, next;
+  };
+
   void sort_faces()
   {
     struct Key
@@ -94,7 +101,7 @@ private:
       const std::size_t c = faces_.first_corner[f];
       return std::make_tuple(faces_.vertex[c], faces_.vertex[c + 1], faces_.origin[f]);
     };
-    std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
+    sort_runs(keys, [&](const Key& a, const Key& b) {
       return a.place != b.place ? a.place < b.place : rest(a.face) < rest(b.face);
     });
     std::vector<Index> order;
@@ -132,8 +139,12 @@ private:
       first_at_[v] += first_at_[v - 1];
     std::vector<Index> next(first_at_.begin(), first_at_.end() - 1);
     corners_at_.resize(corners);
-    for (Index c = 0; c < corners; ++c)
-      corners_at_[next[vertex_of_[c]]++] = c;
+    ends_at_.resize(corners);
+    for (Index c = 0; c < corners; ++c) {
+      const Index i = next[vertex_of_[c]]++;
+      corners_at_[i] = c;
+      ends_at_[i] = {vertex_of_[previous_corner(c)], next_vertex(c)};
+    }
   }
 
   Index number_of_vertex_numbers() const { return Index(first_at_.size() - 1); }
@@ -173,44 +184,42 @@ private:
                         " and in " + name(face_of_[corners_at_[i]]));
   }
 
-  // Calls `receive(c)` for all corners at which an edge from v to w begins. Searches around the vertex with fewer faces, so
-  // vertices of high degree cost no more than others.
-  template <class Receive>
-  void for_each_edge(Index v, Index w, const Receive& receive) const
-  {
-    if (first_at_[v + 1] - first_at_[v] <= first_at_[w + 1] - first_at_[w]) {
-      for (const Index i : positions_at(v))
-        if (next_vertex(corners_at_[i]) == w)
-          receive(corners_at_[i]);
-      return;
-    }
-    for (const Index i : positions_at(w)) {
-      const Index c = previous_corner(corners_at_[i]);
-      if (vertex_of_[c] == v)
-        receive(c);
-    }
-  }
-
+  // Searches around the end of each edge with fewer faces, so vertices of high degree cost no more than others.
   void pair_edges()
   {
-    const std::size_t corners = vertex_of_.size();
-    mesh_.face_across.assign(corners, NONE);
-    corner_across_.assign(corners, NONE);
+    mesh_.face_across.assign(vertex_of_.size(), NONE);
+    corner_across_.assign(vertex_of_.size(), NONE);
     bool has_fault = false;
-    for (Index c = 0; c < corners; ++c) {
-      if (corner_across_[c] != NONE)
-        continue;
-      const Index v = vertex_of_[c], w = next_vertex(c);
-      for_each_edge(v, w, [&](Index other) { has_fault = has_fault || other != c; });
-      for_each_edge(w, v, [&](Index opposite) {
-        has_fault = has_fault || corner_across_[c] != NONE;
-        pair(c, opposite);
-        pair(opposite, c);
-      });
-    }
+    for (Index v = 0; v < number_of_vertex_numbers(); ++v)
+      for (const Index i : positions_at(v)) {
+        const Index w = ends_at_[i].next;
+        if (corner_across_[corners_at_[i]] == NONE)
+          has_fault = pair_edge(corners_at_[i], v, w) || has_fault;
+      }
     if (has_fault)
       throw_two_faces();
   }
+
+  // Pairs the edge from v to w at a corner with the edges back. Returns whether there is more than one edge in a direction.
+  bool pair_edge(Index c, Index v, Index w)
+  {
+    const bool is_at_source = degree(v) <= degree(w);
+    const Index other_end = is_at_source ? w : v;
+    std::size_t edges = 0, edges_back = 0;
+    for (const Index i : positions_at(is_at_source ? v : w)) {
+      const bool is_next = ends_at_[i].next == other_end, is_previous = ends_at_[i].previous == other_end;
+      edges += is_at_source ? is_next : is_previous;
+      if (is_at_source ? !is_previous : !is_next)
+        continue;
+      const Index opposite = is_at_source ? previous_corner(corners_at_[i]) : corners_at_[i];
+      ++edges_back;
+      pair(c, opposite);
+      pair(opposite, c);
+    }
+    return edges > 1 || edges_back > 1;
+  }
+
+  Index degree(Index v) const { return first_at_[v + 1] - first_at_[v]; }
 
   void pair(Index c, Index opposite)
   {
@@ -309,6 +318,7 @@ private:
   std::vector<Index> vertex_of_;   // of each corner, by number; fans are not distinguished
   std::vector<Index> first_at_;    // of each vertex number: its first position in `corners_at_`, and the total
   std::vector<Index> corners_at_;
+  std::vector<Edge_ends> ends_at_; // of the edges at each of these corners
   std::vector<Index> corner_across_; // for each corner, the begin of the edge after it, seen from the other face
 };
 
@@ -317,6 +327,7 @@ inline Patch read_patch(const Word_store& store, std::size_t bin, const Face_nam
 {
   Patch patch;
   Face_record face;
+  patch.faces.reserve(store.number_of_words(bin) / Face_record::words_of_triangle);
   store.read(bin, [&](const std::uint64_t* word, const std::uint64_t* end) {
     while (word != end) {
       word = face.read(word);

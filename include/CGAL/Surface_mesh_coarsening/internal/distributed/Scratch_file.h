@@ -73,14 +73,13 @@ public:
     return slot;
   }
 
-  Words read(std::uint64_t slot, std::size_t size)
+  void read(std::uint64_t slot, std::size_t size, Words& words)
   {
-    Words words(size);
+    words.resize(size);
     errno = 0;
     file_.seekg(position(slot));
     file_.read(reinterpret_cast<char*>(words.data()), std::streamsize(size * sizeof words[0]));
     check("read from");
-    return words;
   }
 
   void release_slots(std::uint64_t slot, std::size_t size)

@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Number_table.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_routing.h>
 
 #include <algorithm>
@@ -90,17 +91,17 @@ private:
 
   std::vector<std::uint64_t> vertices_of(const Word_store& faces, std::size_t bin) const
   {
-    std::vector<std::uint64_t> vertices;
+    Number_table vertices;
     Face_record face;
     faces.read(bin, [&](const std::uint64_t* word, const std::uint64_t* end) {
       while (word != end) {
         word = face.read(word);
-        vertices.insert(vertices.end(), face.vertex.begin(), face.vertex.end());
+        for (const std::uint64_t v : face.vertex)
+          vertices.index(v);
       }
       context_.cancellation.poll(Scratch_file::slot_words);
     });
-    sort_unique(vertices);
-    return vertices;
+    return vertices.numbers();
   }
 
   void copy_faces(std::size_t bin, const Word_store& faces, Word_store& shared, Word_routing& routing) const

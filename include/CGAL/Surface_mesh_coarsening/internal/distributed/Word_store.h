@@ -41,14 +41,26 @@ public:
     b.open.insert(b.open.end(), words, words + size);
   }
 
+  std::size_t number_of_words(std::size_t bin) const
+  {
+    std::size_t words = bins_[bin].open.size();
+    for (const Chunk& chunk : bins_[bin].chunks)
+      words += chunk.size;
+    return words;
+  }
+
   // Calls `receive(begin, end)` for all records of a bin, some at a time, in the order of appending. The bin must not change
   // during the call.
   template <class Receive>
   void read(std::size_t bin, const Receive& receive) const
   {
     const auto pass = [&](const Words& words) { receive(words.data(), words.data() + words.size()); };
-    for (const Chunk& chunk : bins_[bin].chunks)
-      pass(chunk.is_in_memory ? chunk.words : scratch_.read(chunk.slot, chunk.size));
+    Words from_file;
+    for (const Chunk& chunk : bins_[bin].chunks) {
+      if (!chunk.is_in_memory)
+        scratch_.read(chunk.slot, chunk.size, from_file);
+      pass(chunk.is_in_memory ? chunk.words : from_file);
+    }
     pass(bins_[bin].open);
   }
 

@@ -27,6 +27,15 @@ public:
   static void complete(Flat_mesh& m, std::size_t number_of_vertices,
                        const Cancellation_point& cancellation = Cancellation_point(), Execution execution = Execution::SEQUENTIAL)
   {
+    complete_stars(m, number_of_vertices, cancellation, execution);
+    number_components(m, cancellation);
+    count_loops(m);
+  }
+
+  // Computes stars and loops, but no components.
+  static void complete_stars(Flat_mesh& m, std::size_t number_of_vertices, const Cancellation_point& cancellation,
+                             Execution execution)
+  {
     check_faces(m, cancellation, execution);
     count_stars(m, number_of_vertices);
     std::vector<Index> start = first_corners_of_stars(m, number_of_vertices, cancellation);
@@ -35,7 +44,6 @@ public:
     if (wrong < number_of_vertices)
       throw Invalid_input("vertex " + std::to_string(wrong) +
                           " is not a manifold vertex: the faces around it form more than one fan");
-    number_components(m, cancellation);
     number_loops(m, cancellation);
   }
 
@@ -180,9 +188,19 @@ private:
         done[w] = true;
         m.loop[w] = loops;
       }
-      ++m.components[m.component[m.star[m.first_in_star[v]]]].loops;
       ++loops;
     }
+  }
+
+  // Counts the loops of each component.
+  static void count_loops(Flat_mesh& m)
+  {
+    std::vector<Index> component_of_loop;
+    for (std::size_t v = 0; v < m.number_of_vertices(); ++v)
+      if (m.loop[v] != NONE && m.loop[v] >= component_of_loop.size())
+        component_of_loop.push_back(m.component[m.star[m.first_in_star[v]]]);
+    for (const Index component : component_of_loop)
+      ++m.components[component].loops;
   }
 };
 

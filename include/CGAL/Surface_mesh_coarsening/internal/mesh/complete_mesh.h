@@ -18,6 +18,10 @@ namespace internal {
 void complete_topology(Flat_mesh& mesh, std::size_t number_of_vertices, const Cancellation_point& cancellation,
                        Execution execution);
 
+// The same without components, which are not known of a part of a mesh.
+void complete_stars(Flat_mesh& mesh, std::size_t number_of_vertices, const Cancellation_point& cancellation,
+                    Execution execution);
+
 // Computes the densities of section 5.2, raised near borders on request.
 std::vector<double> compute_densities(const Flat_mesh& mesh, double maximum, bool at_borders,
                                       const Cancellation_point& cancellation, Execution execution);

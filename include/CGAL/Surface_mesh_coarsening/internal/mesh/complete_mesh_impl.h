@@ -19,6 +19,12 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void complete_topology(Flat_mesh& mesh, std:
   Flat_mesh_topology::complete(mesh, number_of_vertices, cancellation, execution);
 }
 
+CGAL_SURFACE_MESH_COARSENING_INLINE void complete_stars(Flat_mesh& mesh, std::size_t number_of_vertices,
+                                                        const Cancellation_point& cancellation, Execution execution)
+{
+  Flat_mesh_topology::complete_stars(mesh, number_of_vertices, cancellation, execution);
+}
+
 CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<double> compute_densities(const Flat_mesh& mesh, double maximum, bool at_borders,
                                                                           const Cancellation_point& cancellation,
                                                                           Execution execution)
