@@ -73,7 +73,7 @@ template <class Work>
 void for_each_chunk(Execution execution, std::size_t n, std::size_t size, const Cancellation_point& cancellation,
                     const Work& work)
 {
-  constexpr std::size_t at_a_time = 16; // number of chunks
+  constexpr std::size_t at_a_time = 64; // number of chunks, enough for many threads
   for (std::size_t first = 0; first < n; first += at_a_time * size) {
     const std::size_t last = (std::min)(n, first + at_a_time * size);
     cancellation.poll(last - first);
@@ -89,7 +89,7 @@ template <class Part, class Make, class Take>
 void for_each_part(Execution execution, std::size_t n, std::size_t size, const Cancellation_point& cancellation, const Make& make,
                    const Take& take)
 {
-  constexpr std::size_t at_a_time = 16;
+  constexpr std::size_t at_a_time = 64;
   std::vector<Part> parts((std::min)(at_a_time, (n + size - 1) / size));
   for (std::size_t first = 0; first < n; first += at_a_time * size) {
     const std::size_t last = (std::min)(n, first + at_a_time * size);

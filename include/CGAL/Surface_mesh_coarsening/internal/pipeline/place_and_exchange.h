@@ -145,11 +145,11 @@ inline bool repair_by_exchange(Clustering_state& state, const Placement_model& p
   return is_better;
 }
 
-// Places the vertices, exchanges some of them together with their clusters, and repairs the placement. `plain_distance` receives
-// the squared distance of the fit without exchange, before the repair.
+// Places the vertices, exchanges some of them together with their clusters, and repairs the placement. `plain` receives the fit
+// without exchange, before the repair.
 inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
                                       const Output_coordinates& output_coordinates, Cluster_relocation& clusters,
-                                      Repair_budget& budget, double& plain_distance)
+                                      Repair_budget& budget, Fitted_mesh& plain)
 {
   state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
   Placed_dual dual;
@@ -160,8 +160,7 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
   dual.positions.resize(state.number_of_clusters());
   const Border_arcs border(*surface, state.places_on_borders);
   border.place(dual.positions);
-  plain_distance =
-    placement.exchanging(*surface, border, dual.triangles, dual.positions, vertex_relocation(state, *surface, clusters));
+  plain = placement.exchanging(*surface, border, dual.triangles, dual.positions, vertex_relocation(state, *surface, clusters));
   state.visitor.stage_ends(Coarsening_stage::FEEDBACK);
   if (clusters.number() > 0)
     surface = clustered_faces(state, dual);
@@ -180,18 +179,19 @@ inline bool may_exchange_vertices(const Clustering_state& state, const Placement
 }
 
 // Replaces a repaired placement by the placement without exchange in two cases: many intersections remain and the other
-// placement has fewer, or it has no more intersections and a smaller distance. `plain_distance` is the squared distance of the
-// placement without exchange before its repair. Returns whether the placement was replaced.
+// placement has fewer, or it has no more intersections and a smaller distance. `unrepaired` is the placement without exchange before
+// its repair. Returns whether the placement was replaced.
 inline bool is_better_plain(Clustering_state& state, const Placement_model& placement,
                             const Output_coordinates& output_coordinates, Cluster_relocation& clusters, Repair_budget& budget,
-                            double plain_distance, Placed_dual& dual)
+                            const Fitted_mesh& unrepaired, Placed_dual& dual)
 {
   const bool is_repaired = dual.counts.intersections_found + dual.counts.reversals_found > 0;
-  if (!is_repaired || budget.is_spent())
+  if (!is_repaired || clusters.number() == 0 || budget.is_spent())
     return false;
-  const double distance = squared_distance(*clustered_faces(state, dual), dual.triangles, dual.positions);
+  const std::unique_ptr<Clustered_faces> surface = clustered_faces(state, dual);
+  const double distance = squared_distance(*surface, dual.triangles, dual.positions);
   const bool has_many = has_many_intersections(state, dual);
-  if (!has_many && distance < plain_distance)
+  if (!has_many && distance < squared_distance(*surface, unrepaired.triangles, unrepaired.positions))
     return false;
   const std::vector<Index> labels_of_dual = labels(state).labels();
   clusters.undo();
@@ -216,10 +216,10 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
     return place(state, placement, output_coordinates, budget);
   Cluster_relocation clusters(state.featured_input(), *state.labels, Index(state.number_of_clusters()));
   try {
-    double plain_distance = 0;
-    Placed_dual dual = place_and_exchange(state, placement, output_coordinates, clusters, budget, plain_distance);
+    Fitted_mesh plain;
+    Placed_dual dual = place_and_exchange(state, placement, output_coordinates, clusters, budget, plain);
     std::size_t exchanged = clusters.number();
-    if (is_better_plain(state, placement, output_coordinates, clusters, budget, plain_distance, dual))
+    if (is_better_plain(state, placement, output_coordinates, clusters, budget, plain, dual))
       exchanged = 0;
     if (exchanged > 0) {
       state.minimization.reset();

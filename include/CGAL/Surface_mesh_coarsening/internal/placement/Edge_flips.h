@@ -38,27 +38,26 @@ public:
   {
     const std::vector<Triangle>& triangles = coarse_.triangles();
     measure_triangles();
-    std::vector<Flip> flips;
     double budget = 0, total = 0;
-    for_each_part<Trials>(
-      execution_, triangles.size(), triangles_of_part, cancellation_,
-      [this](Trials& trials, std::size_t begin, std::size_t end) { try_flips(begin, end, trials); },
-      [&](const Trials& trials) {
-        cancellation_.poll(steps_of_flip * triangles_of_part);
-        flips.insert(flips.end(), trials.flips.begin(), trials.flips.end());
-        for (const double x : trials.angles)
-          budget += x - mean_angle;
-        for (const double x : trials.costs)
-          total += x;
-      });
+    for (const Measures& m : measures_) {
+      budget += m.angle - mean_angle;
+      total += m.cost;
+    }
     if (triangles.empty() || !(total > 0))
       return;
-    const double mean = total / double(triangles.size());
-    const double before = worth_.rate;
-    worth_.narrow_rate = narrow_part * mean;
-    worth_.rate = rate_for(flips, budget, mean);
-    if (is_steady && before > 0)
-      worth_.rate = (std::min)((std::max)(worth_.rate, before / max_change), before * max_change);
+    const double mean = total / double(triangles.size()), before = worth_.rate;
+    const bool is_bounded = is_steady && before > 0;
+    worth_ = {is_bounded ? before / max_change : rate(lowest_exponent(), mean), narrow_part * mean};
+    std::vector<Flip> flips;
+    for_each_part<std::vector<Flip> >(
+      execution_, triangles.size(), triangles_of_part, cancellation_,
+      [this](std::vector<Flip>& trials, std::size_t begin, std::size_t end) { try_flips(begin, end, trials); },
+      [&](const std::vector<Flip>& trials) {
+        cancellation_.poll(steps_of_flip * triangles_of_part);
+        flips.insert(flips.end(), trials.begin(), trials.end());
+      });
+    const double wanted = rate_for(flips, budget, mean);
+    worth_.rate = is_bounded ? (std::min)((std::max)(wanted, worth_.rate), before * max_change) : wanted;
     apply(flips);
   }
 
@@ -77,13 +76,6 @@ private:
     double profit(const Angle_worth& worth) const { return gain - worth.rate * loss - worth.narrow_rate * narrowing; }
   };
 
-  // The flips at some triangles that may be profitable, with the angles and costs of these triangles.
-  struct Trials
-  {
-    std::vector<Flip> flips;
-    std::vector<double> angles, costs;
-  };
-
   struct Measures
   {
     double sharpest = 0, angle = 0, cost = 0;
@@ -98,20 +90,16 @@ private:
     });
   }
 
-  void try_flips(std::size_t begin, std::size_t end, Trials& trials) const
+  // Finds the flips at some triangles that may be profitable at the current exchange rate or a larger one.
+  void try_flips(std::size_t begin, std::size_t end, std::vector<Flip>& trials) const
   {
-    trials.flips.clear();
-    trials.angles.clear();
-    trials.costs.clear();
-    for (std::size_t t = begin; t != end; ++t) {
-      trials.angles.push_back(measures_[t].angle);
-      trials.costs.push_back(measures_[t].cost);
+    trials.clear();
+    for (std::size_t t = begin; t != end; ++t)
       for (int i = 0; i < 3; ++i) {
         const Flip flip = flip_at(Index(t), i);
         if (flip.may_pay)
-          trials.flips.push_back(flip);
+          trials.push_back(flip);
       }
-    }
   }
 
   static double angle(double cosine) { return std::acos((std::min)(1., cosine)); }
@@ -137,10 +125,13 @@ private:
     if (avoids_narrowness_)
       flip.narrowing = narrowness(angle_t) + narrowness(angle_u) - narrowness(of_t.angle) - narrowness(of_u.angle);
     const double now = of_t.cost + of_u.cost;
-    // If the angles get worse, the flip is profitable only if the distance decreases.
+    // If the angles get worse, the flip is profitable only if the distance decreases by their worth.
     const bool is_closer = flip.loss >= 0 && flip.narrowing >= 0;
-    flip.gain = now - samples_.cost_instead(t, u, new_t, new_u, is_closer ? now : max_growth * now, is_closer);
-    flip.may_pay = !is_closer || flip.gain > 0;
+    const double limit = is_closer ? now + flip.profit(worth_) : max_growth * now;
+    if (limit < 0)
+      return flip;
+    flip.gain = now - samples_.cost_instead(t, u, new_t, new_u, limit, is_closer);
+    flip.may_pay = !is_closer || flip.profit(worth_) > 0;
     return flip;
   }
 
@@ -156,21 +147,26 @@ private:
   // because this rate need not exist. `unit` is a typical squared distance.
   double rate_for(const std::vector<Flip>& flips, double budget, double unit) const
   {
-    constexpr double degrees_per_radian = 180 / CGAL_PI;
-    double low = avoids_narrowness_ ? -6 : -30, high = 0;
+    double low = lowest_exponent(), high = 0;
     for (int i = 0; i < 40; ++i) {
-      const double middle = 0.5 * (low + high), rate = unit * std::exp(middle) * degrees_per_radian;
-      const Angle_worth worth{rate, worth_.narrow_rate};
+      const double middle = 0.5 * (low + high);
+      const Angle_worth worth{rate(middle, unit), worth_.narrow_rate};
       double loss = 0;
       for (const Flip& flip : flips)
         if (flip.profit(worth) > 0)
           loss += flip.loss;
       (loss > budget ? low : high) = middle;
     }
-    return unit * std::exp(high) * degrees_per_radian;
+    return rate(high, unit);
   }
 
-  // Makes the best flips first, and re-evaluates each flip after the earlier flips. Each triangle is flipped at most once.
+  // The rates that are tried are between the ones with this exponent and with 0.
+  double lowest_exponent() const { return avoids_narrowness_ ? -6 : -30; }
+
+  static double rate(double exponent, double unit) { return unit * std::exp(exponent) * (180 / CGAL_PI); }
+
+  // Makes the best flips first. Each triangle is flipped at most once, so the feet on the two triangles of a flip do not depend
+  // on other flips.
   void apply(std::vector<Flip>& flips)
   {
     flips.erase(std::remove_if(flips.begin(), flips.end(), [this](const Flip& f) { return !(f.profit(worth_) > 0); }),
@@ -178,15 +174,20 @@ private:
     std::stable_sort(flips.begin(), flips.end(),
                      [this](const Flip& f, const Flip& g) { return f.profit(worth_) > g.profit(worth_); });
     std::vector<bool> is_done(coarse_.triangles().size(), false);
+    std::vector<std::pair<Index, Index> > flipped;
     for (const Flip& flip : flips) {
-      cancellation_.poll(steps_of_flip);
       const Index t = flip.triangle, u = coarse_.across(t, flip.corner);
       if (is_done[t] || is_done[u] || !coarse_.may_flip(t, flip.corner, u))
         continue;
       coarse_.flip(t, flip.corner, u);
-      samples_.redistribute(t, u);
       is_done[t] = is_done[u] = true;
+      flipped.emplace_back(t, u);
     }
+    cancellation_.poll(steps_of_flip * flipped.size());
+    for_each_chunk(execution_, flipped.size(), 4, cancellation_, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        samples_.redistribute(flipped[i].first, flipped[i].second);
+    });
   }
 
   // The largest factor between the exchange rates of two steady runs. With larger factors the rates oscillate.

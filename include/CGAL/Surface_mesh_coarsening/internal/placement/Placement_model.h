@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Vertex_relocation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
 
 #include <cstddef>
 #include <functional>
@@ -26,9 +27,9 @@ struct Placement_model
   // may flip edges of the triangles.
   std::function<Vector(const Clustered_faces&, std::size_t)> local;
   std::function<void(const Clustered_faces&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&)> global;
-  // The same with vertex exchange between regions. Returns the squared distance without exchange.
-  std::function<double(const Clustered_faces&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&,
-                       const Vertex_relocation&)>
+  // The same with vertex exchange between regions. Returns the mesh without exchange.
+  std::function<Fitted_mesh(const Clustered_faces&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&,
+                            const Vertex_relocation&)>
     exchanging;
   bool may_run_in_parallel = false;
   bool is_at_input_vertices = false;

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Vertex_relocation.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -15,13 +16,28 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
+// A coarse mesh, its mean squared distance from the input in the direction in which it is larger, and the mean of its smallest
+// angles.
+struct Fitted_mesh
+{
+  std::vector<Triangle> triangles;
+  std::vector<Vector> positions;
+  double error = 0, mean_angle = 0;
+
+  // Returns whether this mesh is closer than another one, and its angles reach the goal or are not worse.
+  bool improves(const Fitted_mesh& other, double wanted_angle) const
+  {
+    return error < other.error && mean_angle >= (std::min)(wanted_angle, other.mean_angle);
+  }
+};
+
 // Fits all vertices together, starting from quadrics; see `Fitted_placement`. `mean_angle` is in degrees. After `rounds` rounds,
 // `relocation` determines the number of rounds that exchange vertices; they end early when there are no profitable exchanges.
 // Two rounds without exchange follow. The plain fit is the result unless one of the last meshes is closer and its angles are
-// not worse. Returns the squared distance of the plain fit; 0 if it was not compared with a mesh after exchanges.
-double fit_vertices(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
-                    std::vector<Triangle>& triangles, std::vector<Vector>& positions,
-                    const Vertex_relocation& relocation = Vertex_relocation());
+// not worse. Returns the plain fit if `relocation` has rounds.
+Fitted_mesh fit_vertices(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
+                         std::vector<Triangle>& triangles, std::vector<Vector>& positions,
+                         const Vertex_relocation& relocation = Vertex_relocation());
 
 // Returns the mean squared distance between a surface and a coarse mesh in the direction in which it is larger, as measured by
 // `Sampled_distance`.

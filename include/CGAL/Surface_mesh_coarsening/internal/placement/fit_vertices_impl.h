@@ -23,21 +23,6 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A coarse mesh, its mean squared distance from the input in the direction in which it is larger, and the mean of its smallest
-// angles.
-struct Fitted_mesh
-{
-  std::vector<Triangle> triangles;
-  std::vector<Vector> positions;
-  double error = 0, mean_angle = 0;
-
-  // Returns whether this mesh is closer than another one, and its angles reach the goal or are not worse.
-  bool improves(const Fitted_mesh& other, double wanted_angle) const
-  {
-    return error < other.error && mean_angle >= (std::min)(wanted_angle, other.mean_angle);
-  }
-};
-
 // The rounds of the fit on one coarse mesh.
 class Vertex_fit
 {
@@ -127,20 +112,26 @@ private:
 
 inline void place_by_quadrics(const Clustered_faces& surface, const Border_arcs& border, std::vector<Vector>& positions)
 {
-  for (std::size_t x = 0; x < positions.size(); ++x) {
-    surface.cancellation().poll(surface.faces(x).size());
-    if (!border.is_on_border(x))
-      positions[x] = quadric_position(surface, x, Quadric_placement::default_pull);
-  }
+  for_each_chunk(surface.execution(), positions.size(), 16, surface.cancellation(), [&](std::size_t, std::size_t begin,
+                                                                                       std::size_t end) {
+    for (std::size_t x = begin; x < end; ++x) {
+      if (surface.execution() == Execution::SEQUENTIAL)
+        surface.cancellation().poll(surface.faces(x).size());
+      if (!border.is_on_border(x))
+        positions[x] = quadric_position(surface, x, Quadric_placement::default_pull);
+    }
+  });
 }
 
-// Compares a mesh with the mesh before the exchanges; `plain_distance` receives the squared distance of the old mesh. The samples
-// of the fit are not used for the comparison, because the vertices have been fitted to them.
-inline bool is_nearer(const Clustered_faces& surface, const Fitted_mesh& mesh, const Fitted_mesh& plain, double& plain_distance)
+// Compares a mesh with the mesh before the exchanges. The errors at the samples of the fit decide only if they differ much,
+// because the vertices have been fitted to these samples.
+inline bool is_nearer(const Clustered_faces& surface, const Fitted_mesh& mesh, const Fitted_mesh& plain)
 {
+  constexpr double clearly_less = 0.9;
+  if (mesh.error < clearly_less * plain.error)
+    return true;
   const Sampled_distance distance(surface, plain.triangles.size());
-  plain_distance = distance.squared(plain.triangles, plain.positions);
-  return distance.squared(mesh.triangles, mesh.positions) < plain_distance;
+  return distance.squared(mesh.triangles, mesh.positions) < distance.squared(plain.triangles, plain.positions);
 }
 
 // Continues a fit with rounds that exchange vertices, and some rounds without exchange. Returns the best mesh after these
@@ -172,9 +163,10 @@ inline std::optional<Fitted_mesh> best_after_exchanges(Vertex_fit& fit, const Fi
   return best;
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_faces& surface, const Border_arcs& border,
-                                                      std::size_t rounds, double mean_angle, std::vector<Triangle>& triangles,
-                                                      std::vector<Vector>& positions, const Vertex_relocation& relocation)
+CGAL_SURFACE_MESH_COARSENING_INLINE Fitted_mesh fit_vertices(const Clustered_faces& surface, const Border_arcs& border,
+                                                           std::size_t rounds, double mean_angle,
+                                                           std::vector<Triangle>& triangles, std::vector<Vector>& positions,
+                                                           const Vertex_relocation& relocation)
 {
   // Before the last rounds, every `step_before`-th sample is sufficient.
   constexpr std::size_t rounds_with_all = 3, step_before = 4;
@@ -185,7 +177,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_faces& s
     fit->find_feet();
     fit->exchange_at_destinations();
     triangles = fit->triangles();
-    return 0;
+    return Fitted_mesh();
   }
   for (std::size_t left = rounds; left > 0; --left) {
     fit->find_feet(left > rounds_with_all ? step_before : 1);
@@ -195,20 +187,19 @@ CGAL_SURFACE_MESH_COARSENING_INLINE double fit_vertices(const Clustered_faces& s
   fit->settle();
   triangles = fit->triangles();
   if (relocation.rounds == 0)
-    return 0;
+    return Fitted_mesh();
   relocation.begins();
-  const Fitted_mesh plain = fit->mesh();
+  Fitted_mesh plain = fit->mesh();
   std::optional<Fitted_mesh> best =
     best_after_exchanges(*fit, plain, relocation.rounds, mean_angle, surface.cancellation());
   fit.reset(); // frees the memory of its samples
-  double plain_distance = 0;
-  if (!best || !is_nearer(surface, *best, plain, plain_distance)) {
+  if (!best || !is_nearer(surface, *best, plain)) {
     best = plain;
     relocation.undo();
   }
-  triangles = best->triangles;
-  positions = best->positions;
-  return plain_distance;
+  triangles = std::move(best->triangles);
+  positions = std::move(best->positions);
+  return plain;
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE double squared_distance(const Clustered_faces& surface,
