@@ -46,6 +46,8 @@ po::options_description description()
     ("help,h", "show this help")
     ("vertices,n", text()->value_name("N"), "number of vertices of the output")
     ("threads", text()->value_name("T")->default_value("1"), "upper bound for the number of threads of each rank")
+    ("placement", text()->value_name("P")->default_value("fitted"),
+     "fitted, or quadric: fitted vertices are about twice as close to the input; rank 0 alone fits them")
     ("memory", text()->value_name("M"),
      "memory of each rank, in bytes or with K, M or G: a quarter of it holds faces, and more faces go to a scratch file")
     ("scratch", text()->value_name("DIRECTORY"), "directory of the scratch files; by default that for temporary files")
@@ -97,6 +99,10 @@ void take_values(const po::variables_map& values, Options& options)
     throw std::invalid_argument("how many vertices? Give -n N");
   options.number_of_vertices = std::size_t(to_count("vertices", text("vertices"), most));
   options.threads = unsigned(to_count("threads", text("threads"), 1000000));
+  const std::string placement = text("placement");
+  if (placement != "fitted" && placement != "quadric")
+    throw std::invalid_argument("--placement takes fitted or quadric, not '" + placement + "'");
+  options.is_fitted = placement == "fitted";
   if (values.count("memory"))
     options.memory = to_count("memory", text("memory"), most, true);
   if (values.count("faces-per-block"))

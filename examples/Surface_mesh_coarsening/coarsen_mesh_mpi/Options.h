@@ -19,6 +19,7 @@ struct Options
   std::optional<std::size_t> faces_per_block;
   std::optional<std::uint64_t> memory; // bytes
   unsigned threads = 1;
+  bool is_fitted = true; // or placed by quadrics
   bool is_quiet = false;
   std::string help; // if it is wanted
 };

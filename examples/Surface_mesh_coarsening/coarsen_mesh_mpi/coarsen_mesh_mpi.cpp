@@ -12,6 +12,7 @@
 #include "io/file_type.h"
 #include "io/write_mesh.h"
 
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_distributed_mesh.h>
 
@@ -57,11 +58,14 @@ SMC::Distributed_report coarsen(const boost::mpi::communicator& ranks, const Inp
     clusters.resize(std::size_t(slice.number_of_faces()));
     return run(np.face_cluster_map(boost::make_iterator_property_map(clusters.begin(), boost::identity_property_map())));
   };
-  const auto np = SMC::parameters::vertex_placement(SMC::Quadric_placement())
-                    .face_name_map(names)
-                    .scratch_directory(options.scratch)
-                    .scratch_memory(options.memory.value_or(0) / 4);
-  return options.faces_per_block ? with_clusters(np.faces_per_block(*options.faces_per_block)) : with_clusters(np);
+  const auto with_placement = [&](const auto& placement) {
+    const auto np = SMC::parameters::vertex_placement(placement)
+                      .face_name_map(names)
+                      .scratch_directory(options.scratch)
+                      .scratch_memory(options.memory.value_or(0) / 4);
+    return options.faces_per_block ? with_clusters(np.faces_per_block(*options.faces_per_block)) : with_clusters(np);
+  };
+  return options.is_fitted ? with_placement(SMC::Fitted_placement()) : with_placement(SMC::Quadric_placement());
 }
 
 // Writes all files or none.

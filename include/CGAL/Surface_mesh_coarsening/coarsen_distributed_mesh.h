@@ -110,8 +110,8 @@ Distributed_choice distributed_choice(std::size_t number_of_vertices, const Plac
     return cluster_energies(energy, input, labels, clusters);
   };
   choice.placement = placement_model(placement);
-  if (!choice.placement.local)
-    throw Invalid_input("a placement of all vertices together, as Fitted_placement is, is not available for distributed "
+  if (!choice.placement.local && !choice.placement.from_start)
+    throw Invalid_input("a placement of all vertices together, other than Fitted_placement, is not available for distributed "
                         "meshes");
   choice.merges_by_area = choose_parameter(get_parameter(np_in, internal_np::merge_by_area_p), false);
   choice.places_on_borders = choose_parameter(get_parameter(np_in, internal_np::place_on_borders_p), true);
@@ -228,7 +228,8 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_placement}
 ///     \cgalParamDescription{the position of the vertex of a cluster}
-///     \cgalParamType{a model of `VertexPlacement`; models of `GlobalVertexPlacement`, such as `Fitted_placement`, are rejected}
+///     \cgalParamType{a model of `VertexPlacement`, or `Fitted_placement`, which fits the vertices to an approximation of the
+///                    input on rank 0; other models of `GlobalVertexPlacement` are rejected}
 ///     \cgalParamDefault{`Centroid_placement()`}
 ///     \cgalParamExtra{clusters on the border have their vertex on the border, unless `place_on_borders` is `false`}
 ///   \cgalParamNEnd
@@ -253,7 +254,7 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///     \cgalParamDescription{the number of faces of a block, which are processed together. The result depends on this number, but
 ///                           not on the ranks}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{`262144`; in the refinement, the number of faces of 1000 clusters if it is larger, up to `4194304`}
+///     \cgalParamDefault{`262144`; in the refinement, the number of faces of 1000 clusters if it is larger, up to `2097152`}
 ///     \cgalParamExtra{a block is larger if the centers of more faces coincide up to a millionth of the extent of the mesh, or if
 ///                     a single cluster has more faces}
 ///   \cgalParamNEnd

@@ -68,6 +68,13 @@ public:
   {
     return internal::fit_vertices(clusters, border, rounds_, mean_angle_, triangles, positions, relocation);
   }
+
+  // The same from positions of `Start`, without exchanges.
+  void place_from(const internal::Clustered_faces& clusters, const Border_arcs& border,
+                  std::vector<internal::Triangle>& triangles, std::vector<internal::Vector>& positions) const
+  {
+    internal::fit_vertices_from(clusters, border, rounds_, mean_angle_, triangles, positions);
+  }
   /// \endcond
 
 private:

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_CELL_CLUSTERING_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Cell_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Cell_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Cells.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Cluster_tasks.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_choice.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -46,6 +48,8 @@ public:
   const Coarsening_report& report() const { return report_; }
   // Valid on rank 0 if the cells have level 0:
   Placed_dual& dual() { return dual_; }
+  // Valid on rank 0 otherwise, if the vertices are fitted together:
+  Cell_surface& surface() { return *surface_; }
 
 private:
   static constexpr Index max_level = 6;
@@ -65,22 +69,25 @@ private:
   // Returns whether clusters were found.
   bool run_at_level(Word_store& blocks)
   {
-    Words words;
+    // Rank 0 has one bin for the cells of each rank, because the order of the cells must not depend on the ranks.
+    const std::size_t ranks = context_.number_of_ranks();
+    const Bin_ranks bins(context_, ranks * ranks);
+    Word_store all(ranks, context_.scratch);
+    Word_routing routing(context_, bins, all);
     double largest = 0;
-    on_all_ranks(context_.communicator, [&] {
+    routing.run([&] {
       std::size_t cells = 0;
       for_each_block(blocks.number_of_bins(), [&](std::size_t bin) {
         Patch patch = read_patch(blocks, bin, names_, context_.cancellation);
         if (!choice_.has_densities)
           compute_deviations(patch, largest);
         const Cells cells_of_block(patch, level_, context_.cancellation);
-        cells_of_block.write(words);
+        cells_of_block.write([&](const Words& cell) { routing.send(context_.rank(), cell); });
         write_cells(patch, cells_of_block, cells, blocks, bin);
         cells += cells_of_block.size();
       });
     });
     choose_density(largest);
-    std::vector<Words> all = gather_words(context_, std::move(words));
     std::vector<Words> outgoing(context_.number_of_ranks());
     bool is_found = true;
     Words tasks;
@@ -114,6 +121,7 @@ private:
       patch.get(f, patch.mesh, face);
       if (face.is_own)
         face.cluster = Index(first_cell + cells_of_block.cell_of(f));
+      face.is_center = cells_of_block.is_center(f);
       face.write(words);
       blocks.append(bin, words.data(), words.size());
     }
@@ -130,13 +138,13 @@ private:
   }
 
   // Writes the clusters of the cells of each rank.
-  bool cluster_on_first_rank(std::vector<Words>& all, std::vector<Words>& outgoing, Words& tasks)
+  bool cluster_on_first_rank(Word_store& all, std::vector<Words>& outgoing, Words& tasks)
   {
     Cell_mesh mesh(density_);
     std::vector<std::size_t> end; // of the cells of each rank
-    for (Words& words : all) {
-      mesh.read(words);
-      words = Words();
+    for (std::size_t rank = 0; rank < all.number_of_bins(); ++rank) {
+      all.read(rank, [&](const std::uint64_t* word, const std::uint64_t* last) { mesh.read(word, last); });
+      all.clear(rank);
       end.push_back(mesh.number_of_cells());
     }
     Clustering_state state;
@@ -156,6 +164,8 @@ private:
         outgoing[rank].push_back(clusters[x]);
     tasks = Cluster_tasks(state.input.items, mesh.faces(), clusters, state.number_of_clusters(), curve_, faces_per_task(mesh))
               .words();
+    if (level_ > 0 && choice_.placement.from_start)
+      surface_ = std::make_unique<Cell_surface>(mesh, state.input.items.mesh);
     if (level_ == 0)
       dual_ = place(state, choice_.placement, Output_coordinates());
     report_ = state.report;
@@ -203,6 +213,7 @@ private:
   Cluster_tasks tasks_;
   Coarsening_report report_;
   Placed_dual dual_;
+  std::unique_ptr<Cell_surface> surface_;
 };
 
 } // namespace internal

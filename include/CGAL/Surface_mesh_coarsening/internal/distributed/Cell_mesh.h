@@ -38,15 +38,17 @@ public:
   explicit Cell_mesh(const Linear_density& density) : density_(density) {}
 
   // Adds the cells that `Cells` has written.
-  void read(const Words& words)
+  void read(const std::uint64_t* words, const std::uint64_t* end)
   {
-    for (std::size_t i = 0; i < words.size();) {
+    for (std::size_t i = 0; words + i != end;) {
       const Index corners = high_half(words[i]);
       faces_.push_back(low_half(words[i++]));
       area_.push_back(to_double(words[i]));
       mass_.push_back(density_.constant * area_.back() + density_.factor * to_double(words[i + 1]));
       moment_.push_back(density_.constant * vector_at(words, i + 2) + density_.factor * vector_at(words, i + 5));
-      i += 8;
+      origin_.push_back(words[i + 8]);
+      center_.push_back(vector_at(words, i + 9));
+      i += 12;
       for (Index c = 0; c < corners; ++c, i += 7) {
         begins_star_.push_back(char(words[i]));
         number_.push_back(words[i + 1]);
@@ -60,7 +62,13 @@ public:
 
   std::size_t number_of_cells() const { return faces_.size(); }
   const std::vector<Index>& faces() const { return faces_; } // the number of faces of each cell
+  // The number and the centroid of a face of each cell.
+  const std::vector<std::uint64_t>& origins() const { return origin_; }
+  const std::vector<Vector>& centers() const { return center_; }
+  // For each corner, the corner at which the same edge begins on the other side; NONE on the border. Valid after `make()`.
+  const std::vector<Index>& corners_across() const { return corner_across_; }
 
+  // Called once; afterwards, only the functions above can be called.
   Clustering_input make(bool cells_are_faces, const Cancellation_point& cancellation, Execution execution)
   {
     if (number_.size() >= NONE / 2)
@@ -76,11 +84,12 @@ public:
     complete_topology(m, vertices, cancellation, execution);
     begin_stars(m);
     set_sums(input, cells_are_faces);
+    release();
     return input;
   }
 
 private:
-  static Vector vector_at(const Words& words, std::size_t i)
+  static Vector vector_at(const std::uint64_t* words, std::size_t i)
   {
     return {{to_double(words[i]), to_double(words[i + 1]), to_double(words[i + 2])}};
   }
@@ -92,7 +101,7 @@ private:
     bool operator<(const End& e) const { return std::tie(vertex, next) < std::tie(e.vertex, e.next); }
   };
 
-  void pair_edges(Flat_mesh& m) const
+  void pair_edges(Flat_mesh& m)
   {
     std::vector<End> ends;
     ends.reserve(number_.size());
@@ -101,12 +110,15 @@ private:
         ends.push_back({number_[c], after_[c], x, c});
     std::sort(ends.begin(), ends.end());
     m.face_across.assign(number_.size(), NONE);
+    corner_across_.assign(number_.size(), NONE);
     for (Index x = 0; x < faces_.size(); ++x)
       for (Index c = m.first_corner[x]; c != m.first_corner[x + 1]; ++c) {
         const End back{number_[c], before_[c], 0, 0};
         const auto i = std::lower_bound(ends.begin(), ends.end(), back);
-        if (i != ends.end() && i->vertex == back.vertex && i->next == back.next)
+        if (i != ends.end() && i->vertex == back.vertex && i->next == back.next) {
           m.face_across[m.previous_corner(x, c)] = i->cell;
+          corner_across_[m.previous_corner(x, c)] = i->corner;
+        }
       }
   }
 
@@ -148,16 +160,29 @@ private:
     }
   }
 
+  // Releases the memory of all that the mesh now has.
+  void release()
+  {
+    area_ = mass_ = std::vector<double>();
+    moment_ = point_ = std::vector<Vector>();
+    first_corner_ = std::vector<std::size_t>();
+    begins_star_ = std::vector<char>();
+    number_ = before_ = after_ = std::vector<std::uint64_t>();
+  }
+
   Linear_density density_;
   // Of each cell:
   std::vector<Index> faces_;
   std::vector<double> area_, mass_;
   std::vector<Vector> moment_; // sum of mass times centroid
+  std::vector<std::uint64_t> origin_;
+  std::vector<Vector> center_;
   std::vector<std::size_t> first_corner_ = std::vector<std::size_t>(1, 0);
   // Of each corner, in global numbers:
   std::vector<char> begins_star_;
   std::vector<std::uint64_t> number_, before_, after_;
   std::vector<Vector> point_;
+  std::vector<Index> corner_across_;
 };
 
 } // namespace internal

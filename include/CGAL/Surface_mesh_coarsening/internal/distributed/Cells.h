@@ -42,28 +42,34 @@ public:
       grow(inner, level);
     labels_.recount();
     number_cells();
+    sum_up();
     choose_corners();
   }
 
   std::size_t size() const { return boundary_edge_.size(); }
   // NONE for faces of other patches.
   Index cell_of(Index f) const { return number_[labels_[f]]; }
+  // Whether a face represents its cell: of all faces of the cell, its centroid is nearest to the centroid of the cell.
+  bool is_center(Index f) const { return patch_.is_own(f) && center_[cell_of(f)] == f; }
 
-  // Writes all cells one after the other: sums, and corners with their neighbors along the boundary.
-  void write(Words& words) const
+  // Calls `receive(words)` for each cell: sums, the representative face, and corners with their neighbors along the boundary.
+  template <class Receive>
+  void write(const Receive& receive) const
   {
-    std::vector<Sums> sums(size());
-    for (Index f = 0; f < mesh_.number_of_faces(); ++f)
-      if (patch_.is_own(f))
-        sums[cell_of(f)].add(mesh_, f, patch_.faces.density[f]);
     std::vector<Corner> corners;
+    Words words;
     for (std::size_t i = 0; i < size(); ++i) {
       corners.clear();
+      words.clear();
       list_corners(boundary_edge_[i], corners);
-      words.push_back(packed(Index(corners.size()), sums[i].faces));
-      sums[i].write(words);
+      words.push_back(packed(Index(corners.size()), sums_[i].faces));
+      sums_[i].write(words);
+      words.push_back(patch_.faces.origin[center_[i]]);
+      for (const double x : face_geometry(mesh_, center_[i]).centroid)
+        words.push_back(to_word(x));
       for (const Corner& c : corners)
         write(c, words);
+      receive(words);
     }
   }
 
@@ -145,6 +151,26 @@ private:
       }
   }
 
+  void sum_up()
+  {
+    sums_.resize(size());
+    for (Index f = 0; f < mesh_.number_of_faces(); ++f)
+      if (patch_.is_own(f))
+        sums_[cell_of(f)].add(mesh_, f, patch_.faces.density[f]);
+    center_.assign(size(), NONE);
+    std::vector<double> nearest(size());
+    for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
+      if (!patch_.is_own(f))
+        continue;
+      const Index x = cell_of(f);
+      const Vector way = sums_[x].area * mean_of_corners(mesh_, f) - sums_[x].moment;
+      if (center_[x] == NONE || dot(way, way) < nearest[x]) {
+        center_[x] = f;
+        nearest[x] = dot(way, way);
+      }
+    }
+  }
+
   // A vertex is a corner of the incident cells if there are at least three of them, or if one of them is a single face. Cells
   // with fewer than three corners then get additional corners.
   void choose_corners()
@@ -212,6 +238,8 @@ private:
   Index single_ = 0, cells_ = 0;             // labels below `single_` belong to single faces of this or other patches
   std::vector<Index> number_;                // of the cell of each label; NONE for faces of other patches
   std::vector<Directed_edge> boundary_edge_; // of each cell
+  std::vector<Sums> sums_;                   // of each cell
+  std::vector<Index> center_;                // the representative face of each cell
   std::vector<char> is_corner_;              // of each vertex
 };
 

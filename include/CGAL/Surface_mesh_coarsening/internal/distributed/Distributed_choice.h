@@ -26,7 +26,7 @@ typedef std::function<std::vector<double>(const Clustering_input&, const Cluster
 // The choices of the caller. They are equal on all ranks, except the visitor and the scratch directory.
 struct Distributed_choice
 {
-  static constexpr std::size_t default_faces_per_block = std::size_t(1) << 18, max_faces_per_task = std::size_t(1) << 22;
+  static constexpr std::size_t default_faces_per_block = std::size_t(1) << 18, max_faces_per_task = std::size_t(1) << 21;
   static constexpr std::size_t clusters_per_task = 1000;
 
   std::size_t number_of_vertices = 0;

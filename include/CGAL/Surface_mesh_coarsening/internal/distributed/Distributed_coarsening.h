@@ -118,7 +118,7 @@ private:
     read_labels(labels);
   }
 
-  void refine_and_place(const Cell_clustering& cells, std::unique_ptr<Word_store> blocks, const Piece_blocks& pieces,
+  void refine_and_place(Cell_clustering& cells, std::unique_ptr<Word_store> blocks, const Piece_blocks& pieces,
                         const Face_names& names)
   {
     begin_stage(Coarsening_stage::MINIMIZATION);
@@ -140,8 +140,11 @@ private:
     read_labels(labels);
     choice_.visitor.stage_ends(Coarsening_stage::MINIMIZATION);
     begin_stage(Coarsening_stage::TRIANGULATION);
+    parts = gathered(parts);
     triangulate(parts);
     choice_.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
+    if (choice_.placement.from_start)
+      fit(cells, parts);
   }
 
   void send_to_tasks(const Cell_clustering& cells, Word_store& blocks, const Bin_ranks& tasks, Word_store& faces)
@@ -186,15 +189,34 @@ private:
     });
   }
 
-  void triangulate(Dual_parts& own)
+  // Returns the parts of all ranks on rank 0.
+  Dual_parts gathered(const Dual_parts& own)
   {
     const std::vector<Words> all = gather_words(context_, own.words());
+    Dual_parts parts;
+    on_all_ranks(context_.communicator, [&] {
+      if (context_.rank() == 0)
+        for (const Words& of_rank : all)
+          parts.read(of_rank);
+    });
+    return parts;
+  }
+
+  void fit(Cell_clustering& cells, const Dual_parts& parts)
+  {
+    begin_stage(Coarsening_stage::PLACEMENT);
+    on_all_ranks(context_.communicator, [&] {
+      if (context_.rank() == 0)
+        cells.surface().fit(parts, choice_, context_.cancellation, triangles_, positions_);
+    });
+    choice_.visitor.stage_ends(Coarsening_stage::PLACEMENT);
+  }
+
+  void triangulate(Dual_parts& parts)
+  {
     on_all_ranks(context_.communicator, [&] {
       if (context_.rank() != 0)
         return;
-      Dual_parts parts;
-      for (const Words& of_rank : all)
-        parts.read(of_rank);
       report_.final_energy = parts.energy();
       triangles_ = parts.triangles();
       positions_ = parts.positions();

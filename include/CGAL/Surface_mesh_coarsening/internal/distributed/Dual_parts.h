@@ -7,7 +7,10 @@
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_choice.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch_clusters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/fit_border_loop.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
+
+#include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,6 +29,7 @@ struct Dual_parts
     Index cluster;
     double energy;
     Vector position;
+    Bbox_3 bounds; // of the position
   };
   struct Border_part // an edge of the border
   {
@@ -39,8 +43,15 @@ struct Dual_parts
     std::vector<Index> clusters;
   };
 
+  struct Center_part // a face that represents its cell
+  {
+    std::uint64_t origin;
+    Index cluster;
+  };
+
   std::vector<Cluster_part> clusters;
   std::vector<Border_part> border;
+  std::vector<Center_part> centers; // if the vertices are fitted together
   std::vector<Meeting_point> meeting_points;
 
   void add(const Patch& patch, const Patch_clusters& clusters_of_patch, const Distributed_choice& choice,
@@ -49,15 +60,19 @@ struct Dual_parts
     const Clustering_input& input = clusters_of_patch.input();
     const Cluster_labels& labels = clusters_of_patch.labels();
     std::vector<char> is_on_border(clusters_of_patch.size(), false);
-    for (Index f = 0; f < input.mesh.number_of_faces(); ++f)
+    for (Index f = 0; f < input.mesh.number_of_faces(); ++f) {
       if (choice.places_on_borders && patch.is_own(f))
         add_border(patch, clusters_of_patch, f, is_on_border);
+      if (choice.placement.from_start && patch.is_own(f) && patch.faces.is_center[f])
+        centers.push_back({patch.faces.origin[f], patch.faces.cluster[f]});
+    }
     const Clustered_faces surface(input, labels, clusters_of_patch.size(), choice.execution, nullptr, cancellation);
+    const auto& place = choice.placement.local ? choice.placement.local : choice.placement.start;
     const std::vector<double> energy = choice.energies(input, labels, clusters_of_patch.size());
     for (Index x = 0; x < clusters_of_patch.number_of_own(); ++x) {
       cancellation.poll(surface.faces(x).size());
-      const Vector p = is_on_border[x] ? Vector{{0, 0, 0}} : checked_position(surface, x, choice.placement.local(surface, x));
-      clusters.push_back({clusters_of_patch.global_number(x), energy[x], p});
+      const Vector p = is_on_border[x] ? Vector{{0, 0, 0}} : checked_position(surface, x, place(surface, x));
+      clusters.push_back({clusters_of_patch.global_number(x), energy[x], p, surface.vertex_bounds(x)});
     }
     for_each_meeting_point(labels, [&](Index v, const std::vector<Index>& runs) {
       if (!patch.is_own(input.mesh.star[input.mesh.first_in_star[v]]))
@@ -70,16 +85,20 @@ struct Dual_parts
 
   Words words() const
   {
-    Words words{clusters.size(), border.size()};
+    Words words{clusters.size(), border.size(), centers.size()};
     for (const Cluster_part& x : clusters) {
       words.push_back(x.cluster);
       words.push_back(to_word(x.energy));
       write(x.position, words);
+      write(low_corner(x.bounds), words);
+      write(high_corner(x.bounds), words);
     }
     for (const Border_part& e : border) {
       words.insert(words.end(), {e.source, e.target, e.cluster});
       write(e.point, words);
     }
+    for (const Center_part& center : centers)
+      words.insert(words.end(), {center.origin, center.cluster});
     for (const Meeting_point& p : meeting_points) {
       words.push_back(p.vertex);
       words.push_back(p.clusters.size());
@@ -90,11 +109,14 @@ struct Dual_parts
 
   void read(const Words& words)
   {
-    std::size_t i = 2;
-    for (std::size_t k = 0; k < words[0]; ++k, i += 5)
-      clusters.push_back({Index(words[i]), to_double(words[i + 1]), vector_at(words, i + 2)});
+    std::size_t i = 3;
+    for (std::size_t k = 0; k < words[0]; ++k, i += 11)
+      clusters.push_back({Index(words[i]), to_double(words[i + 1]), vector_at(words, i + 2),
+                          box_of_point(vector_at(words, i + 5)) + box_of_point(vector_at(words, i + 8))});
     for (std::size_t k = 0; k < words[1]; ++k, i += 6)
       border.push_back({words[i], words[i + 1], Index(words[i + 2]), vector_at(words, i + 3)});
+    for (std::size_t k = 0; k < words[2]; ++k, i += 2)
+      centers.push_back({words[i], Index(words[i + 1])});
     while (i < words.size()) {
       meeting_points.push_back({words[i], {}});
       const std::size_t end = i + 2 + words[i + 1];
@@ -124,6 +146,15 @@ struct Dual_parts
       for (std::size_t i = 2; i < p.clusters.size(); ++i)
         triangles.push_back({p.clusters[0], p.clusters[i - 1], p.clusters[i]});
     return triangles;
+  }
+
+  // Returns the bounds of the position of each cluster.
+  std::vector<Bbox_3> bounds() const
+  {
+    std::vector<Bbox_3> bounds(clusters.size());
+    for (const Cluster_part& x : clusters)
+      bounds[x.cluster] = x.bounds;
+    return bounds;
   }
 
   std::vector<Vector> positions()

@@ -24,6 +24,7 @@ namespace internal {
 struct Face_record
 {
   bool is_own = true;      // whether it belongs to its group; otherwise it is a neighbor
+  bool is_center = false;  // whether it represents its cell
   std::uint64_t place = 0; // the position on the curve
   double density = 1;      // or the deviation, from which the density is computed
   Index cluster = NONE;    // or the cell
@@ -46,14 +47,14 @@ struct Face_record
     return (1. / double(point.size())) * sum;
   }
 
-  static constexpr Index own_bit = Index(1) << 31;
+  static constexpr Index own_bit = Index(1) << 31, center_bit = Index(1) << 30, max_corners = center_bit - 1;
   static constexpr std::size_t words_of_face = 4, words_of_corner = 4;
   static constexpr std::size_t words_of_triangle = words_of_face + 3 * words_of_corner;
 
   void write(Words& words) const
   {
     words.clear();
-    words.push_back(packed(Index(vertex.size()) | (is_own ? own_bit : 0), cluster));
+    words.push_back(packed(Index(vertex.size()) | (is_own ? own_bit : 0) | (is_center ? center_bit : 0), cluster));
     words.push_back(place);
     words.push_back(to_word(density));
     words.push_back(origin);
@@ -68,7 +69,8 @@ struct Face_record
   const std::uint64_t* read(const std::uint64_t* word)
   {
     is_own = (high_half(*word) & own_bit) != 0;
-    const std::size_t corners = high_half(*word) & ~own_bit;
+    is_center = (high_half(*word) & center_bit) != 0;
+    const std::size_t corners = high_half(*word) & max_corners;
     cluster = low_half(*word++);
     place = *word++;
     density = to_double(*word++);
@@ -87,7 +89,7 @@ struct Face_record
 struct Face_set
 {
   // Of each face:
-  std::vector<char> is_own;
+  std::vector<char> is_own, is_center;
   std::vector<std::uint64_t> place;
   std::vector<double> density;
   std::vector<Index> cluster;
@@ -104,6 +106,7 @@ struct Face_set
   void reserve(std::size_t triangles)
   {
     is_own.reserve(triangles);
+    is_center.reserve(triangles);
     place.reserve(triangles);
     density.reserve(triangles);
     cluster.reserve(triangles);
@@ -116,6 +119,7 @@ struct Face_set
   void append(const Face_record& face)
   {
     is_own.push_back(face.is_own);
+    is_center.push_back(face.is_center);
     place.push_back(face.place);
     density.push_back(face.density);
     cluster.push_back(face.cluster);
@@ -135,6 +139,7 @@ struct Face_set
     reorder_corners(order, point);
     first_corner.swap(first);
     reorder(order, is_own);
+    reorder(order, is_center);
     reorder(order, place);
     reorder(order, density);
     reorder(order, cluster);

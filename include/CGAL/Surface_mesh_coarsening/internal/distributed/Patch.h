@@ -41,6 +41,7 @@ struct Patch
   void get(Index f, const Flat_mesh& corners, Face_record& face) const
   {
     face.is_own = is_own(f);
+    face.is_center = faces.is_center[f] != 0;
     face.place = faces.place[f];
     face.density = faces.density[f];
     face.cluster = faces.cluster[f];

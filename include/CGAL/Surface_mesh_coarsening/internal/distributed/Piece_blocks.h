@@ -112,7 +112,7 @@ private:
 
   static bool is_sound(const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points, double density)
   {
-    bool is_sound = vertices.size() >= 3 && vertices.size() < Face_record::own_bit && is_in_range(density);
+    bool is_sound = vertices.size() >= 3 && vertices.size() <= Face_record::max_corners && is_in_range(density);
     for (const Vector& p : points)
       is_sound = is_sound && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
     if (vertices.size() == 3)
@@ -143,7 +143,7 @@ private:
       return;
     const std::string face = name(first_face_[context_.rank()] + fault_.origin);
     std::vector<std::uint64_t> vertices = fault_.vertex;
-    if (vertices.size() < 3 || vertices.size() >= Face_record::own_bit)
+    if (vertices.size() < 3 || vertices.size() > Face_record::max_corners)
       throw Invalid_input(face + " has " + std::to_string(vertices.size()) + " sides");
     if (!is_in_range(fault_.density))
       throw Invalid_input("the density of " + face + " is " + number_text(fault_.density) + ", not in [1e-20, 1e20]");

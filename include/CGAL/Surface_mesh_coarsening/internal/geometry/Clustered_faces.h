@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -43,6 +44,15 @@ public:
         bounds_[x] = internal::vertex_bounds(input.mesh, faces(x));
     });
   }
+
+  // The vertices have given bounds, and clusters may have no faces.
+  Clustered_faces(const Clustering_input& input, const Cluster_labels& labels, std::vector<Bbox_3> bounds, Execution execution,
+                  const Cancellation_point& cancellation)
+    : input_(input), labels_(labels), execution_(execution), features_(nullptr), cancellation_(cancellation),
+      faces_(numbers_below(std::uint32_t(input.mesh.number_of_faces())), bounds.size(),
+             [&](std::uint32_t f) { return labels[f]; }, cancellation),
+      bounds_(std::move(bounds))
+  {}
 
   const Clustering_input& input() const { return input_; }
   const Cluster_labels& labels() const { return labels_; }

@@ -31,6 +31,9 @@ struct Placement_model
   std::function<Fitted_mesh(const Clustered_faces&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&,
                             const Vertex_relocation&)>
     exchanging;
+  // Set for some global placements: a position for each cluster, and the placement that begins with these positions.
+  std::function<Vector(const Clustered_faces&, std::size_t)> start;
+  std::function<void(const Clustered_faces&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&)> from_start;
   bool may_run_in_parallel = false;
   bool is_at_input_vertices = false;
 };
@@ -60,6 +63,13 @@ constexpr bool exchanges_vertices<
                std::declval<std::vector<Triangle>&>(), std::declval<std::vector<Vector>&>(),
                std::declval<const Vertex_relocation&>()))> > = true;
 
+template <class Placement, class = void>
+constexpr bool has_start = false;
+template <class Placement>
+constexpr bool has_start<Placement, std::void_t<decltype(std::declval<const Placement&>().place_from(
+                                      std::declval<const Clustered_faces&>(), std::declval<const Border_arcs&>(),
+                                      std::declval<std::vector<Triangle>&>(), std::declval<std::vector<Vector>&>()))> > = true;
+
 template <class Placement>
 Placement_model placement_model(const Placement& placement)
 {
@@ -80,6 +90,15 @@ Placement_model placement_model(const Placement& placement)
                                     std::vector<Vector>& positions, const Vertex_relocation& relocation) {
       return placement.place_and_exchange(clusters, border, triangles, positions, relocation);
     };
+  if constexpr (has_start<Placement>) {
+    model.start = [](const Clustered_faces& clusters, std::size_t cluster) -> Vector {
+      return to_vector(typename Placement::Start()(Clustered_surface(clusters), cluster));
+    };
+    model.from_start = [&placement](const Clustered_faces& clusters, const Border_arcs& border,
+                                    std::vector<Triangle>& triangles, std::vector<Vector>& positions) {
+      placement.place_from(clusters, border, triangles, positions);
+    };
+  }
   model.may_run_in_parallel = may_run_in_parallel<Placement>;
   model.is_at_input_vertices = is_at_input_vertices<Placement>;
   return model;

@@ -39,6 +39,10 @@ Fitted_mesh fit_vertices(const Clustered_faces& surface, const Border_arcs& bord
                          std::vector<Triangle>& triangles, std::vector<Vector>& positions,
                          const Vertex_relocation& relocation = Vertex_relocation());
 
+// The same from given positions, without exchanges.
+void fit_vertices_from(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
+                       std::vector<Triangle>& triangles, std::vector<Vector>& positions);
+
 // Returns the mean squared distance between a surface and a coarse mesh in the direction in which it is larger, as measured by
 // `Sampled_distance`.
 double squared_distance(const Clustered_faces& surface, const std::vector<Triangle>& triangles,

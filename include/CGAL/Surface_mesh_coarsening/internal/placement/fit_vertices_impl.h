@@ -163,13 +163,34 @@ inline std::optional<Fitted_mesh> best_after_exchanges(Vertex_fit& fit, const Fi
   return best;
 }
 
+// The rounds without exchange.
+inline void run_plain_rounds(Vertex_fit& fit, std::size_t rounds, const Cancellation_point& cancellation)
+{
+  // Before the last rounds, every `step_before`-th sample is sufficient.
+  constexpr std::size_t rounds_with_all = 3, step_before = 4;
+  for (std::size_t left = rounds; left > 0; --left) {
+    fit.find_feet(left > rounds_with_all ? step_before : 1);
+    fit.advance(false);
+    cancellation.step_done(Coarsening_stage::PLACEMENT, rounds + 1 - left, rounds);
+  }
+  fit.settle();
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices_from(const Clustered_faces& surface, const Border_arcs& border,
+                                                           std::size_t rounds, double mean_angle,
+                                                           std::vector<Triangle>& triangles, std::vector<Vector>& positions)
+{
+  const Vertex_relocation none;
+  Vertex_fit fit(surface, border, mean_angle, triangles, positions, none);
+  run_plain_rounds(fit, rounds, surface.cancellation());
+  triangles = fit.triangles();
+}
+
 CGAL_SURFACE_MESH_COARSENING_INLINE Fitted_mesh fit_vertices(const Clustered_faces& surface, const Border_arcs& border,
                                                            std::size_t rounds, double mean_angle,
                                                            std::vector<Triangle>& triangles, std::vector<Vector>& positions,
                                                            const Vertex_relocation& relocation)
 {
-  // Before the last rounds, every `step_before`-th sample is sufficient.
-  constexpr std::size_t rounds_with_all = 3, step_before = 4;
   if (relocation.destinations.empty())
     place_by_quadrics(surface, border, positions);
   std::optional<Vertex_fit> fit(std::in_place, surface, border, mean_angle, triangles, positions, relocation);
@@ -179,12 +200,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Fitted_mesh fit_vertices(const Clustered_fac
     triangles = fit->triangles();
     return Fitted_mesh();
   }
-  for (std::size_t left = rounds; left > 0; --left) {
-    fit->find_feet(left > rounds_with_all ? step_before : 1);
-    fit->advance(false);
-    surface.cancellation().step_done(Coarsening_stage::PLACEMENT, rounds + 1 - left, rounds);
-  }
-  fit->settle();
+  run_plain_rounds(*fit, rounds, surface.cancellation());
   triangles = fit->triangles();
   if (relocation.rounds == 0)
     return Fitted_mesh();
