@@ -179,8 +179,8 @@ inline bool may_exchange_vertices(const Clustering_state& state, const Placement
 }
 
 // Replaces a repaired placement by the placement without exchange in two cases: many intersections remain and the other
-// placement has fewer, or it has no more intersections and a smaller distance. `unrepaired` is the placement without exchange before
-// its repair. Returns whether the placement was replaced.
+// placement has fewer, or it has no more intersections and a smaller distance. `unrepaired` is the placement without exchange
+// before its repair. Returns whether the placement was replaced.
 inline bool is_better_plain(Clustering_state& state, const Placement_model& placement,
                             const Output_coordinates& output_coordinates, Cluster_relocation& clusters, Repair_budget& budget,
                             const Fitted_mesh& unrepaired, Placed_dual& dual)
@@ -195,12 +195,14 @@ inline bool is_better_plain(Clustering_state& state, const Placement_model& plac
     return false;
   const std::vector<Index> labels_of_dual = labels(state).labels();
   clusters.undo();
-  budget.spend(placement_tests * dual.triangles.size());
-  Placed_dual plain = place(state, placement, output_coordinates, budget);
+  Placed_dual plain;
+  plain.triangles = unrepaired.triangles;
+  plain.positions = unrepaired.positions;
+  const std::unique_ptr<Clustered_faces> old_surface = clustered_faces(state, plain);
+  plain.counts = repair_exchanged(state, *old_surface, placement, output_coordinates, plain, budget);
   const std::size_t left = plain.number_left();
   if ((has_many && left < dual.number_left()) ||
-      (left <= dual.number_left() &&
-       squared_distance(*clustered_faces(state, plain), plain.triangles, plain.positions) < distance)) {
+      (left <= dual.number_left() && squared_distance(*old_surface, plain.triangles, plain.positions) < distance)) {
     dual = std::move(plain);
     return true;
   }
