@@ -10,10 +10,12 @@
 #include <CGAL/Surface_mesh_coarsening/Surface_location.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh_to_distance.h>
 #include <CGAL/Surface_mesh_coarsening/is_valid_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
 
+#include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -78,6 +80,52 @@ BOOST_AUTO_TEST_CASE(fewer_vertices_with_error_feedback)
   BOOST_TEST(SMC::measure_coarsening(mesh, output, 20000).maximum_distance <= report.distance_bound);
 }
 
+// A bound of the distance by CGAL, in both directions and within a thousandth of `unit`.
+double bound_by_cgal(const Mesh& a, const Mesh& b, double unit)
+{
+  const double error = unit / 1000;
+  return CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance<CGAL::Sequential_tag>(a, b, error) + error;
+}
+
+// The bound exceeds CGAL's by at most the error that the search permits.
+BOOST_AUTO_TEST_CASE(the_bound_agrees_with_the_bound_by_cgal)
+{
+  using namespace generated;
+  for (const Soup& soup : {triangle_sphere(5), triangulated(torus(40, 30)), with_holes(triangle_sphere(5), 3),
+                           with_noise(triangulated(grid(30, 20)), 0.05)}) {
+    const Mesh mesh = test::to_mesh(soup);
+    const double diagonal = SMC::measure_coarsening(mesh, mesh, 10).diagonal;
+    for (const double distance : {0.05 * diagonal, 0.02 * diagonal})
+      for (const std::size_t rounds : {0, 4}) {
+        Mesh output;
+        const double bound =
+          SMC::coarsen_mesh_to_distance(mesh, distance, output, SMC::parameters::error_feedback(rounds)).distance_bound;
+        const double other = bound_by_cgal(mesh, output, distance);
+        BOOST_CHECK_GE(bound, other - distance / 500);
+        BOOST_CHECK_LE(bound, other + distance / 32);
+      }
+  }
+}
+
+// A user who bisects the number of vertices does not find a much smaller one.
+BOOST_AUTO_TEST_CASE(about_as_few_vertices_as_bisection_finds)
+{
+  Mesh mesh;
+  BOOST_REQUIRE(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/eight.off"), mesh));
+  const double diagonal = SMC::measure_coarsening(mesh, mesh, 10).diagonal;
+  for (const double distance : {0.02 * diagonal, 0.01 * diagonal}) {
+    Mesh output;
+    const std::size_t found = SMC::coarsen_mesh_to_distance(mesh, distance, output).vertices;
+    std::size_t low = 10, high = mesh.number_of_vertices();
+    while (high > low + 1) {
+      const std::size_t middle = (low + high) / 2;
+      SMC::coarsen_mesh(mesh, middle, output);
+      (bound_by_cgal(mesh, output, distance) <= distance ? high : low) = middle;
+    }
+    BOOST_CHECK_LE(double(found), 1.1 * double(high));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(distances_out_of_reach_are_refused)
 {
   const Mesh mesh = test::to_mesh(generated::triangle_sphere(3));
@@ -90,6 +138,8 @@ BOOST_AUTO_TEST_CASE(distances_out_of_reach_are_refused)
   } catch (const SMC::Unreachable_distance& e) {
     BOOST_CHECK_GT(e.nearest(), 1e-9);
     BOOST_CHECK_LT(e.nearest(), 0.1);
+    Mesh nearest; // the nearest distance is a bound, and can be asked for
+    BOOST_CHECK_LE(SMC::coarsen_mesh_to_distance(mesh, 1.04 * e.nearest(), nearest).distance_bound, 1.04 * e.nearest());
   }
   BOOST_CHECK_EQUAL(output.number_of_vertices(), 4u);
 }

@@ -45,11 +45,12 @@ struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
 /// The output is the coarsest result found whose two-sided Hausdorff distance to the input is at most `maximum_distance`. The
 /// function merges a fine clustering to levels of detail (see `Cluster_levels`), and brackets the number of vertices among these
 /// levels. It estimates distances at points of both surfaces, first with the placement's `Start`, if it has one (see
-/// `GlobalVertexPlacement`), then with the placement.
-/// `CGAL::Polygon_mesh_processing::bounded_error_symmetric_Hausdorff_distance()` bounds the distance of the result over both
-/// surfaces, not only at points. If the bound is too large, the search continues with a finer level.
-/// If the placement exchanges vertices (parameter `error_feedback`), the mesh is then clustered for up to three smaller numbers
-/// of vertices, because the result of a clustering of its own is closer to the input than a level.
+/// `GlobalVertexPlacement`), then with the placement. The distance of the result is bounded over both surfaces, not only at points.
+/// If the bound is too large, the search continues with a finer level.
+/// If the placement exchanges vertices (parameter `error_feedback`), the levels only predict the number of vertices. The mesh is
+/// clustered for up to four numbers, because the result of a clustering of its own is closer to the input than a level. Where
+/// such a result is too far from the input, its vertices move toward the input. If none of these results is within the distance,
+/// the levels are searched.
 ///
 /// The distance is measured between surfaces: polygons of the input are triangulated as fans around the corner with the smallest
 /// number, and degenerate triangles do not count. Otherwise the output has the properties of the output of
@@ -74,7 +75,7 @@ struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
 ///
 /// \throws Unreachable_distance if no result within the distance is found, even with as many vertices as the input has.
 /// \throws Invalid_input if `maximum_distance` is not positive and finite, and as `coarsen_mesh()` does.
-/// \throws Coarsening_cancelled if the visitor cancels. The visitor is not called while the distance is being bounded.
+/// \throws Coarsening_cancelled if the visitor cancels.
 ///
 /// The output does not change if an exception is thrown.
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph,

@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_estimate.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distance/hausdorff_bound.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_bound.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/place_and_exchange.h>
 
@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -26,8 +27,8 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Searches the levels of a fine clustering for the coarsest result within a distance. If the placement exchanges vertices, also
-// searches clusterings for fewer vertices.
+// Searches for the coarsest result within a distance. If the placement exchanges vertices, tries clusterings for several numbers
+// of vertices, which the levels of a fine clustering predict. Otherwise, or if none is close enough, searches these levels.
 class Distance_search
 {
 public:
@@ -45,20 +46,26 @@ public:
       number_((std::max)(vertices / 16, std::size_t(4))),
       report_(report),
       distance_(distance),
-      local_distance_((std::min)(state.frame.length_to_local(distance), max_distance(state.base_input()))),
-      surface_(triangles_of(state.base_input().mesh))
+      local_distance_((std::min)(state.frame.length_to_local(distance), max_distance(state.base_input())))
   {}
 
   void run()
   {
-    do {
+    const bool exchanges = placement_.exchanging && state_.exchange_rounds > 0 && minimization_end_.max_rounds > 0;
+    find_clustering();
+    if (exchanges && quick_estimate(levels_->finest()) <= quick_goal()) {
+      cluster_directly(direct_part * double(bracket_quickly(quick_goal(), 4)));
+      if (result_)
+        return;
       find_clustering();
-      find_level();
-    } while (!bound_result());
-    clusters_ = clusters_of_level();
+    }
+    for (find_level(); !bound_result(); find_level())
+      find_clustering();
     report_placement(state_, result_->triangles, result_->positions, result_->counts);
-    if (may_exchange_vertices(state_, placement_))
-      cluster_for_fewer();
+    if (exchanges) {
+      enough_ = double(result_->level);
+      cluster_directly(direct_part * enough_);
+    }
   }
 
   // Every result is closer, because vertices lie near their clusters. Squares of much larger distances would overflow.
@@ -85,14 +92,14 @@ private:
     Repair_counts counts;
   };
 
-  std::vector<Index> clusters_of_level() const
+  std::vector<Index> clusters_of_level(std::size_t level) const
   {
     const Clustering_input& base = state_.base_input();
     const std::size_t faces = base.mesh.number_of_faces();
     std::size_t number = 0; // the number of faces of the caller's mesh
     for (std::size_t f = 0; f < faces; ++f)
       number = (std::max)(number, std::size_t(base.parent_of(Index(f))) + 1);
-    const std::vector<Index> all = levels_->clusters_of_faces(result_->level, number);
+    const std::vector<Index> all = levels_->clusters_of_faces(level, number);
     std::vector<Index> clusters;
     clusters.reserve(faces);
     for (std::size_t f = 0; f < faces; ++f)
@@ -100,12 +107,16 @@ private:
     return clusters;
   }
 
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+
   // Estimates are slightly smaller than bounds.
   double wanted() const { return 0.97 * local_distance_; }
 
   // The distances of a quick placement are larger than the distances of the placement that starts from it.
   double quick_goal() const { return quick_ ? wanted() / usual_gain : wanted(); }
   static constexpr double usual_gain = 0.6;
+  // The usual number of vertices of a clustering of its own, as part of the number of a level.
+  static constexpr double direct_part = 0.45;
 
   // Uses the first of several numbers of vertices whose clustering is close enough.
   void find_clustering()
@@ -163,7 +174,7 @@ private:
     const auto estimate = [this](std::size_t i) { return try_level(i); };
     std::size_t n = finest;
     if (quick_) {
-      n = bracket(n, wanted() / expected_gain(), 1.2, 5, quick_estimates_, [this](std::size_t i) { return quick_estimate(i); });
+      n = bracket_quickly(wanted() / expected_gain(), 5);
       estimate(n);
       n = bracket(n, wanted(), 1.25, 2, estimates_by_level_, estimate);
     } else {
@@ -174,6 +185,11 @@ private:
     // If clusters have few faces each, a coarser level may be closer.
     for (n = finest; !result_ && n >= levels_->coarsest() && n > finest / 16; n /= 2)
       try_level(n);
+  }
+
+  std::size_t bracket_quickly(double distance, int most)
+  {
+    return bracket(levels_->finest(), distance, 1.2, most, quick_estimates_, [this](std::size_t i) { return quick_estimate(i); });
   }
 
   // Returns the expected ratio of the distance of the placement to the distance of the quick placement: the ratio on the
@@ -221,15 +237,21 @@ private:
     if (!result_)
       result_ = place(finest, placement_, state_.repairs_output);
     for (;;) {
-      const double bound = bound_of(*result_), external = state_.frame.length_to_mesh(bound);
+      clusters_ = clusters_of_level(result_->level);
+      const Distance_bound bound_of(state_.base_input().mesh, clusters_, result_->level, state_.cancellation());
+      const auto bound_below = [&](double limit, double error) {
+        return bound_after_rounding(bound_of, result_->positions, result_->triangles, error, limit, nullptr);
+      };
+      const double bound = bound_below(local_distance_, permitted_error());
       if (bound <= local_distance_) {
         report_.vertices = result_->level;
-        report_.distance_bound = external;
+        report_.distance_bound = state_.frame.length_to_mesh(bound);
         return true;
       }
       if (result_->level == finest) {
         if (number_ >= vertices_)
-          throw Unreachable_distance("no result within a distance of " + number_text(distance_) + " was found", external);
+          throw Unreachable_distance("no result within a distance of " + number_text(distance_) + " was found",
+                                     state_.frame.length_to_mesh(bound_below(infinite, bound / 32)));
         number_ *= 2;
         return false;
       }
@@ -238,37 +260,45 @@ private:
     }
   }
 
-  // A clustering of its own for a number of vertices, with exchanged vertices, is closer than a level with the same number.
-  // Searches for the smallest sufficient number below the level found, until it is known to about a tenth or `max_runs` is
-  // reached.
-  void cluster_for_fewer()
+  // Tries clusterings for several numbers of vertices, beginning with `next`. With exchanged vertices, they are closer than
+  // levels.
+  void cluster_directly(double next)
   {
-    constexpr int max_runs = 3;
-    constexpr double width = 1.1, usual_part = 0.75;
-    double low = 0, high = double(result_->level); // too few vertices, and enough vertices
+    constexpr int max_trials = 4;
+    constexpr double width = 1.15;
     levels_.reset();
+    if (enough_ == 0)
+      result_.reset();
     Coarsening_report best = state_.report;
-    double next = usual_part * high * std::pow(state_.frame.length_to_local(report_.distance_bound) / local_distance_, 0.8);
-    for (int i = 0; i < max_runs && high > width * low + 1; ++i) {
-      const double n = std::floor((std::min)((std::max)(next, (std::max)(low, 3.) + 1), high - 1));
-      if (!(n > low))
+    for (int i = 0; i < max_trials && (too_few_ == 0 || enough_ == 0 || enough_ > width * too_few_ + 1); ++i) {
+      const double n = std::floor((std::max)(next, (std::max)(too_few_ + 1, 4.)));
+      if (n >= (enough_ > 0 ? enough_ : double(vertices_)))
         break;
       const double distance = try_clustering(std::size_t(n));
-      (distance <= local_distance_ ? high : low) = n;
+      (distance <= local_distance_ ? enough_ : too_few_) = n;
       if (distance <= local_distance_)
         best = state_.report;
-      const double from = low > 0 ? low : high / 2, ratio = high / from;
-      next = n * std::pow(distance / wanted(), 0.8);
-      next = (std::min)((std::max)(next, from * std::pow(ratio, 0.3)), from * std::pow(ratio, 0.7));
+      next = next_number(n, distance);
     }
     state_.report = best;
+  }
+
+  // Returns the number to try after a number whose result has a distance.
+  double next_number(double n, double distance) const
+  {
+    const double next = n * (std::min)((std::max)(std::pow(distance / wanted(), 0.8), 0.6), 1.7);
+    if (too_few_ == 0)
+      return (std::min)(next, 0.88 * enough_);
+    if (enough_ == 0)
+      return (std::max)(next, 1.1 * too_few_);
+    const double ratio = enough_ / too_few_;
+    return too_few_ * (std::min)((std::max)(next / too_few_, std::pow(ratio, 0.4)), std::pow(ratio, 0.7));
   }
 
   // Returns the distance of the result; infinity if the number is not attainable or triangles intersect. Keeps the result if it
   // is close enough.
   double try_clustering(std::size_t n)
   {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     try {
       seed(state_, {Seeding::FOR_NUMBER, n});
       grow(state_);
@@ -279,29 +309,52 @@ private:
     ++report_.clusterings;
     Repair_budget budget = repair_budget(state_);
     Placed_dual dual = place_and_exchange(state_, placement_, output_coordinates_, budget);
-    report_placement(state_, dual.triangles, dual.positions, dual.counts);
+    std::vector<Index> clusters = internal::clusters_of_base_faces(state_);
+    const double bound = approach_everywhere(clusters, dual, budget);
     if (dual.number_left() > 0)
       return infinite;
-    Result result{n, std::move(dual.triangles), std::move(dual.positions), 0, std::move(dual.counts)};
-    result.estimate = Distance_estimate(labels(state_), result.positions, result.triangles, state_.cancellation())
-                        .distance(0.5 * local_distance_);
-    ++report_.estimates;
-    if (result.estimate > wanted())
-      return (std::max)(result.estimate, std::nextafter(local_distance_, infinite));
-    const double bound = bound_of(result);
     if (bound <= local_distance_) {
-      clusters_ = internal::clusters_of_base_faces(state_);
+      report_placement(state_, dual.triangles, dual.positions, dual.counts);
+      clusters_ = std::move(clusters);
       report_.vertices = n;
       report_.distance_bound = state_.frame.length_to_mesh(bound);
-      result_ = std::move(result);
+      result_ = Result{n, std::move(dual.triangles), std::move(dual.positions), bound, std::move(dual.counts)};
     }
     return bound;
   }
 
-  double bound_of(const Result& result)
+  // Moves vertices where the result is too far: the fit minimizes the mean of the squared distances, and a few places determine
+  // the maximum. Returns a bound of the distance, unless triangles intersect.
+  double approach_everywhere(const std::vector<Index>& clusters, Placed_dual& dual, Repair_budget& budget)
   {
+    constexpr int max_steps = 3;
+    constexpr double max_ratio = 2;
+    const std::unique_ptr<Clustered_faces> surface = clustered_faces(state_, dual);
+    const Distance_bound bound_of(state_.base_input().mesh, clusters, dual.positions.size(), state_.cancellation());
+    const Border_arcs border(*surface, state_.places_on_borders);
+    for (int i = 0;; ++i) {
+      std::vector<Far_point> far;
+      const double bound =
+        bound_after_rounding(bound_of, dual.positions, dual.triangles, permitted_error(), local_distance_, &far);
+      if (dual.number_left() > 0 || bound <= local_distance_ || bound > max_ratio * local_distance_ || i == max_steps)
+        return bound;
+      approach_far_points(far, local_distance_, *surface, border, dual.triangles, dual.positions);
+      dual.counts = repair_exchanged(state_, *surface, placement_, output_coordinates_, dual, budget);
+    }
+  }
+
+  double permitted_error() const { return local_distance_ / 32; }
+
+  // Bounds the distance after rounding to the output; see `Distance_bound`.
+  double bound_after_rounding(const Distance_bound& bound_of, const std::vector<Vector>& positions,
+                              const std::vector<Triangle>& triangles, double error, double limit,
+                              std::vector<Far_point>* far)
+  {
+    std::vector<Vector> rounded;
+    for (const Vector& p : positions)
+      rounded.push_back(state_.frame.to_local(output_coordinates_(p)));
     ++report_.bounds;
-    return hausdorff_bound(surface_, output_positions(result), result.triangles, local_distance_ / 32);
+    return bound_of(rounded, triangles, error, limit, far);
   }
 
   Result place(std::size_t n, const Placement_model& placement, bool with_repair)
@@ -310,15 +363,6 @@ private:
     ++report_.estimates;
     const double estimate = levels_->estimate(placed, 0.5 * local_distance_);
     return {n, std::move(placed.triangles), std::move(placed.positions), estimate, std::move(placed.counts)};
-  }
-
-  // Returns the positions after rounding to the output, in coordinates of the arrays.
-  std::vector<Vector> output_positions(const Result& of) const
-  {
-    std::vector<Vector> result;
-    for (const Vector& p : of.positions)
-      result.push_back(state_.frame.to_local(output_coordinates_(p)));
-    return result;
   }
 
   Clustering_state& state_;
@@ -332,7 +376,7 @@ private:
   Distance_report& report_;
   double distance_, local_distance_;
   std::map<std::size_t, double> estimates_by_level_, quick_estimates_; // estimates of the current clustering
-  const Distance_mesh surface_;
+  double too_few_ = 0, enough_ = 0; // numbers of vertices of clusterings; 0 if unknown
   std::optional<Result> result_;
   std::vector<Index> clusters_; // the clusters of the faces of the mesh in the result
 };

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_DISTANCE_BOUND_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_DISTANCE_BOUND_H
+
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/approach_far_points.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Bounds the two-sided Hausdorff distance between a mesh and its coarse meshes, over both surfaces and not only at points.
+// Polygons are fans of triangles. Degenerate triangles do not count.
+//
+// Parts of triangles are divided until each part is proven: the distance from one triangle is a convex function, so its maximum
+// over a part is at a corner. CGAL's bounded_error_symmetric_Hausdorff_distance() finds the nearest triangles without the
+// clusters, takes two to eight times as long, and does not tell where the distance is large.
+class Distance_bound
+{
+public:
+  // `cluster_of_face` gives the vertex of the coarse mesh near each face of the mesh, and is below `vertices`.
+  Distance_bound(const Flat_mesh& mesh, const std::vector<Index>& cluster_of_face, std::size_t vertices,
+                 const Cancellation_point& cancellation)
+    : surface_(mesh.points, vertices), cancellation_(cancellation)
+  {
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      for (Index c = mesh.first_corner[f] + 2; c != mesh.first_corner[f + 1]; ++c)
+        surface_.add({{mesh.corner_vertex[mesh.first_corner[f]], mesh.corner_vertex[c - 1], mesh.corner_vertex[c]}},
+                     Index(f), cluster_of_face[f]);
+    surface_.prepare();
+  }
+
+  // Returns a bound that exceeds the distance by at most `error`. If the distance exceeds `limit`, may return any number between
+  // them; then `far`, if it is not null, receives points that are too far.
+  double operator()(const std::vector<Vector>& positions, const std::vector<Triangle>& triangles, double error, double limit,
+                    std::vector<Far_point>* far) const
+  {
+    Surface coarse(positions, positions.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      coarse.add(triangles[t], Index(t), triangles[t][0]);
+    coarse.prepare();
+    double bound = 0;
+    one_way(surface_, coarse, error, limit, bound, [&](const Part& part, const Nearest_point& near) {
+      if (far == nullptr)
+        return;
+      const Vector foot = coarse.point(near.face, near.barycentric);
+      far->push_back({coarse.number[near.face], near.barycentric, center(part) - foot});
+    });
+    one_way(coarse, surface_, error, limit, bound, [&](const Part& part, const Nearest_point& near) {
+      if (far == nullptr)
+        return;
+      const auto t = coarse.corners(part.triangle);
+      far->push_back({coarse.number[part.triangle], closest_on_triangle(center(part), t[0], t[1], t[2]).barycentric,
+                      surface_.point(near.face, near.barycentric) - center(part)});
+    });
+    return bound;
+  }
+
+private:
+  // Triangles that are not degenerate, and their groups.
+  struct Surface
+  {
+    Surface(const std::vector<Vector>& points, std::size_t groups) : number_of_groups(groups) { mesh.points = points; }
+
+    void add(const Triangle& t, Index triangle_number, Index triangle_group)
+    {
+      const Vector normal = normal_of(mesh.points, t);
+      if (!(dot(normal, normal) > 0))
+        return;
+      mesh.corner_vertex.insert(mesh.corner_vertex.end(), t.begin(), t.end());
+      for (const Index v : t)
+        largest_coordinate = std::max({largest_coordinate, std::abs(mesh.points[v][0]), std::abs(mesh.points[v][1]),
+                                       std::abs(mesh.points[v][2])});
+      number.push_back(triangle_number);
+      group.push_back(triangle_group);
+    }
+
+    void prepare()
+    {
+      if (number.empty())
+        throw Invalid_input("the distance of a surface without area cannot be bounded");
+      for (std::size_t c = 0; c <= mesh.corner_vertex.size(); c += 3)
+        mesh.first_corner.push_back(Index(c));
+      search.emplace(mesh, group, number_of_groups);
+    }
+
+    std::array<Vector, 3> corners(std::size_t t) const
+    {
+      return {{mesh.points[mesh.corner_vertex[3 * t]], mesh.points[mesh.corner_vertex[3 * t + 1]],
+               mesh.points[mesh.corner_vertex[3 * t + 2]]}};
+    }
+
+    Vector point(std::size_t t, const Vector& barycentric) const
+    {
+      const auto p = corners(t);
+      return barycentric[0] * p[0] + barycentric[1] * p[1] + barycentric[2] * p[2];
+    }
+
+    Flat_mesh mesh;
+    std::vector<Index> number, group;
+    std::size_t number_of_groups;
+    double largest_coordinate = 0;
+    std::optional<Nearest_point_search> search;
+  };
+
+  // A part of a triangle, the group in which the search begins, and a bound of the distance of its points.
+  struct Part
+  {
+    std::array<Vector, 3> corners;
+    Index triangle, group;
+    double bound;
+  };
+
+  static Vector center(const Part& part) { return (1. / 3) * (part.corners[0] + part.corners[1] + part.corners[2]); }
+
+  // Raises a bound to a bound of the distance of one surface from the other, and calls `report(part, near)` with the parts
+  // whose centers are too far, and their nearest triangles.
+  template <class Report>
+  void one_way(const Surface& from, const Surface& to, double error, double limit, double& bound, const Report& report) const
+  {
+    const double rounding = 1e-12 * from.largest_coordinate;
+    double reached = 0; // by some point
+    const double least = bound;
+    std::vector<Part> undecided;
+    const auto measure = [&](Part part) {
+      cancellation_.poll(16);
+      const double enough = (std::max)((std::min)(reached, limit), least);
+      const Nearest_point near = nearest_to_center(part, to, enough);
+      const double distance = std::sqrt(near.squared_distance);
+      reached = (std::max)(reached, distance);
+      if (distance > limit)
+        report(part, near);
+      else if (part.bound > enough)
+        undecided.push_back(part);
+    };
+    // A few of the triangles, first, yield a distance below which the others need not be divided.
+    constexpr std::size_t step = 8;
+    for (std::size_t first = 0; first < step; ++first)
+      for (std::size_t t = first; t < from.number.size(); t += step)
+        measure({from.corners(t), Index(t), from.group[t], 0});
+    while (!undecided.empty() && reached <= limit) {
+      const Part part = undecided.back();
+      undecided.pop_back();
+      // A bound beyond the limit must not be due to the error.
+      if (part.bound <= (std::max)((std::min)(reached + error, limit), reached + (std::max)(error / 16, rounding)))
+        bound = (std::max)(bound, part.bound);
+      else
+        divide(part, measure);
+    }
+    // If some point is too far, the halves of the undecided parts are measured once more, for other such points.
+    const std::vector<Part> rest = std::move(undecided);
+    undecided.clear();
+    for (const Part& part : rest)
+      divide(part, measure);
+    bound = (std::max)(bound, reached);
+  }
+
+  // Bounds the distance of a part. Returns the point nearest to its center, or one so near that the part is nearer than
+  // `near_enough`.
+  static Nearest_point nearest_to_center(Part& part, const Surface& to, double near_enough)
+  {
+    const Vector middle = center(part);
+    double squared_radius = 0;
+    for (const Vector& p : part.corners)
+      squared_radius = (std::max)(squared_radius, dot(p - middle, p - middle));
+    const double radius = std::sqrt(squared_radius), inner = (std::max)(near_enough - radius, 0.);
+    const Nearest_point nearest = (*to.search)(middle, part.group, inner * inner);
+    const double distance = std::sqrt(nearest.squared_distance);
+    part.bound = distance + radius;
+    if (part.bound > near_enough) {
+      const std::array<Vector, 3> triangle = to.corners(nearest.face);
+      double squared = 0;
+      for (const Vector& p : part.corners)
+        squared = (std::max)(squared, closest_on_triangle(p, triangle[0], triangle[1], triangle[2]).squared_distance);
+      part.bound = (std::min)(part.bound, std::sqrt(squared));
+      part.group = to.group[nearest.face];
+    }
+    return nearest;
+  }
+
+  // Halves a part at its longest side.
+  template <class Visit>
+  static void divide(const Part& part, const Visit& visit)
+  {
+    const auto& c = part.corners;
+    const auto squared_length = [&](int i) { return dot(c[(i + 1) % 3] - c[i], c[(i + 1) % 3] - c[i]); };
+    int longest = 0;
+    for (int i = 1; i < 3; ++i)
+      if (squared_length(i) > squared_length(longest))
+        longest = i;
+    const Vector middle = 0.5 * (c[longest] + c[(longest + 1) % 3]), opposite = c[(longest + 2) % 3];
+    visit({{{c[longest], middle, opposite}}, part.triangle, part.group, part.bound});
+    visit({{{middle, c[(longest + 1) % 3], opposite}}, part.triangle, part.group, part.bound});
+  }
+
+  Surface surface_;
+  Cancellation_point cancellation_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_DISTANCE_BOUND_H
