@@ -157,3 +157,17 @@ BOOST_AUTO_TEST_CASE(same_result_of_a_large_mesh)
   const Result sequential = coarsened<CGAL::Sequential_tag, SMC::Uniform_weight>(mesh, 20000);
   BOOST_CHECK((coarsened<CGAL::Parallel_if_available_tag, SMC::Uniform_weight>(mesh, 20000) == sequential));
 }
+
+// Vertices of very high valence, and clusters that are relocated while vertices are moved on many threads.
+BOOST_AUTO_TEST_CASE(same_result_of_the_default_at_vertices_of_high_valence)
+{
+  const Mesh mesh = test::to_mesh(generated::bipyramid(3000));
+  const auto points = [&](auto tag) {
+    Mesh output;
+    SMC::coarsen_mesh<decltype(tag)>(mesh, 1050, output);
+    return std::vector<test::Kernel::Point_3>(output.points().begin(), output.points().end());
+  };
+  const auto sequential = points(CGAL::Sequential_tag());
+  for (int repetition = 0; repetition < 2; ++repetition)
+    BOOST_CHECK(points(CGAL::Parallel_if_available_tag()) == sequential);
+}

@@ -60,8 +60,7 @@ inline Vertex_relocation vertex_relocation(const Clustering_state& state, const 
   relocation.relocate = [&](Index x, Index into, const std::vector<Index>& faces) { return clusters.relocate(x, into, faces); };
   relocation.undo = [&] { clusters.undo(); };
   relocation.within_bounds = [&](Index x, const Vector& p) {
-    return clusters.has_changed(x) ? closest_in_box(p, vertex_bounds(state.working_input().mesh, clusters.faces(x)))
-                                   : surface.within_bounds(x, p);
+    return clusters.has_changed(x) ? closest_in_box(p, clusters.vertex_bounds(x)) : surface.within_bounds(x, p);
   };
   return relocation;
 }

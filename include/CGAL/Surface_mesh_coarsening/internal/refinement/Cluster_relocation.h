@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_RELOCATION_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/vertex_bounds.h>
 #include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
 
 #include <cstddef>
@@ -19,14 +20,14 @@ class Cluster_relocation
 {
 public:
   Cluster_relocation(const Featured_input& input, Cluster_labels& labels, Index clusters)
-    : cells_(input.cells.get()), labels_(labels), old_labels_(labels.labels()), editing_(input, labels, clusters),
-      has_changed_(clusters, false) {}
+    : mesh_(input.items.mesh), cells_(input.cells.get()), labels_(labels), old_labels_(labels.labels()),
+      editing_(input, labels, clusters), bounds_(clusters), has_changed_(clusters, false) {}
 
   // The number of relocated clusters.
   std::size_t number() const { return number_; }
   bool has_changed(Index x) const { return has_changed_[x]; }
-  // Returns the faces of a cluster, as faces of the input.
-  std::vector<Index> faces(Index x) { return editing_.faces(x); }
+  // Returns the bounds of the vertex of a changed cluster. Many threads may call this function, so the faces are visited earlier.
+  const Bbox_3& vertex_bounds(Index x) const { return bounds_[x]; }
 
   // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces of the
   // input, or around a piece of a face if features are kept.
@@ -37,8 +38,10 @@ public:
         f = cells_->polygon(f);
     std::vector<Index> changed;
     const Relocation outcome = editing_.relocate(x, into, faces, changed);
-    for (const Index y : changed)
+    for (const Index y : changed) {
       has_changed_[y] = true;
+      bounds_[y] = internal::vertex_bounds(mesh_, editing_.faces(y));
+    }
     number_ += outcome == Relocation::DONE;
     return outcome;
   }
@@ -59,10 +62,12 @@ public:
   }
 
 private:
+  const Flat_mesh& mesh_;
   const Feature_cells* cells_; // null without features
   Cluster_labels& labels_;
   const std::vector<Index> old_labels_;
   Cluster_editing editing_;
+  std::vector<Bbox_3> bounds_; // of the vertices of changed clusters
   std::vector<char> has_changed_;
   std::size_t number_ = 0;
 };
