@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
 
 #include <algorithm>
 #include <array>
@@ -34,7 +35,12 @@ public:
     double squared_distance;
   };
 
-  explicit Input_surface(const Flat_mesh& mesh) : mesh_(mesh) {}
+  explicit Input_surface(const Flat_mesh& mesh) : mesh_(mesh)
+  {
+    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      if (mesh.degree(Index(f)) > max_in_fan)
+        large_faces_.push_back(large_face(Index(f)));
+  }
 
   // Returns the area of all fans.
   double area(const Cancellation_point& cancellation) const
@@ -82,6 +88,8 @@ public:
     Candidate candidate;
     if (mesh_.degree(f) <= max_in_fan)
       candidate.foot.squared_distance = limit;
+    else if (squared_distance_from_box(p, large_face_of(f).box) > exceeding(limit))
+      return std::numeric_limits<double>::infinity();
     improve(p, f, candidate);
     return candidate.face == NONE ? std::numeric_limits<double>::infinity() : candidate.foot.squared_distance;
   }
@@ -107,6 +115,13 @@ private:
   // Larger fans are not searched triangle by triangle.
   static constexpr Index max_in_fan = 16;
 
+  // A face with a fan that is not searched triangle by triangle.
+  struct Large_face
+  {
+    Index face, first;
+    Bbox_3 box;
+  };
+
   // A closest point in the triangle of a fan that ends at corner `last`, counted from the apex.
   struct Candidate
   {
@@ -127,9 +142,32 @@ private:
   Fan fan(Index f) const
   {
     const Index begin = mesh_.first_corner[f], degree = mesh_.degree(f);
-    const auto corners = mesh_.corner_vertex.begin() + begin;
-    return {mesh_, begin, degree, Index(std::min_element(corners, corners + degree) - corners)};
+    return {mesh_, begin, degree, degree > max_in_fan ? large_face_of(f).first : first_of_fan(f)};
   }
+
+  // Returns the corner of smallest vertex, counted from the first corner.
+  Index first_of_fan(Index f) const
+  {
+    const auto corners = mesh_.corner_vertex.begin() + mesh_.first_corner[f];
+    return Index(std::min_element(corners, corners + mesh_.degree(f)) - corners);
+  }
+
+  Large_face large_face(Index f) const
+  {
+    Large_face large{f, first_of_fan(f), Bbox_3()};
+    for (const Index c : mesh_.corners(f))
+      large.box += box_of_point(mesh_.points[mesh_.corner_vertex[c]]);
+    return large;
+  }
+
+  const Large_face& large_face_of(Index f) const
+  {
+    return *std::lower_bound(large_faces_.begin(), large_faces_.end(), f,
+                             [](const Large_face& large, Index g) { return large.face < g; });
+  }
+
+  // Due to rounding, a point of a face may be nearer than the box of the face.
+  static double exceeding(double squared_distance) { return (1 + 1e-12) * squared_distance; }
 
   // Calls `visit(g)` for the faces around the vertex at corner `c` of face `f`, from `f` in both directions.
   template <class Visit>
@@ -174,6 +212,9 @@ private:
 
   void improve(const Vector& p, Index f, Candidate& candidate) const
   {
+    const bool is_large = mesh_.degree(f) > max_in_fan;
+    if (is_large && squared_distance_from_box(p, large_face_of(f).box) > exceeding(candidate.foot.squared_distance))
+      return;
     const Fan corners = fan(f);
     const auto visit = [&](Index i) {
       const Foot_point foot =
@@ -183,7 +224,7 @@ private:
       candidate = {f, i, foot};
       return true;
     };
-    if (corners.degree <= max_in_fan) {
+    if (!is_large) {
       for (Index i = 2; i < corners.degree; ++i)
         visit(i);
     } else {
@@ -241,6 +282,7 @@ private:
   }
 
   const Flat_mesh& mesh_;
+  std::vector<Large_face> large_faces_; // by face
 };
 
 } // namespace internal

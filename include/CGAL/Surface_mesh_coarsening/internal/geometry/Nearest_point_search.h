@@ -12,6 +12,8 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numeric>
@@ -103,6 +105,39 @@ private:
     Bbox_3 box;
     bool is_leaf;
     Index first, second; // the children; in a leaf, the range of its faces
+    Index turned;        // the turned box; NONE if it is not narrow
+  };
+
+  // A box with axes that follow the faces of a node. The bounding boxes of long triangles around a vertex overlap each other, but
+  // their turned boxes do not.
+  struct Turned_box
+  {
+    std::array<Vector, 3> axes; // orthonormal
+    std::array<double, 3> low, high;
+
+    void add(const Vector& p)
+    {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double at = dot(axes[i], p);
+        low[i] = (std::min)(low[i], at - margin(p));
+        high[i] = (std::max)(high[i], at + margin(p));
+      }
+    }
+
+    double squared_distance(const Vector& p) const
+    {
+      double sum = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double at = dot(axes[i], p), d = (std::max)((std::max)(low[i] - at, at - high[i]) - margin(p), 0.);
+        sum += d * d;
+      }
+      return sum;
+    }
+
+    double width(std::size_t i) const { return high[i] - low[i]; }
+
+    // Exceeds the rounding errors of dot products with axes.
+    static double margin(const Vector& p) { return 1e-14 * (std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2])); }
   };
 
   static std::size_t number_of_leaves(std::size_t faces)
@@ -122,7 +157,8 @@ private:
       const Node& n = node_[number];
       stack.pop_back();
       // Due to rounding, a foot point may be nearer than the box.
-      if (number == omitted || squared_distance_from_box(p, n.box) > (1 + 1e-12) * nearest.squared_distance)
+      const double limit = (1 + 1e-12) * nearest.squared_distance;
+      if (number == omitted || squared_distance_from_box(p, n.box) > limit || is_beyond_turned_box(p, n, limit))
         continue;
       if (n.is_leaf) {
         for (Index i = n.first; i < n.second && nearest.squared_distance > near_enough; ++i)
@@ -134,6 +170,53 @@ private:
       stack.push_back(is_first_nearer ? n.second : n.first);
       stack.push_back(is_first_nearer ? n.first : n.second);
     }
+  }
+
+  bool is_beyond_turned_box(const Vector& p, const Node& n, double limit) const
+  {
+    return n.turned != NONE && turned_[n.turned].squared_distance(p) > limit;
+  }
+
+  // Returns the number of a turned box around the faces in the leaves from `begin`, or NONE if the box is not narrow.
+  Index turned_box(const std::array<Vector, 3>& axes, Index begin)
+  {
+    constexpr double narrow = 0.25, far = std::numeric_limits<double>::infinity();
+    Turned_box box{axes, {{far, far, far}}, {{-far, -far, -far}}};
+    for (std::size_t i = begin; i < order_.size(); ++i)
+      for (const Index c : mesh_.corners(order_[i]))
+        box.add(mesh_.points[mesh_.corner_vertex[c]]);
+    if (!(box.width(1) < narrow * box.width(0)))
+      return NONE;
+    turned_.push_back(box);
+    return Index(turned_.size() - 1);
+  }
+
+  // The same for a leaf. The first axis is the longest side of the first triangles of the faces, and the second axis is
+  // orthogonal to it in the plane of this triangle.
+  Index turned_box_of_leaf(const Node& leaf)
+  {
+    constexpr double narrow = 0.1;
+    double longest = 0;
+    Vector side{{0, 0, 0}}, next = side;
+    for (Index i = leaf.first; i < leaf.second; ++i) {
+      const auto corner = mesh_.corner_vertex.begin() + mesh_.first_corner[order_[i]];
+      for (int k = 0; k < 3; ++k) {
+        const Vector &from = mesh_.points[corner[k]], way = mesh_.points[corner[(k + 1) % 3]] - from;
+        if (dot(way, way) > longest) {
+          longest = dot(way, way);
+          side = way;
+          next = mesh_.points[corner[(k + 2) % 3]] - from;
+        }
+      }
+    }
+    const double length = std::sqrt(longest);
+    const Vector first = (1 / length) * side, height = next - dot(first, next) * first;
+    const double size = std::sqrt(dot(height, height));
+    if (!(size > 1e-6 * length && size < narrow * length))
+      return NONE;
+    Vector third = cross(first, height);
+    third = (1 / std::sqrt(dot(third, third))) * third;
+    return turned_box({{first, cross(third, first), third}}, leaf.first);
   }
 
   Bbox_3 box_of(Index f) const
@@ -159,12 +242,14 @@ private:
       centers += box_of_point({{doubled_center(b, 0), doubled_center(b, 1), doubled_center(b, 2)}});
     }
     const std::size_t middle = divide_boxes(boxes, centers, items, begin, end);
-    const Index number = Index(node_.size());
-    node_.push_back({box, false, NONE, NONE});
+    const Index number = Index(node_.size()), first_of_order = Index(order_.size());
+    node_.push_back({box, false, NONE, NONE, NONE});
     const Index first = build(items, boxes, begin, middle, max_items, make_leaf),
                 second = build(items, boxes, middle, end, max_items, make_leaf);
     node_[number].first = first;
     node_[number].second = second;
+    if (node_[first].turned != NONE && node_[second].turned != NONE)
+      node_[number].turned = turned_box(turned_[node_[first].turned].axes, first_of_order);
     return number;
   }
 
@@ -177,11 +262,12 @@ private:
     std::iota(items.begin(), items.end(), Index(0));
     const Index first = Index(order_.size());
     return build(items, boxes, 0, items.size(), max_faces, [&](std::size_t begin, std::size_t end) {
-      Node leaf{Bbox_3(), true, Index(first + begin), Index(first + end)};
+      Node leaf{Bbox_3(), true, Index(first + begin), Index(first + end), NONE};
       for (std::size_t i = begin; i < end; ++i) {
         leaf.box += boxes[items[i]];
         order_.push_back(faces.begin()[items[i]]);
       }
+      leaf.turned = turned_box_of_leaf(leaf);
       node_.push_back(leaf);
       return Index(node_.size() - 1);
     });
@@ -191,6 +277,7 @@ private:
   std::vector<Index> order_;   // of the faces, in the leaves
   std::vector<Index> root_of_; // per group
   std::vector<Node> node_;
+  std::vector<Turned_box> turned_;
 };
 
 // Returns coordinates of a point of a face, one per corner in the order of the corners. In a triangle they are

@@ -51,8 +51,10 @@ public:
     }
     if (common == 3)
       return true;
-    if (common == 2)
-      return folds(t[(other + 1) % 3], t[(other + 2) % 3], t[other], third(u, t[(other + 1) % 3], t[(other + 2) % 3]));
+    if (common == 2) {
+      const Index a = t[(other + 1) % 3], b = t[(other + 2) % 3], c = t[other], d = third(u, a, b);
+      return !are_across(a, b, c, d) && folds(a, b, c, d);
+    }
     if (common == 1) {
       const int j = in_u[shared];
       const Index a = u[(j + 1) % 3], b = u[(j + 2) % 3], c = t[(shared + 1) % 3], d = t[(shared + 2) % 3];
@@ -63,7 +65,7 @@ public:
         return false;
       return crosses(t, a, b) || crosses(u, c, d);
     }
-    if (is_beside(t, u) || is_beside(u, t) || is_flat(t) || is_flat(u))
+    if (are_apart(t, u) || is_beside(t, u) || is_beside(u, t) || is_flat(t) || is_flat(u))
       return false;
     return do_intersect(triangle(t), triangle(u));
   }
@@ -88,11 +90,62 @@ private:
     return t[0];
   }
 
+  // Exceeds the relative error of determinants and of dot products of three terms, unless these are smaller than the second
+  // number.
+  static constexpr double rounding = 1e-14, least_bound = 1e-290;
+
+  // Returns whether edge ab certainly separates `c` and `d` if the four points are coplanar. In flat regions, most neighbors are
+  // separated, and exact tests take long.
+  bool are_across(Index a, Index b, Index c, Index d) const
+  {
+    const Vector edge = way(a, b), to_c = way(a, c), to_d = way(a, d);
+    const double bound = rounding * dot(edge, edge) * std::sqrt(dot(to_c, to_c) * dot(to_d, to_d));
+    return bound > least_bound && dot(cross(edge, to_c), cross(edge, to_d)) < -bound;
+  }
+
+  // The corners of two triangles, relative to the first corner of one of them.
+  struct Relative_corners
+  {
+    Vector second, third; // of this triangle
+    std::array<Vector, 3> other;
+    double size; // the largest distance
+
+    // Returns whether the dot products with a vector certainly separate the triangles.
+    bool are_separated_by(const Vector& v) const
+    {
+      const double bound = 2 * rounding * std::sqrt(dot(v, v)) * size;
+      const double x = dot(v, second), y = dot(v, third), a = dot(v, other[0]), b = dot(v, other[1]), c = dot(v, other[2]);
+      const double low = (std::min)((std::min)(x, y), 0.) - bound, high = (std::max)((std::max)(x, y), 0.) + bound;
+      return bound > least_bound && ((a > high && b > high && c > high) || (a < low && b < low && c < low));
+    }
+  };
+
+  Relative_corners relative_corners(const Triangle& t, const Triangle& u) const
+  {
+    Relative_corners r{way(t[0], t[1]), way(t[0], t[2]), {{way(t[0], u[0]), way(t[0], u[1]), way(t[0], u[2])}}, 0};
+    double square = (std::max)(dot(r.second, r.second), dot(r.third, r.third));
+    for (const Vector& v : r.other)
+      square = (std::max)(square, dot(v, v));
+    r.size = std::sqrt(square);
+    return r;
+  }
+
+  // Returns whether the plane of one triangle, or a plane through a side of a triangle and orthogonal to it, certainly separates
+  // the triangles. This test is quick, also for coplanar triangles, for which exact tests take long.
+  bool are_apart(const Triangle& t, const Triangle& u) const
+  {
+    const Relative_corners r = relative_corners(t, u), s = relative_corners(u, t);
+    const Vector n = cross(r.second, r.third), m = cross(s.second, s.third);
+    return r.are_separated_by(n) || s.are_separated_by(m) || r.are_separated_by(cross(n, r.second)) ||
+           r.are_separated_by(cross(n, r.third)) || r.are_separated_by(cross(n, r.third - r.second)) ||
+           s.are_separated_by(cross(m, s.second)) || s.are_separated_by(cross(m, s.third)) ||
+           s.are_separated_by(cross(m, s.third - s.second));
+  }
+
   // Returns whether a plane through `common` certainly separates `a` and `b` from `c` and `d`. This test separates most triangles
   // around a vertex of high valence, for which exact tests take long if they are coplanar.
   bool are_apart(Index common, Index a, Index b, Index c, Index d) const
   {
-    constexpr double rounding = 1e-14; // exceeds the relative error of dot products of three terms
     const std::array<Vector, 4> to{{way(common, a), way(common, b), way(common, c), way(common, d)}};
     Vector normal{{0, 0, 0}};
     std::array<double, 4> length;

@@ -14,8 +14,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -73,7 +74,7 @@ public:
           return;
         visited += block.size();
         for (const Index f : block) {
-          const double squared_distance = input_.squared_distance_from_face(middle, f, 1.000001 * same_as(nearest, size));
+          const double squared_distance = squared_distance_from_face(middle, f, 1.000001 * same_as(nearest, size));
           if (squared_distance <= same_as(nearest, size))
             faces.emplace_back(squared_distance, f);
           nearest = (std::min)(nearest, squared_distance);
@@ -84,31 +85,6 @@ public:
       if (squared_distance <= same_as(nearest, size))
         there = there + vector_area(surface_.input().mesh, f);
     return dot(n, there) < -1e-9 * size * std::sqrt(dot(there, there));
-  }
-
-  // Estimates the sum over some clusters of their area times their mean squared distance from coarse triangles. Stops when the
-  // sum exceeds `limit`.
-  double squared_distance(const std::vector<Index>& clusters, const std::vector<Triangle>& triangles,
-                          const std::vector<Vector>& positions, double limit) const
-  {
-    constexpr std::size_t max_samples = 24;
-    std::vector<Ball> balls;
-    balls.reserve(triangles.size());
-    for (const Triangle& t : triangles)
-      balls.push_back(ball_around(t, positions));
-    std::size_t last = 0; // the triangle nearest to the previous sample
-    double sum = 0;
-    for (const Index x : clusters) {
-      const Clustered_faces::Range faces = surface_.faces(x);
-      const std::size_t step = 1 + faces.size() / max_samples;
-      for (std::size_t i = 0; i < faces.size(); i += step) {
-        const Index f = faces.begin()[i];
-        sum += double(step) * surface_.area(f) * squared_distance(surface_.centroid(f), triangles, balls, positions, last);
-        if (sum >= limit)
-          return sum;
-      }
-    }
-    return sum;
   }
 
   // Returns whether faces of the clusters of two coarse triangles intersect. Faces with a common vertex are not tested, because
@@ -132,7 +108,7 @@ private:
   typedef Clustered_faces::Range Face_range;
 
   // The nearest face of a cluster is searched in blocks of this many consecutive faces, each with its bounding box.
-  static constexpr std::size_t faces_of_block = 32;
+  static constexpr std::size_t faces_of_block = 8;
 
   // Calls `visit(faces, number)` for each block.
   template <class Visit>
@@ -175,6 +151,15 @@ private:
     return area > rounding * squared_diagonal(box_of_cluster(cluster)) ? (1 / area) * sum : Vector{{0, 0, 0}};
   }
 
+  // Returns the squared distance from a face; infinity if it is known to exceed `limit`. Due to rounding, a face may be nearer
+  // than its box.
+  double squared_distance_from_face(const Vector& p, Index f, double limit) const
+  {
+    return squared_distance_from_box(p, box_of_faces(Face_range(&f, &f + 1))) > (1 + 1e-12) * limit
+             ? std::numeric_limits<double>::infinity()
+             : input_.squared_distance_from_face(p, f, limit);
+  }
+
   // Returns the squared distance from the faces of the block whose box is nearest.
   double squared_distance_from_nearest_block(const Vector& p, const Triangle& t) const
   {
@@ -189,56 +174,14 @@ private:
         }
       });
     for (const Index f : block)
-      nearest = (std::min)(nearest, input_.squared_distance_from_face(p, f, nearest));
-    return nearest;
-  }
-
-  struct Ball
-  {
-    Vector center;
-    double radius;
-  };
-
-  static Ball ball_around(const Triangle& t, const std::vector<Vector>& positions)
-  {
-    Ball ball{(1. / 3) * (positions[t[0]] + positions[t[1]] + positions[t[2]]), 0};
-    for (const Index v : t) {
-      const Vector d = positions[v] - ball.center;
-      ball.radius = (std::max)(ball.radius, dot(d, d));
-    }
-    ball.radius = std::sqrt(ball.radius);
-    return ball;
-  }
-
-  // Returns the squared distance from the nearest of some triangles. Skips triangles whose bounding balls are farther than the
-  // nearest triangle so far.
-  static double squared_distance(const Vector& p, const std::vector<Triangle>& triangles, const std::vector<Ball>& balls,
-                                 const std::vector<Vector>& positions, std::size_t& last)
-  {
-    const auto to = [&](std::size_t i) {
-      const Triangle& t = triangles[i];
-      return closest_on_triangle(p, positions[t[0]], positions[t[1]], positions[t[2]]).squared_distance;
-    };
-    const std::size_t first = last;
-    double nearest = to(first), distance = std::sqrt(nearest);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      const Vector d = p - balls[i].center;
-      const double reach = 1.000001 * (balls[i].radius + distance);
-      if (i == first || dot(d, d) > reach * reach)
-        continue;
-      const double square = to(i);
-      if (square < nearest) {
-        nearest = square;
-        distance = std::sqrt(square);
-        last = i;
-      }
-    }
+      nearest = (std::min)(nearest, squared_distance_from_face(p, f, nearest));
     return nearest;
   }
 
   bool clusters_intersect(Index x, Index y)
   {
-    const auto known = intersecting_.find({x, y});
+    const std::uint64_t both = (std::uint64_t(x) << 32) | y;
+    const auto known = intersecting_.find(both);
     if (known != intersecting_.end())
       return known->second;
     std::vector<Triangle> all = pieces_at(x, box_of_cluster(y));
@@ -255,7 +198,7 @@ private:
       const Triangle &f = named[a.info()], &g = named[b.info()];
       found = found || (!have_common_corner(f, g) && conflict(f, g));
     });
-    return intersecting_[{x, y}] = found;
+    return intersecting_[both] = found;
   }
 
   static bool have_common_corner(const Triangle& t, const Triangle& u)
@@ -299,7 +242,7 @@ private:
   std::vector<Vector> normals_;
   std::vector<std::size_t> first_block_; // of each cluster
   std::vector<Bbox_3> box_of_block_;
-  std::map<std::pair<Index, Index>, bool> intersecting_; // tested pairs of clusters
+  std::unordered_map<std::uint64_t, bool> intersecting_; // tested pairs of clusters
 };
 
 } // namespace internal

@@ -112,30 +112,40 @@ public:
     last_altered_.clear();
   }
 
-  // Returns the number of faults of some of these triangles; stops when it reaches `limit`.
-  long number_of(const std::vector<Index>& altered, long limit)
+  // Returns the number of faults of some of these triangles, and remembers them.
+  long number_of(const std::vector<Index>& altered)
   {
-    const Triangle_conflict conflict(points_);
-    update_near_boxes(last_altered_); // their changes may have been undone
-    update_near_boxes(altered);
-    last_altered_ = altered;
-    long faults = 0;
-    for (const Index t : altered) {
-      const Triangle triangle = coarse_.triangles()[t];
-      faults += is_reversed(t);
-      if (faults >= limit)
-        return faults;
-      cancellation_.poll(near_.size());
-      spend(near_.size() / 16); // a comparison of boxes takes a fraction of the time of an exact test
-      near_boxes_.for_each_overlapping(conflict.box(triangle), [&](std::size_t i) {
-        const Index u = near_[i];
-        if (u == t || (u < t && std::binary_search(altered.begin(), altered.end(), u)))
-          return;
-        spend(1);
-        if (conflict(triangle, coarse_.triangles()[u]) && !is_in_input({t, u}))
-          ++faults;
+    known_pairs_.clear();
+    known_reversed_.clear();
+    for_each_fault(
+      altered,
+      [this](Index t) {
+        known_reversed_.push_back(t);
+        return true;
+      },
+      [this](Index t, Index u) {
+        known_pairs_.push_back({t, u});
+        return true;
       });
+    return long(known_pairs_.size() + known_reversed_.size());
+  }
+
+  // The same after a change of these triangles; stops when the number reaches `limit`. Most changes do not remove the faults that
+  // were there before, so these are tested first.
+  long number_after_change(const std::vector<Index>& altered, long limit)
+  {
+    long faults = 0;
+    for (std::size_t i = 0; i < known_pairs_.size() && faults < limit; ++i) {
+      spend(1);
+      faults += is_fault(known_pairs_[i].first, known_pairs_[i].second);
     }
+    for (std::size_t i = 0; i < known_reversed_.size() && faults < limit; ++i)
+      faults += is_reversed(known_reversed_[i]);
+    if (faults >= limit)
+      return faults;
+    faults = 0;
+    for_each_fault(
+      altered, [&](Index) { return ++faults < limit; }, [&](Index, Index) { return ++faults < limit; });
     return faults;
   }
 
@@ -147,6 +157,36 @@ private:
   {
     tests_ += tests;
     budget_.spend(tests);
+  }
+
+  bool is_fault(Index t, Index u) { return are_in_conflict({t, u}) && !is_in_input({t, u}); }
+
+  // Calls `note_reversed(t)` and `note_pair(t, u)` for the faults of some triangles near the place of the search, until one of
+  // them returns false.
+  template <class Note_reversed, class Note_pair>
+  void for_each_fault(const std::vector<Index>& altered, const Note_reversed& note_reversed, const Note_pair& note_pair)
+  {
+    const Triangle_conflict conflict(points_);
+    update_near_boxes(last_altered_); // their changes may have been undone
+    update_near_boxes(altered);
+    last_altered_ = altered;
+    bool goes_on = true;
+    for (std::size_t i = 0; i < altered.size() && goes_on; ++i) {
+      const Index t = altered[i];
+      cancellation_.poll(near_.size());
+      spend(near_.size() / 16); // a comparison of boxes takes a fraction of the time of an exact test
+      near_boxes_.for_each_overlapping(conflict.box(coarse_.triangles()[t]), [&](std::size_t n) {
+        const Index u = near_[n];
+        if (!goes_on || u == t || (u < t && std::binary_search(altered.begin(), altered.end(), u)))
+          return;
+        spend(1);
+        if (is_fault(t, u))
+          goes_on = note_pair(t, u);
+      });
+    }
+    for (std::size_t i = 0; i < altered.size() && goes_on; ++i)
+      if (is_reversed(altered[i]))
+        goes_on = note_reversed(altered[i]);
   }
 
   void update_near_boxes(const std::vector<Index>& triangles)
@@ -199,8 +239,10 @@ private:
   std::vector<Triangle_pair> pairs_;
   std::vector<Index> reversed_;
   std::vector<Index> near_;
-  Box_list near_boxes_;              // of these triangles
-  std::vector<Index> last_altered_; // the triangles of the last count
+  Box_list near_boxes_;                    // of these triangles
+  std::vector<Index> last_altered_;        // the triangles of the last count
+  std::vector<Triangle_pair> known_pairs_; // the faults of the last count before a change
+  std::vector<Index> known_reversed_;
   std::size_t tests_ = 0;
 };
 

@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Placement_faults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_counts.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_proposals.h>
+#include <CGAL/Surface_mesh_coarsening/internal/repair/Trial_distance.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
 
@@ -38,7 +39,8 @@ public:
                    const Cancellation_point& cancellation)
     : surface_(surface), border_(border), result_(triangles), positions_(positions),
       coarse_(triangles, positions.size(), surface.features()), reference_(surface),
-      faults_(surface, reference_, coarse_, positions, output, budget, cancellation), cancellation_(cancellation)
+      faults_(surface, reference_, coarse_, positions, output, budget, cancellation),
+      distance_(surface, coarse_, positions), cancellation_(cancellation)
   {}
 
   // Restricts the positions of vertices to input vertices of their clusters.
@@ -64,7 +66,6 @@ public:
 
 private:
   static constexpr std::size_t max_rounds = 20;
-  static constexpr std::size_t max_measured = 500; // maximum number of triangles
 
   // The number of faults that a change removes, and the increase of the squared distance from the input.
   struct Effect
@@ -123,12 +124,12 @@ private:
     const std::vector<Index> vertices = corners_of(faulty);
     faults_.look_around(vertices);
     last_altered_.clear();
-    distance_before_ = squared_distance_around(vertices);
+    distance_.measure_around(vertices);
     Placement_change best;
     Effect least;
     const Repair_proposals proposals(surface_, border_, coarse_, reference_, positions_, at_input_vertices_);
     for (const Placement_change& change : proposals.at(faulty, vertices)) {
-      const Effect effect = effect_of(change, vertices, least);
+      const Effect effect = effect_of(change, least);
       if (is_better(effect, least)) {
         least = effect;
         best = change;
@@ -153,14 +154,15 @@ private:
   void return_to(Index v, const Vector& wanted)
   {
     const Vector from = positions_[v];
-    const double distance = squared_distance_around({v});
+    distance_.measure_around({v});
     const std::vector<Index> altered = altered_by({{{v, from}}, NONE, 0});
     faults_.look_around({v});
-    const long before = faults_.number_of(altered, std::numeric_limits<long>::max());
+    const long before = faults_.number_of(altered);
     for (const double part : {1., 0.5, 0.25}) {
       const Vector to = surface_.within_bounds(v, without_last_digits(from + part * (wanted - from)));
       make({{{v, to}}, NONE, 0});
-      if (squared_distance_around({v}, distance) < distance && faults_.number_of(altered, before + 1) <= before) {
+      if (distance_.changed(altered, distance_.current()) < distance_.current() &&
+          faults_.number_after_change(altered, before + 1) <= before) {
         faults_.update(altered);
         return;
       }
@@ -177,7 +179,7 @@ private:
       return a.gain > b.gain;
     // The margin prevents rounding errors from deciding where a mesh is symmetric and harms are equal.
     const double harm = a.harm * double(b.gain), other = b.harm * double(a.gain);
-    return other - harm > 1e-9 * (std::abs(harm) + std::abs(other) + distance_before_ * double(a.gain + b.gain));
+    return other - harm > 1e-9 * (std::abs(harm) + std::abs(other) + distance_.current() * double(a.gain + b.gain));
   }
 
   std::vector<Index> corners_of(const std::vector<Index>& triangles) const
@@ -205,7 +207,7 @@ private:
   }
 
   // Stops the computation when the effect is known to be no better than `other`.
-  Effect effect_of(const Placement_change& change, const std::vector<Index>& vertices, const Effect& other)
+  Effect effect_of(const Placement_change& change, const Effect& other)
   {
     const std::vector<Index> altered = altered_by(change);
     Effect effect;
@@ -213,9 +215,10 @@ private:
     if (before == 0)
       return effect;
     const auto measure = [&] {
-      effect.gain = (std::max)(0l, before - faults_.number_of(altered, before));
+      const long least_gain = prefers_gain_ ? (std::max)(1l, other.gain) : 1;
+      effect.gain = (std::max)(0l, before - faults_.number_after_change(altered, before - least_gain + 1));
       if (effect.gain > 0)
-        effect.harm = squared_distance_around(vertices, distance_before_ + max_harm(effect.gain, other)) - distance_before_;
+        effect.harm = distance_.changed(altered, distance_.current() + max_harm(effect.gain, other)) - distance_.current();
     };
     if (change.flipped == NONE) {
       std::vector<Vertex_move> back;
@@ -248,32 +251,10 @@ private:
   long faults_before(const std::vector<Index>& altered)
   {
     if (altered != last_altered_) {
-      last_faults_ = faults_.number_of(altered, std::numeric_limits<long>::max());
+      last_faults_ = faults_.number_of(altered);
       last_altered_ = altered;
     }
     return last_faults_;
-  }
-
-  // Returns the squared distance of the clusters of some vertices and of the clusters around them. Vertices of very many
-  // triangles are omitted, because they would take quadratic time.
-  double squared_distance_around(const std::vector<Index>& vertices,
-                                 double limit = std::numeric_limits<double>::infinity()) const
-  {
-    std::vector<Index> triangles, clusters;
-    for (const Index v : vertices)
-      for (const Index t : coarse_.around(v))
-        clusters.insert(clusters.end(), coarse_.triangles()[t].begin(), coarse_.triangles()[t].end());
-    sort_unique(clusters);
-    for (const Index v : clusters)
-      triangles.insert(triangles.end(), coarse_.around(v).begin(), coarse_.around(v).end());
-    sort_unique(triangles);
-    if (triangles.size() > max_measured)
-      return 0;
-    std::vector<Triangle> corners;
-    corners.reserve(triangles.size());
-    for (const Index t : triangles)
-      corners.push_back(coarse_.triangles()[t]);
-    return reference_.squared_distance(clusters, corners, positions_, limit);
   }
 
   void make(const Placement_change& change)
@@ -327,10 +308,10 @@ private:
   Flippable_triangulation coarse_;
   Input_oracle reference_;
   Placement_faults faults_;
+  Trial_distance distance_; // around the current fault
   Cancellation_point cancellation_;
   std::vector<Index> last_altered_; // the triangles whose faults were counted last before a change
   long last_faults_ = 0;
-  double distance_before_ = 0; // of the surroundings of the current fault
   bool prefers_gain_ = false, at_input_vertices_ = false;
 };
 
