@@ -2,7 +2,8 @@
 //
 // Coarsens many meshes to many numbers of vertices with four weights and checks every result: the output has to be a
 // 2-manifold triangle mesh with exactly the requested number of vertices and, component by component, the genus, the
-// border loops and the orientation of the input. Prints a line per mesh and ends with 1 if a run failed.
+// border loops and the orientation of the input. Where MPI is found, all meshes but the quick ones are also coarsened in small
+// blocks. Prints a line per mesh and ends with 1 if a run failed.
 
 #include "check/soup_fault.h"
 #include "io/file_type.h"
@@ -18,6 +19,13 @@
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
+
+#ifdef SURFACE_MESH_COARSENING_WITH_MPI
+#include <CGAL/Surface_mesh_coarsening/coarsen_distributed_mesh.h>
+
+#include <boost/mpi/environment.hpp>
+#include <boost/property_map/function_property_map.hpp>
+#endif
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 
@@ -95,6 +103,26 @@ Coarsening coarsening_with(double maximum_density)
   };
 }
 
+#ifdef SURFACE_MESH_COARSENING_WITH_MPI
+// Coarsens a mesh as a distributed mesh with one piece, in blocks so small that most meshes have several.
+SMC::Coarsening_report coarsen_in_blocks(const Mesh& mesh, std::size_t number, Mesh& output, Labels labels)
+{
+  const auto numbers = boost::make_function_property_map<Vertex>([](Vertex v) { return std::uint64_t(v); });
+  return SMC::coarsen_distributed_mesh(boost::mpi::communicator(), mesh, numbers, number, output,
+                                       SMC::parameters::faces_per_block(100).face_cluster_map(labels));
+}
+#endif
+
+// Distributed meshes must not have two edges with the same ends.
+bool has_parallel_edges(const Mesh& mesh)
+{
+  std::set<std::pair<Vertex, Vertex> > edges;
+  for (const auto h : mesh.halfedges())
+    if (!edges.insert({mesh.source(h), mesh.target(h)}).second)
+      return true;
+  return false;
+}
+
 class Sweep
 {
 public:
@@ -106,6 +134,12 @@ public:
     }
     weights_.push_back({"maximum", coarsening_with<SMC::Maximum_density_weight>(50)});
     weights_.push_back({"variance", coarsening_with<SMC::Density_variance_weight>(3)});
+#ifdef SURFACE_MESH_COARSENING_WITH_MPI
+    if (!quick_) {
+      blocks_ = weights_.size();
+      weights_.push_back({"area, in blocks", coarsen_in_blocks});
+    }
+#endif
   }
 
   void print_head() const
@@ -126,8 +160,16 @@ public:
       line_.bound += c.fewest_vertices();
     input_ = &input;
     vertices_ = total.vertices;
-    if (find_smallest())
-      run_all_numbers();
+    proven_.clear();
+    // Refusals do not depend on the weight, but on the order of the faces, which is another one in blocks.
+    if (find_smallest(0))
+      for (std::size_t w = 0; w < weights_.size(); ++w)
+        if (w != blocks_)
+          run_all_numbers(w);
+    const std::size_t smallest = line_.smallest;
+    if (blocks_ < weights_.size() && !has_parallel_edges(input.mesh) && find_smallest(blocks_))
+      run_all_numbers(blocks_);
+    line_.smallest = smallest;
     print(total);
     sum_.add(line_);
     ++meshes_;
@@ -197,7 +239,7 @@ private:
       watchdog_.end();
       line_.worst_seconds = (std::max)(line_.worst_seconds, seconds());
       outcome.subdivided = report.subdivided_components != 0;
-      outcome.fault = fault_of_result(*input_, labels, number, output, report);
+      outcome.fault = fault_of_result(*input_, labels, number, output, report, weight != blocks_);
     } catch (const SMC::Unreachable_number_of_vertices& e) {
       line_.worst_seconds = (std::max)(line_.worst_seconds, seconds());
       outcome.refused = true;
@@ -256,31 +298,30 @@ private:
     return {};
   }
 
-  bool find_smallest()
+  bool find_smallest(std::size_t weight)
   {
-    proven_.clear();
-    const Outcome outcome = call(0, 1);
+    const Outcome outcome = call(weight, 1);
     if (outcome.refused && outcome.fault.empty() && outcome.nearest > 1 && outcome.nearest >= line_.bound) {
       line_.smallest = outcome.nearest;
       return true;
     }
     ++line_.runs;
-    fail(name_of_run(0, 1) + ": " +
+    fail(name_of_run(weight, 1) + ": " +
          (!outcome.fault.empty() ? outcome.fault
                                  : outcome.refused ? "nearest() = " + std::to_string(outcome.nearest) : "not refused"));
     return false;
   }
 
-  void run_all_numbers()
+  void run_all_numbers(std::size_t weight)
   {
     const std::size_t smallest = line_.smallest;
     std::vector<std::size_t> numbers{smallest};
     for (const double share : {0.01, 0.05, 0.2, 0.5, 1.})
       numbers.push_back(std::size_t(std::floor(share * double(vertices_) + 0.5)));
-    for (std::size_t w = 0; w < weights_.size(); ++w)
-      for (const std::size_t n : numbers)
-        judge(w, n, n < smallest ? Nearest{smallest, smallest} : Nearest());
-    // Refusals do not depend on the weight.
+    for (const std::size_t n : numbers)
+      judge(weight, n, n < smallest ? Nearest{smallest, smallest} : Nearest());
+    if (weight != 0)
+      return;
     judge(0, smallest - 1, {smallest, smallest});
     const std::size_t too_many = 2 * (std::max)(smallest, vertices_);
     judge(0, too_many, {smallest, too_many - 1});
@@ -302,6 +343,7 @@ private:
   const bool quick_;
   Watchdog watchdog_;
   std::vector<std::pair<std::string, Coarsening> > weights_;
+  std::size_t blocks_ = std::size_t(-1); // the number of the coarsening in blocks among them
   const Examined_mesh* input_ = nullptr;
   std::size_t vertices_ = 0, meshes_ = 0;
   Line line_, sum_;
@@ -424,6 +466,9 @@ Options read_options(int argc, char** argv)
 
 int main(int argc, char** argv)
 try {
+#ifdef SURFACE_MESH_COARSENING_WITH_MPI
+  const boost::mpi::environment environment;
+#endif
   const Options options = read_options(argc, argv);
   Sweep sweep(options);
   std::vector<std::string> left_out;

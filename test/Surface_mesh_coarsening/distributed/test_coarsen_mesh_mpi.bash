@@ -44,6 +44,8 @@ rm -f clusters*
 "$tool" triangles.ply expected.off "${common[@]}"
 on 4 triangles.ply out.off "${common[@]}" || fault "triangles failed"
 cmp expected.off out.off || fault "four ranks give another result for triangles"
+on 2 triangles.ply out.off "${common[@]}" --placement quadric || fault "the placement by quadrics failed"
+cmp -s expected.off out.off && fault "the fit does not move vertices"
 on 2 large.ply expected.off -n 300 --faces-per-block 20000 --quiet || fault "a large mesh failed"
 on 2 large.ply out.off -n 300 --faces-per-block 20000 --quiet --memory 1K --scratch scratch --report report.json ||
   fault "scratch files failed for a large mesh"
@@ -75,6 +77,7 @@ for ranks in 1 3; do
     polygons.ply full.off "${common[@]}" --clusters clusters.pvtp
   refuses "would replace the input" $ranks polygons.ply polygons.ply "${common[@]}"
   refuses "how many vertices" $ranks polygons.ply out.off
+  refuses "takes fitted or quadric" $ranks polygons.ply out.off "${common[@]}" --placement centroid
 done
 
 # A disk that has room for the messages of MPI, but not for the faces.

@@ -226,6 +226,30 @@ BOOST_AUTO_TEST_CASE(result_does_not_depend_on_ranks)
   check_all_numbers_of_ranks(generated::tetrahedron(), 4, blocks(1));
 }
 
+BOOST_AUTO_TEST_CASE(result_does_not_depend_on_ranks_threads_and_memory)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const Soup soup = mixed_surfaces();
+  const auto np = SMC::parameters::faces_per_block(300);
+  Result on_one;
+  for (const int number : {1, 2, 3, 4, 7})
+    on_first_ranks(number, [&](const mpi::communicator& ranks) {
+      const auto check = [&](std::size_t threads, const auto& parameters) {
+        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+        const Result result = coarsened<CGAL::Parallel_tag>(ranks, soup, 90, parameters);
+        if (ranks.rank() != 0)
+          return;
+        on_one = on_one.clusters.empty() ? result : on_one;
+        BOOST_TEST((result == on_one), "another result on " << number << " ranks with " << threads << " threads");
+      };
+      check(1, np);
+      check(2, np);
+      check(1, np.scratch_directory(".").scratch_memory(100000));
+      check(2, np.scratch_directory("."));
+    });
+#endif
+}
+
 BOOST_AUTO_TEST_CASE(result_does_not_depend_on_threads)
 {
 #ifdef CGAL_LINKED_WITH_TBB
