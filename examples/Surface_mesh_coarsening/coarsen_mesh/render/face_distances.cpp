@@ -3,11 +3,15 @@
 #include "render/face_distances.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
-#include <CGAL/version.h>
 
 #include <cmath>
 

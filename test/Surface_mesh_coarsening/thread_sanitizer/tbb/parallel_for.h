@@ -9,19 +9,30 @@
 #include "global_control.h"
 
 #include <atomic>
+#include <exception>
+#include <mutex>
 #include <thread>
 #include <vector>
 
 namespace tbb {
 
-// Threads take the numbers one by one, in no order.
+// Threads take the numbers one by one, in no order. An exception ends the loop on all threads and is thrown again.
 template <class Function>
 void parallel_for(std::size_t begin, std::size_t end, const Function& function)
 {
   std::atomic<std::size_t> next(begin);
+  std::exception_ptr first_exception;
+  std::mutex mutex;
   const auto work = [&] {
-    for (std::size_t i = next++; i < end; i = next++)
-      function(i);
+    try {
+      for (std::size_t i = next++; i < end; i = next++)
+        function(i);
+    } catch (...) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (!first_exception)
+        first_exception = std::current_exception();
+      next = end;
+    }
   };
   std::vector<std::thread> others;
   for (std::size_t i = 1; i < global_control::threads(); ++i)
@@ -29,6 +40,8 @@ void parallel_for(std::size_t begin, std::size_t end, const Function& function)
   work();
   for (std::thread& thread : others)
     thread.join();
+  if (first_exception)
+    std::rethrow_exception(first_exception);
 }
 
 } // namespace tbb
