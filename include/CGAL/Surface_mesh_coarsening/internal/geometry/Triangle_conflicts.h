@@ -118,6 +118,13 @@ private:
       const double low = (std::min)((std::min)(x, y), 0.) - bound, high = (std::max)((std::max)(x, y), 0.) + bound;
       return bound > least_bound && ((a > high && b > high && c > high) || (a < low && b < low && c < low));
     }
+
+    // Returns whether the other triangle lies about in the plane orthogonal to a vector through the first corner.
+    bool is_flat_along(const Vector& v) const
+    {
+      const double bound = 2 * rounding * std::sqrt(dot(v, v)) * size;
+      return std::abs(dot(v, other[0])) <= bound && std::abs(dot(v, other[1])) <= bound && std::abs(dot(v, other[2])) <= bound;
+    }
   };
 
   Relative_corners relative_corners(const Triangle& t, const Triangle& u) const
@@ -130,16 +137,18 @@ private:
     return r;
   }
 
-  // Returns whether the plane of one triangle, or a plane through a side of a triangle and orthogonal to it, certainly separates
-  // the triangles. This test is quick, also for coplanar triangles, for which exact tests take long.
+  // Returns whether the plane of one triangle certainly separates the triangles or, if they are coplanar, whether a side does.
+  // Exact tests take long for coplanar triangles.
   bool are_apart(const Triangle& t, const Triangle& u) const
   {
     const Relative_corners r = relative_corners(t, u), s = relative_corners(u, t);
     const Vector n = cross(r.second, r.third), m = cross(s.second, s.third);
-    return r.are_separated_by(n) || s.are_separated_by(m) || r.are_separated_by(cross(n, r.second)) ||
-           r.are_separated_by(cross(n, r.third)) || r.are_separated_by(cross(n, r.third - r.second)) ||
-           s.are_separated_by(cross(m, s.second)) || s.are_separated_by(cross(m, s.third)) ||
-           s.are_separated_by(cross(m, s.third - s.second));
+    if (r.are_separated_by(n) || s.are_separated_by(m))
+      return true;
+    return r.is_flat_along(n) &&
+           (r.are_separated_by(cross(n, r.second)) || r.are_separated_by(cross(n, r.third)) ||
+            r.are_separated_by(cross(n, r.third - r.second)) || s.are_separated_by(cross(m, s.second)) ||
+            s.are_separated_by(cross(m, s.third)) || s.are_separated_by(cross(m, s.third - s.second)));
   }
 
   // Returns whether a plane through `common` certainly separates `a` and `b` from `c` and `d`. This test separates most triangles

@@ -151,7 +151,7 @@ public:
 
 private:
   // The maximum number of exact tests, or of steps that take as long, in all rounds of a repair together: one or two seconds.
-  static constexpr std::size_t max_tests = 8000000;
+  static constexpr std::size_t max_tests = 16000000;
 
   void spend(std::size_t tests)
   {
