@@ -185,23 +185,25 @@ inline bool is_better_plain(Clustering_state& state, const Placement_model& plac
                             const Fitted_mesh& unrepaired, Placed_dual& dual)
 {
   const bool is_repaired = dual.counts.intersections_found + dual.counts.reversals_found > 0;
-  if (!is_repaired || clusters.number() == 0 || budget.is_spent())
+  if (!is_repaired || clusters.number() == 0)
+    return false;
+  const bool has_many = has_many_intersections(state, dual);
+  if (!has_many && budget.is_spent())
     return false;
   const std::unique_ptr<Clustered_faces> surface = clustered_faces(state, dual);
   const double distance = squared_distance(*surface, dual.triangles, dual.positions);
-  const bool has_many = has_many_intersections(state, dual);
   if (!has_many && distance < squared_distance(*surface, unrepaired.triangles, unrepaired.positions))
     return false;
   const std::vector<Index> labels_of_dual = labels(state).labels();
   clusters.undo();
-  Placed_dual plain;
-  plain.triangles = unrepaired.triangles;
-  plain.positions = unrepaired.positions;
-  const std::unique_ptr<Clustered_faces> old_surface = clustered_faces(state, plain);
-  plain.counts = repair_exchanged(state, *old_surface, placement, output_coordinates, plain, budget);
+  budget.spend(placement_tests * dual.triangles.size());
+  // If the repairs after the exchange have spent the budget, the other placement may be repaired once more.
+  Repair_budget last_budget = repair_budget(state);
+  Placed_dual plain = place(state, placement, output_coordinates, budget.is_spent() ? last_budget : budget);
   const std::size_t left = plain.number_left();
   if ((has_many && left < dual.number_left()) ||
-      (left <= dual.number_left() && squared_distance(*old_surface, plain.triangles, plain.positions) < distance)) {
+      (left <= dual.number_left() &&
+       squared_distance(*clustered_faces(state, plain), plain.triangles, plain.positions) < distance)) {
     dual = std::move(plain);
     return true;
   }
