@@ -124,7 +124,10 @@ public:
   void run_reference(const std::string& file, std::size_t faces, std::size_t vertices)
   {
     reference_ = 1e300; // no limit
-    seconds_a_face_ = time("'" + file + "'", "-n " + std::to_string(vertices)).second / double(faces);
+    const auto outcome = time("'" + file + "'", "-n " + std::to_string(vertices));
+    if (outcome.first != 0)
+      throw std::runtime_error("the tool does not coarsen the reference mesh " + file);
+    seconds_a_face_ = outcome.second / double(faces);
     std::cout << "reference: " << 1e6 * seconds_a_face_ << " microseconds a face" << std::endl;
   }
 
