@@ -49,7 +49,7 @@ public:
       balls_.push_back(ball_around(t));
     for (const Index x : clusters)
       add_samples(x);
-    for (Sample& s : samples_)
+    for (const Sample& s : samples_)
       current_ += s.weight * s.squared_distance;
   }
 
