@@ -159,32 +159,49 @@ struct How
 {
   double min_upright = 0.95;
   bool local_minimum = false;
+  bool in_blocks = false; // of clusters, because there are many
 };
 
-template <class Weight>
-void check_clustering(const Soup& input, std::size_t n, const How how = How())
+// A mesh, and what the checks need of it.
+template <class W>
+struct Problem
 {
-  const Mesh mesh = test::to_mesh(input), copy = mesh;
-  const Soup soup = test::to_soup(mesh);
-  const Reference_mesh m(soup);
-  const std::vector<reference::Face> faces = reference::faces_of(soup);
-  const std::vector<double> densities = reference::densities(m, r_new<Weight>());
-  const Weight weight = Weight();
+  typedef W Weight;
 
-  SMC::Mwcvd_clustering<Mesh, Weight> c(
-    mesh, SMC::parameters::maximum_density(r_new<Weight>()).border_densities(false).repair_output(false));
-  BOOST_CHECK_GE(c.seed(n), n);
+  Problem(const Soup& input, std::size_t n, const How& how)
+    : mesh(test::to_mesh(input)), m(test::to_soup(mesh)), faces(reference::faces_of(m.soup())),
+      densities(reference::densities(m, r_new<Weight>())), n(n), how(how)
+  {}
+
+  double energy(const Labels& labels) const { return double(reference::energy(faces, densities, labels, weight)); }
+
+  const Mesh mesh;
+  const Reference_mesh m;
+  const std::vector<reference::Face> faces;
+  const std::vector<double> densities;
+  const Weight weight = Weight();
+  const std::size_t n;
+  const How how;
+};
+
+template <class Clustering, class Problem>
+void seed_and_grow(Clustering& c, const Problem& p)
+{
+  BOOST_CHECK_GE(c.seed(p.n), p.n);
   c.grow();
   BOOST_REQUIRE_EQUAL(c.report().subdivided_components, 0u);
-  Labels labels = test::labels_in(c, mesh);
-  BOOST_CHECK_EQUAL(reference::fault_of_clustering(m, labels), "");
-  BOOST_CHECK_EQUAL(reference::number_of_clusters(labels), n);
-  BOOST_CHECK_EQUAL(c.number_of_clusters(), n);
-  check_close(c.energy(), reference::energy(faces, densities, labels, weight), 1e-9, "initial energy");
+  const Labels labels = test::labels_in(c, p.mesh);
+  BOOST_CHECK_EQUAL(reference::fault_of_clustering(p.m, labels), "");
+  BOOST_CHECK_EQUAL(reference::number_of_clusters(labels), p.n);
+  BOOST_CHECK_EQUAL(c.number_of_clusters(), p.n);
+  check_close(c.energy(), p.energy(labels), 1e-9, "initial energy");
   BOOST_CHECK_EQUAL(c.report().initial_energy, c.energy());
-  check_boundary_counts(c, mesh, m, labels);
+  check_boundary_counts(c, p.mesh, p.m, labels);
+}
 
-  // Round by round.
+template <class Clustering, class Problem>
+void minimize_round_by_round(Clustering& c, const Problem& p)
+{
   double energy = c.energy();
   std::size_t rounds = 0, moves = 0;
   bool changed = true;
@@ -197,47 +214,78 @@ void check_clustering(const Soup& input, std::size_t n, const How how = How())
     energy = c.energy();
     moves = c.report().moves;
     if (rounds == 1 || rounds % 16 == 0) {
-      labels = test::labels_in(c, mesh);
-      check_close(energy, reference::energy(faces, densities, labels, weight), 1e-9, "energy in between");
-      BOOST_CHECK_EQUAL(reference::fault_of_clustering(m, labels), "");
+      const Labels labels = test::labels_in(c, p.mesh);
+      check_close(energy, p.energy(labels), 1e-9, "energy in between");
+      BOOST_CHECK_EQUAL(reference::fault_of_clustering(p.m, labels), "");
     }
   }
-  BOOST_CHECK(c.report().converged);
   BOOST_CHECK_EQUAL(c.report().rounds, rounds);
+}
+
+template <class Clustering, class Problem>
+void check_minimized(Clustering& c, const Problem& p)
+{
+  BOOST_CHECK(c.report().converged);
   BOOST_CHECK(!c.minimize_round()); // and remains so
-
-  labels = test::labels_in(c, mesh);
-  BOOST_CHECK_EQUAL(reference::number_of_clusters(labels), n);
-  BOOST_CHECK_EQUAL(reference::fault_of_clustering(m, labels), "");
+  const Labels labels = test::labels_in(c, p.mesh);
+  BOOST_CHECK_EQUAL(reference::number_of_clusters(labels), p.n);
+  BOOST_CHECK_EQUAL(reference::fault_of_clustering(p.m, labels), "");
   BOOST_CHECK(SMC::is_valid_clustering(
-    mesh, boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index f) { return labels[f]; })));
-  check_close(c.energy(), reference::energy(faces, densities, labels, weight), 1e-9, "final energy");
-  check_boundary_counts(c, mesh, m, labels);
-  check_dual(c, m, labels, how.min_upright);
-  if (how.local_minimum)
-    check_local_minimum(m, labels, faces, densities, weight);
+    p.mesh, boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index f) { return labels[f]; })));
+  check_close(c.energy(), p.energy(labels), 1e-9, "final energy");
+  check_boundary_counts(c, p.mesh, p.m, labels);
+  check_dual(c, p.m, labels, p.how.min_upright);
+}
 
-  // The single call gives the same, repeatedly.
+// The single call gives what the steps give, repeatedly.
+template <class Clustering, class Problem>
+void check_single_call(Clustering& c, const Problem& p)
+{
+  typedef typename Problem::Weight Weight;
   for (int i = 0; i < 2; ++i) {
-    const auto clusters = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
-    Mesh output;
+    const auto clusters = get(CGAL::dynamic_face_property_t<std::size_t>(), p.mesh);
+    Mesh output, same;
     const auto report = SMC::coarsen_mesh(
-      mesh, n, output,
+      p.mesh, p.n, output,
       SMC::parameters::face_cluster_map(clusters)
-        .cluster_weight(weight)
+        .cluster_weight(p.weight)
         .maximum_density(r_new<Weight>())
         .border_densities(false)
         .repair_output(false)
         .vertex_placement(SMC::Centroid_placement())
         .convergence_tolerance(0));
-    BOOST_CHECK(test::labels_of(mesh, clusters) == labels);
-    BOOST_CHECK_EQUAL(report.moves, moves);
+    BOOST_CHECK(test::labels_of(p.mesh, clusters) == test::labels_in(c, p.mesh));
+    BOOST_CHECK_EQUAL(report.moves, c.report().moves);
     check_close(report.final_energy, c.energy(), 1e-12, "energies of two ways"); // sums were recomputed in between
-    Mesh same;
     c.extract_dual_mesh(same, SMC::Centroid_placement());
     BOOST_CHECK(same_mesh(output, same));
   }
-  BOOST_CHECK(same_mesh(mesh, copy));
+}
+
+template <class Weight>
+void check_clustering(const Soup& input, std::size_t n, const How how = How())
+{
+  const Problem<Weight> p(input, n, how);
+  const Mesh copy = p.mesh;
+  const auto parameters =
+    SMC::parameters::maximum_density(r_new<Weight>()).border_densities(false).repair_output(false);
+  SMC::Mwcvd_clustering<Mesh, Weight> by_rounds(p.mesh, parameters), at_once(p.mesh, parameters);
+  seed_and_grow(by_rounds, p);
+  minimize_round_by_round(by_rounds, p);
+  check_minimized(by_rounds, p);
+  seed_and_grow(at_once, p);
+  at_once.minimize(1000, 0);
+  check_minimized(at_once, p);
+  if (how.local_minimum)
+    check_local_minimum(p.m, test::labels_in(at_once, p.mesh), p.faces, p.densities, p.weight);
+
+  check_single_call(at_once, p);
+  // Blocks run several rounds at a time, so single rounds give other clusters.
+  const bool is_in_blocks = at_once.state().minimization->rounds_at_a_time() > 1;
+  BOOST_CHECK_EQUAL(is_in_blocks, how.in_blocks);
+  if (!is_in_blocks)
+    check_single_call(by_rounds, p);
+  BOOST_CHECK(same_mesh(p.mesh, copy));
 }
 
 Soup bumpy(const Soup& s, double amplitude) { return generated::with_noise(s, amplitude); }
@@ -259,6 +307,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(closed_meshes, Weight, Weights)
   check_clustering<Weight>(plate_with_windows(2, 6), 150);
   check_clustering<Weight>(triangulated(plate_with_windows(5, 4)), 200);
   check_clustering<Weight>(joined(triangle_sphere(3), translated(triangulated(torus(20, 20)), 5, 0, 0)), 60, minimum);
+}
+
+// Many clusters.
+BOOST_AUTO_TEST_CASE_TEMPLATE(blocks, Weight, Weights)
+{
+  How in_blocks;
+  in_blocks.in_blocks = true;
+  check_clustering<Weight>(bumpy(generated::triangle_sphere(5), 0.01), 1000, in_blocks);
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(meshes_with_border, Weight, Weights)
@@ -576,6 +632,8 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(horse, *utf::precondition(test::If_found{models::horse}))
 BOOST_AUTO_TEST_CASE_TEMPLATE(weights, Weight, Weights)
 {
-  check_clustering<Weight>(test::read_soup(models::horse), 1579);
+  How in_blocks;
+  in_blocks.in_blocks = true;
+  check_clustering<Weight>(test::read_soup(models::horse), 1579, in_blocks);
 }
 BOOST_AUTO_TEST_SUITE_END()

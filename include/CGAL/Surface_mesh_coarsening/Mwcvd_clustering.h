@@ -156,7 +156,8 @@ public:
   /// @{
 
   /// runs one round. For each edge between two clusters, the round compares the current energy with the energies after the face
-  /// on either side has joined the cluster on the other side.
+  /// on either side has joined the cluster on the other side. If there are many clusters, `minimize()` runs several rounds in one
+  /// block of clusters after another, so its result can differ from the result of single rounds.
   /// \return whether a face has changed cluster
   bool minimize_round() { return internal::minimize_round(state_); }
 
