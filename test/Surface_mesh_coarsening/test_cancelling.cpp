@@ -118,9 +118,9 @@ BOOST_AUTO_TEST_CASE(asked_often_enough)
 // Many small pieces count together.
 BOOST_AUTO_TEST_CASE(asked_often_enough_among_many_components)
 {
-  const Mesh mesh = test::to_mesh(generated::many_tetrahedra(50000));
+  const Mesh mesh = test::to_mesh(generated::many_tetrahedra(10000));
   Asked_visitor visitor;
-  BOOST_REQUIRE(!is_cancelled(mesh, 200000, visitor, SMC::parameters::number_of_iterations(2)));
+  BOOST_REQUIRE(!is_cancelled(mesh, 40000, visitor, SMC::parameters::number_of_iterations(2)));
   for (const Coarsening_stage stage : {Coarsening_stage::PREPARATION, Coarsening_stage::SEEDING, Coarsening_stage::GROWTH,
                                        Coarsening_stage::TRIANGULATION, Coarsening_stage::PLACEMENT})
     BOOST_CHECK_GE(visitor.in_stage[std::size_t(stage)], 4u);
