@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Configures, builds and runs the application in consumer/, which gets the library by find_package from a prefix, from an
-# unpacked Debian package, or by add_subdirectory or FetchContent from the sources.
+# Configures, builds and runs the application in consumer/, which gets the library by find_package from a prefix, or by
+# add_subdirectory or FetchContent from the sources. From an unpacked Debian package it is only configured: the package has to
+# hold the same files as the prefix, byte for byte, and with those the application is built.
 
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
@@ -23,6 +24,23 @@ elseif(WAY STREQUAL "debian_package")
     run(dpkg-deb --extract ${package} ${WORK_DIR}/root)
   endforeach()
   set(way_option -D CMAKE_PREFIX_PATH=${WORK_DIR}/root/usr)
+  run(${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${WORK_DIR}/installed --component Development)
+  file(GLOB_RECURSE files RELATIVE ${WORK_DIR}/installed ${WORK_DIR}/installed/*)
+  list(LENGTH files number)
+  if(number LESS 50)
+    message(FATAL_ERROR "only ${number} files were installed: ${files}")
+  endif()
+  foreach(file IN LISTS files)
+    run(${CMAKE_COMMAND} -E compare_files ${WORK_DIR}/installed/${file} ${WORK_DIR}/root/usr/${file})
+  endforeach()
+  # Also what the prefix does not have.
+  foreach(directory include share/cmake)
+    file(GLOB_RECURSE installed RELATIVE ${WORK_DIR}/installed ${WORK_DIR}/installed/${directory}/*)
+    file(GLOB_RECURSE packed RELATIVE ${WORK_DIR}/root/usr ${WORK_DIR}/root/usr/${directory}/*)
+    if(NOT installed STREQUAL packed)
+      message(FATAL_ERROR "The packages have other files in ${directory} than a prefix: ${packed}")
+    endif()
+  endforeach()
   if(TOOL)
     run(${WORK_DIR}/root/usr/bin/coarsen_mesh --version)
     foreach(file share/man/man1/coarsen_mesh.1 share/bash-completion/completions/coarsen_mesh)
@@ -48,6 +66,13 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK_DIR}/build 
   -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
   -D CGAL_DIR=${CGAL_DIR}
   ${way_option})
+if(WAY STREQUAL "debian_package")
+  file(STRINGS ${WORK_DIR}/build/CMakeCache.txt found REGEX "^Surface_mesh_coarsening_DIR:")
+  if(NOT found STREQUAL "Surface_mesh_coarsening_DIR:PATH=${WORK_DIR}/root/usr/share/cmake/Surface_mesh_coarsening")
+    message(FATAL_ERROR "The application does not use the package: ${found}")
+  endif()
+  return()
+endif()
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build --parallel 1)
 run(${WORK_DIR}/build/consumer)
 
