@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/place_and_exchange.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -170,4 +171,37 @@ BOOST_AUTO_TEST_CASE(same_result_of_the_default_at_vertices_of_high_valence)
   const auto sequential = points(CGAL::Sequential_tag());
   for (int repetition = 0; repetition < 2; ++repetition)
     BOOST_CHECK(points(CGAL::Parallel_if_available_tag()) == sequential);
+}
+
+// Many threads ask for the bounds of clusters that share vertices, each for other clusters. This changes no cluster.
+BOOST_AUTO_TEST_CASE(bounds_of_relocated_clusters)
+{
+  using namespace SMC::internal;
+  constexpr std::size_t n = 350;
+  const Mesh mesh = test::to_mesh(generated::bipyramid(3000));
+  SMC::Mwcvd_clustering<Mesh, SMC::Weighted_area_weight, CGAL::Parallel_if_available_tag> clustering(mesh);
+  clustering.seed(n);
+  clustering.grow();
+  const Clustering_state& state = clustering.state();
+  Cluster_relocation clusters(state.featured_input(), *state.labels, Index(n));
+  Placed_dual dual;
+  const std::unique_ptr<Clustered_faces> surface = clustered_faces(state, dual);
+  const Vertex_relocation relocation = vertex_relocation(state, *surface, clusters);
+  for (std::size_t x = 0; x < n; ++x)
+    relocation.relocate(Index(x), NONE, {Index(x * (mesh.number_of_faces() / n))});
+  BOOST_CHECK_GT(clusters.number(), n / 4);
+
+  const auto position = [&relocation](std::size_t x) { return relocation.within_bounds(Index(x), {{9, 9, 9}}); };
+  std::vector<Vector> expected;
+  for (std::size_t x = 0; x < n; ++x)
+    expected.push_back(position(x));
+  const std::vector<Index> labels = state.labels->labels();
+  std::vector<char> is_equal(n, true);
+  for_each_chunk(state.execution, n, 1, [&](std::size_t x, std::size_t, std::size_t) {
+    for (int repetition = 0; repetition < 1000; ++repetition)
+      is_equal[x] = is_equal[x] && position(x) == expected[x];
+  });
+  BOOST_CHECK(is_equal == std::vector<char>(n, true));
+  BOOST_CHECK(state.labels->labels() == labels);
+  BOOST_CHECK(state.labels->recounted() == state.labels->boundary_counts());
 }
