@@ -61,7 +61,7 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   // The same with rounds that exchange vertices. Returns the mesh before these rounds.
-  internal::Fitted_mesh place_and_exchange(const internal::Clustered_faces& clusters, const Border_arcs& border,
+  internal::Plain_fit place_and_exchange(const internal::Clustered_faces& clusters, const Border_arcs& border,
                                            std::vector<internal::Triangle>& triangles,
                                            std::vector<internal::Vector>& positions,
                                            const internal::Vertex_relocation& relocation) const

@@ -33,23 +33,20 @@ inline double closest_on_segment(const Vector& p, const Vector& a, const Vector&
   return length > 0 ? (std::max)(0., (std::min)(1., dot(p - a, ab) / length)) : 0;
 }
 
-// Returns the closest point on the sides of a triangle.
-inline Foot_point closest_on_sides(const Vector& p, const Vector& a, const Vector& b, const Vector& c)
+// Replaces the best of the closest points on the sides of a triangle by the one on the side from corner `i` to corner `j` if it
+// is nearer. `ap` begins at corner `i`, `ab` is the side.
+inline void improve_on_side(const Vector& ap, const Vector& ab, std::size_t i, std::size_t j, Foot_point& best)
 {
-  const Vector* corner[3] = {&a, &b, &c};
-  Foot_point best{{{1, 0, 0}}, -1};
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const double u = closest_on_segment(p, *corner[i], *corner[j]);
-    const Vector d = p - ((1 - u) * *corner[i] + u * *corner[j]);
-    if (best.squared_distance < 0 || dot(d, d) < best.squared_distance) {
-      best.squared_distance = dot(d, d);
-      best.barycentric = {{0, 0, 0}};
-      best.barycentric[i] = 1 - u;
-      best.barycentric[j] = u;
-    }
-  }
-  return best;
+  const double length = dot(ab, ab);
+  const double x = length > 0 ? (std::max)(0., (std::min)(1., dot(ap, ab) / length)) : 0;
+  const Vector d = ap - x * ab;
+  const double square = dot(d, d);
+  if (best.squared_distance >= 0 && !(square < best.squared_distance))
+    return;
+  best.squared_distance = square;
+  best.barycentric = {{0, 0, 0}};
+  best.barycentric[i] = 1 - x;
+  best.barycentric[j] = x;
 }
 
 // Returns the closest point of a triangle. The distance may be reported as infinite if its square exceeds `limit`. For a point
@@ -60,20 +57,29 @@ inline Foot_point closest_on_triangle(const Vector& p, const Vector& a, const Ve
   const Vector ab = b - a, ac = c - a, ap = p - a;
   const double uu = dot(ab, ab), uv = dot(ab, ac), vv = dot(ac, ac), pu = dot(ap, ab), pv = dot(ap, ac);
   const double determinant = uu * vv - uv * uv;
-  const double s = vv * pu - uv * pv, t = uu * pv - uv * pu;
-  if (determinant > 0 && s >= 0 && t >= 0 && s + t <= determinant) {
+  const double s = vv * pu - uv * pv, t = uu * pv - uv * pu, r = determinant - s - t;
+  if (determinant > 0 && s >= 0 && t >= 0 && r >= 0) {
     const double u = s / determinant, v = t / determinant;
     const Vector d = ap - u * ab - v * ac;
     return {{{1 - u - v, u, v}}, dot(d, d)};
   }
   // The margin covers rounding errors, which are bounded unless the triangle is a needle.
   constexpr double needle = 1e-4, margin = 1e-6, least = 1e-18;
-  if (determinant > needle * uu * vv) {
-    const double far = determinant * ((1 + margin) * limit + least * (dot(a, a) + uu + vv)), r = determinant - s - t;
+  const bool is_needle = !(determinant > needle * uu * vv);
+  if (!is_needle) {
+    const double far = determinant * ((1 + margin) * limit + least * (dot(a, a) + uu + vv));
     if ((s < 0 && s * s > far * vv) || (t < 0 && t * t > far * uu) || (r < 0 && r * r > far * (uu - 2 * uv + vv)))
       return {{{1, 0, 0}}, std::numeric_limits<double>::infinity()};
   }
-  return closest_on_sides(p, a, b, c);
+  // The closest point lies on a side that separates the point from the triangle.
+  Foot_point best{{{1, 0, 0}}, -1};
+  if (is_needle || t < 0)
+    improve_on_side(ap, ab, 0, 1, best);
+  if (is_needle || r < 0)
+    improve_on_side(p - b, c - b, 1, 2, best);
+  if (is_needle || s < 0)
+    improve_on_side(ap, ac, 0, 2, best);
+  return best;
 }
 
 // Returns the cross product of two sides of a triangle.

@@ -95,7 +95,8 @@ public:
   }
 
   // Returns the closest point to `p` found by a descent of at most `steps` steps, beginning at a face of the surface. A
-  // step visits the faces that share an edge or a vertex with the current closest point, within twice its distance.
+  // step visits the faces that share an edge or a vertex with the triangle of the current closest point, where the edge or vertex
+  // is no farther from this point than `p`.
   Closest closest_from(const Vector& p, Index f, int steps) const
   {
     Candidate candidate;
@@ -232,8 +233,8 @@ private:
     }
   }
 
-  // Calls `visit(g)` for the faces across the side of a triangle that is near a closest point; if two sides are near, for the
-  // faces around their common corner.
+  // Calls `visit(g)` for the faces across a side that is no farther from a closest point than the point that was searched for;
+  // if there are two such sides, for the faces around their common corner.
   template <class Visit>
   void for_each_near(const Candidate& c, const Visit& visit) const
   {
@@ -244,7 +245,7 @@ private:
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector side = corners.point(at[(k + 1) % 3]) - corners.point(at[(k + 2) % 3]);
       const double b = c.foot.barycentric[k];
-      is_near[k] = b * b * dot(n, n) <= 4 * c.foot.squared_distance * dot(side, side);
+      is_near[k] = b * b * dot(n, n) <= c.foot.squared_distance * dot(side, side);
     }
     bool at_corner = false;
     for (std::size_t k = 0; k < 3; ++k)

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -65,6 +67,18 @@ public:
     return true;
   }
 
+  // Returns whether the sides are at least as far from the closest point as the point itself is. Then a triangle beyond a side is
+  // not nearer, unless it folds back over this triangle by more than a right angle.
+  bool is_far_from_sides(const Foot_point& foot) const
+  {
+    if (is_flat_)
+      return false;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 3; ++i)
+      nearest = (std::min)(nearest, foot.barycentric[i] * heights_[i]);
+    return nearest > 0 && nearest * nearest >= foot.squared_distance;
+  }
+
   // The unit normal; zero for a triangle of almost no area.
   const Vector& normal() const { return normal_; }
 
@@ -81,25 +95,12 @@ private:
     // The closest point lies on a side that separates the point from the triangle.
     Foot_point best{{{1, 0, 0}}, -1};
     if (u < 0)
-      improve_on_side(p, 1, 2, best);
+      improve_on_side(p - corners_[1], corners_[2] - corners_[1], 1, 2, best);
     if (v < 0)
-      improve_on_side(p, 2, 0, best);
+      improve_on_side(p - corners_[2], corners_[0] - corners_[2], 2, 0, best);
     if (w < 0)
-      improve_on_side(p, 0, 1, best);
+      improve_on_side(p - corners_[0], corners_[1] - corners_[0], 0, 1, best);
     return best;
-  }
-
-  void improve_on_side(const Vector& p, int i, int j, Foot_point& best) const
-  {
-    const double x = closest_on_segment(p, corners_[i], corners_[j]);
-    const Vector d = p - ((1 - x) * corners_[i] + x * corners_[j]);
-    const double square = dot(d, d);
-    if (best.squared_distance >= 0 && !(square < best.squared_distance))
-      return;
-    best.squared_distance = square;
-    best.barycentric = {{0, 0, 0}};
-    best.barycentric[i] = 1 - x;
-    best.barycentric[j] = x;
   }
 
   std::array<Vector, 3> corners_;

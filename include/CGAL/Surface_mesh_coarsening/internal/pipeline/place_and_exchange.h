@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_relocation.h>
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -144,11 +145,22 @@ inline bool repair_by_exchange(Clustering_state& state, const Placement_model& p
   return is_better;
 }
 
+// Returns the root mean square of the movements of vertices.
+inline double mean_movement(const std::vector<Vector>& from, const std::vector<Vector>& to)
+{
+  double sum = 0;
+  for (std::size_t x = 0; x < from.size(); ++x) {
+    const Vector d = to[x] - from[x];
+    sum += dot(d, d);
+  }
+  return std::sqrt(sum / double(from.size()));
+}
+
 // Places the vertices, exchanges some of them together with their clusters, and repairs the placement. `plain` receives the fit
 // without exchange, before the repair.
 inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
                                       const Output_coordinates& output_coordinates, Cluster_relocation& clusters,
-                                      Repair_budget& budget, Fitted_mesh& plain)
+                                      Repair_budget& budget, Plain_fit& plain)
 {
   state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
   Placed_dual dual;
@@ -163,10 +175,12 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
   state.visitor.stage_ends(Coarsening_stage::FEEDBACK);
   if (clusters.number() > 0)
     surface = clustered_faces(state, dual);
+  const std::vector<Vector> fitted = dual.positions;
   dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual, budget);
   bool is_better = true;
   for (std::size_t i = 0; i < state.max_local_repairs && is_better && is_worth_repairing(state, dual, budget); ++i)
     is_better = repair_by_exchange(state, placement, output_coordinates, clusters, surface, dual, budget);
+  dual.movement_by_repair = mean_movement(fitted, dual.positions);
   state.visitor.throw_if_cancelled();
   return dual;
 }
@@ -177,22 +191,29 @@ inline bool may_exchange_vertices(const Clustering_state& state, const Placement
          state.seeding.kind != Seeding::BY_CALLER;
 }
 
+// Returns whether the placement without exchange may be closer than a repaired placement. Except for its flips, the repair
+// increases the root mean square distance by no more than the vertices move.
+inline bool may_be_closer_without(const Clustering_state& state, const Placed_dual& dual, const Plain_fit& plain)
+{
+  constexpr double max_part = 0.1; // of the vertices
+  const std::size_t found = dual.counts.intersections_found + dual.counts.reversals_found;
+  const bool is_small = double(found) < max_part * double(state.number_of_clusters());
+  return found > 0 && !(is_small && std::sqrt(plain.error_after_exchange) + dual.movement_by_repair < std::sqrt(plain.error));
+}
+
 // Replaces a repaired placement by the placement without exchange in two cases: many intersections remain and the other
 // placement has fewer, or it has no more intersections and a smaller distance. `unrepaired` is the placement without exchange
 // before its repair. Returns whether the placement was replaced.
 inline bool is_better_plain(Clustering_state& state, const Placement_model& placement,
                             const Output_coordinates& output_coordinates, Cluster_relocation& clusters, Repair_budget& budget,
-                            const Fitted_mesh& unrepaired, Placed_dual& dual)
+                            const Plain_fit& unrepaired, Placed_dual& dual)
 {
-  const bool is_repaired = dual.counts.intersections_found + dual.counts.reversals_found > 0;
-  if (!is_repaired || clusters.number() == 0)
+  if (clusters.number() == 0)
     return false;
   const bool has_many = has_many_intersections(state, dual);
-  if (!has_many && budget.is_spent())
-    return false;
-  const std::unique_ptr<Clustered_faces> surface = clustered_faces(state, dual);
-  const double distance = squared_distance(*surface, dual.triangles, dual.positions);
-  if (!has_many && distance < squared_distance(*surface, unrepaired.triangles, unrepaired.positions))
+  if (!has_many && (budget.is_spent() || !may_be_closer_without(state, dual, unrepaired) ||
+                    is_closer(*clustered_faces(state, dual), dual.triangles, dual.positions, unrepaired.triangles,
+                              unrepaired.positions)))
     return false;
   const std::vector<Index> labels_of_dual = labels(state).labels();
   clusters.undo();
@@ -202,8 +223,8 @@ inline bool is_better_plain(Clustering_state& state, const Placement_model& plac
   Placed_dual plain = place(state, placement, output_coordinates, budget.is_spent() ? last_budget : budget);
   const std::size_t left = plain.number_left();
   if ((has_many && left < dual.number_left()) ||
-      (left <= dual.number_left() &&
-       squared_distance(*clustered_faces(state, plain), plain.triangles, plain.positions) < distance)) {
+      (left <= dual.number_left() && is_closer(*clustered_faces(state, plain), plain.triangles, plain.positions,
+                                               dual.triangles, dual.positions))) {
     dual = std::move(plain);
     return true;
   }
@@ -219,7 +240,7 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
     return place(state, placement, output_coordinates, budget);
   Cluster_relocation clusters(state.featured_input(), *state.labels, Index(state.number_of_clusters()));
   try {
-    Fitted_mesh plain;
+    Plain_fit plain;
     Placed_dual dual = place_and_exchange(state, placement, output_coordinates, clusters, budget, plain);
     std::size_t exchanged = clusters.number();
     if (is_better_plain(state, placement, output_coordinates, clusters, budget, plain, dual))

@@ -231,6 +231,8 @@ private:
     s.foot = prepared_[s.triangle].closest(s.position);
     for (int step = 0; step < max_steps_on_triangles; ++step) {
       const Index from = s.triangle;
+      if (prepared_[from].is_far_from_sides(s.foot))
+        break;
       const Vector& b = s.foot.barycentric;
       const int nearest = int(std::max_element(b.begin(), b.end()) - b.begin());
       improve_around(s, from, nearest);
@@ -276,15 +278,16 @@ private:
       s.triangle = t;
   }
 
-  // Returns the last feet of the triangle, and some of the samples on it and on its neighbors.
+  // Returns the last feet of the triangle, and some of the samples on it; if it has none, some of the samples on its neighbors.
   Search_starts starts_around(Index t) const
   {
     Search_starts starts;
     add_feet(t, starts);
     add_samples(t, 8, starts);
-    for (int i = 0; i < 3; ++i)
-      if (coarse_.across(t, i) != NONE)
-        add_samples(coarse_.across(t, i), 4, starts);
+    if (first_on_[t] == NONE)
+      for (int i = 0; i < 3; ++i)
+        if (coarse_.across(t, i) != NONE)
+          add_samples(coarse_.across(t, i), 4, starts);
     return starts;
   }
 

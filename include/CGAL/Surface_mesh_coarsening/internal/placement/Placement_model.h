@@ -28,8 +28,8 @@ struct Placement_model
   std::function<Vector(const Clustered_faces&, std::size_t)> local;
   std::function<void(const Clustered_faces&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&)> global;
   // The same with vertex exchange between regions. Returns the mesh without exchange.
-  std::function<Fitted_mesh(const Clustered_faces&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&,
-                            const Vertex_relocation&)>
+  std::function<Plain_fit(const Clustered_faces&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&,
+                          const Vertex_relocation&)>
     exchanging;
   // Set for some global placements: a position for each cluster, and the placement that begins with these positions.
   std::function<Vector(const Clustered_faces&, std::size_t)> start;

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Prepared_triangle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_equations.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -38,16 +39,17 @@ public:
   void add_triangle(const Vector& a, const Vector& b, const Vector& c, int free_corner, const Vector& reference)
   {
     triangles_.push_back({{{a, b, c}}, std::size_t(free_corner), reference, {}});
+    is_prepared_ = false;
   }
 
-  void add_sample(const Vector& p) { samples_.push_back(p); }
+  // The search for the closest point begins on the triangle that was added last.
+  void add_sample(const Vector& p) { samples_.push_back({p, triangles_.empty() ? 0 : triangles_.size() - 1}); }
 
   void move_to(const Vector& p)
   {
-    for (Local_triangle& t : triangles_) {
+    for (Local_triangle& t : triangles_)
       t.corner[t.free_corner] = p;
-      t.prepared = Prepared_triangle(t.corner[0], t.corner[1], t.corner[2]);
-    }
+    is_prepared_ = false;
   }
 
   // Returns whether all triangles are properly oriented, and no angle is smaller than the angle with cosine `max_cosine`.
@@ -74,21 +76,21 @@ public:
 
   // Returns the sum of the squared distances of the samples. `better` receives the best position of the free vertex, which is at
   // `p`, as estimated from the closest points.
-  double squared_distances(const Vector& p, Vector& better) const
+  double squared_distances(const Vector& p, Vector& better)
   {
-    Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    double sum = 0, weight = 0;
-    std::size_t nearest = 0;
-    for (const Vector& s : samples_) {
-      const Foot_point foot = closest(s, nearest);
+    prepare();
+    Equation equation;
+    double sum = 0;
+    for (Sample& s : samples_) {
+      const Foot_point foot = closest(s);
       sum += foot.squared_distance;
-      add_equation(s, foot, triangles_[nearest], matrix, right, weight);
+      add_to(equation, s.position, foot, triangles_[s.triangle]);
     }
     better = p;
-    if (weight > 0) {
-      matrix.diagonal().array() += min_inertia * weight;
-      const Eigen::Vector3d x = matrix.inverse() * right;
+    if (equation.weight > 0) {
+      equation.matrix.add(min_inertia * equation.weight, Symmetric_block::identity());
+      const Vector& right = equation.right;
+      const Eigen::Vector3d x = equation.matrix.matrix().inverse() * Eigen::Vector3d(right[0], right[1], right[2]);
       if (x.allFinite())
         better = p + Vector{{x[0], x[1], x[2]}};
     }
@@ -96,12 +98,12 @@ public:
   }
 
   // Returns the sum of the squared distances of the samples, or infinity if it is larger than `limit`.
-  double squared_distances(double limit) const
+  double squared_distances(double limit)
   {
+    prepare();
     double sum = 0;
-    std::size_t nearest = 0;
-    for (const Vector& s : samples_) {
-      sum += closest(s, nearest).squared_distance;
+    for (Sample& s : samples_) {
+      sum += closest(s).squared_distance;
       if (sum > limit)
         return std::numeric_limits<double>::infinity();
     }
@@ -120,6 +122,29 @@ private:
     Prepared_triangle prepared;
   };
 
+  struct Sample
+  {
+    Vector position;
+    std::size_t triangle; // the nearest one in the previous search
+  };
+
+  // The linear equation for the movement of the free vertex.
+  struct Equation
+  {
+    Symmetric_block matrix;
+    Vector right{{0, 0, 0}};
+    double weight = 0;
+  };
+
+  void prepare()
+  {
+    if (is_prepared_)
+      return;
+    for (Local_triangle& t : triangles_)
+      t.prepared = Prepared_triangle(t.corner[0], t.corner[1], t.corner[2]);
+    is_prepared_ = true;
+  }
+
   static double sharpest(const Local_triangle& t)
   {
     double largest = -1;
@@ -131,19 +156,20 @@ private:
     return largest;
   }
 
-  // Begins with the triangle that was nearest to the previous sample.
-  Foot_point closest(const Vector& s, std::size_t& nearest) const
+  // Begins with the triangle that was nearest in the previous search.
+  Foot_point closest(Sample& s) const
   {
-    Foot_point best = triangles_[nearest].prepared.closest(s);
-    const std::size_t first = nearest;
+    const std::size_t first = s.triangle;
+    Foot_point best = triangles_[first].prepared.closest(s.position);
+    if (triangles_[first].prepared.is_far_from_sides(best))
+      return best;
     for (std::size_t i = 0; i < triangles_.size(); ++i)
-      if (i != first && triangles_[i].prepared.improve(s, best))
-        nearest = i;
+      if (i != first && triangles_[i].prepared.improve(s.position, best))
+        s.triangle = i;
     return best;
   }
 
-  static void add_equation(const Vector& s, const Foot_point& foot, const Local_triangle& t, Eigen::Matrix3d& matrix,
-                           Eigen::Vector3d& right, double& weight)
+  static void add_to(Equation& equation, const Vector& s, const Foot_point& foot, const Local_triangle& t)
   {
     const Vector& b = foot.barycentric;
     const double part = b[t.free_corner];
@@ -156,14 +182,14 @@ private:
       const double length = std::sqrt(dot(d, d));
       n = length > 0 ? (1 / length) * d : d;
     }
-    const Eigen::Vector3d e(n[0], n[1], n[2]);
-    matrix += part * part * ((1 - damping) * e * e.transpose() + damping * Eigen::Matrix3d::Identity());
-    right += part * Eigen::Vector3d(d[0], d[1], d[2]);
-    weight += part * part;
+    equation.matrix.add(part * part, Symmetric_block::metric(n, damping));
+    equation.right = equation.right + part * d;
+    equation.weight += part * part;
   }
 
   std::vector<Local_triangle> triangles_;
-  std::vector<Vector> samples_;
+  std::vector<Sample> samples_;
+  bool is_prepared_ = false;
 };
 
 } // namespace internal

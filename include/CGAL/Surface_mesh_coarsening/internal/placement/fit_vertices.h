@@ -31,22 +31,28 @@ struct Fitted_mesh
   }
 };
 
+// The mesh that a fit has without exchanges.
+struct Plain_fit : Fitted_mesh
+{
+  double error_after_exchange = 0;
+};
+
 // Fits all vertices together, starting from quadrics; see `Fitted_placement`. `mean_angle` is in degrees. After `rounds` rounds,
 // `relocation` determines the number of rounds that exchange vertices; they end early when there are no profitable exchanges.
-// Two rounds without exchange follow. The plain fit is the result unless one of the last meshes is closer and its angles are
-// not worse. Returns the plain fit if `relocation` has rounds.
-Fitted_mesh fit_vertices(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
-                         std::vector<Triangle>& triangles, std::vector<Vector>& positions,
-                         const Vertex_relocation& relocation = Vertex_relocation());
+// Two rounds without exchange follow. The plain fit is the result unless the last mesh is closer and its angles are no worse. The
+// plain fit is returned if `relocation` has rounds.
+Plain_fit fit_vertices(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
+                       std::vector<Triangle>& triangles, std::vector<Vector>& positions,
+                       const Vertex_relocation& relocation = Vertex_relocation());
 
 // The same from given positions, without exchanges.
 void fit_vertices_from(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
                        std::vector<Triangle>& triangles, std::vector<Vector>& positions);
 
-// Returns the mean squared distance between a surface and a coarse mesh in the direction in which it is larger, as measured by
-// `Sampled_distance`.
-double squared_distance(const Clustered_faces& surface, const std::vector<Triangle>& triangles,
-                        const std::vector<Vector>& positions);
+// Returns whether a coarse mesh is closer to the surface than another one. The mean squared distances in the direction in which
+// they are larger are compared, as measured by `Sampled_distance`.
+bool is_closer(const Clustered_faces& surface, const std::vector<Triangle>& triangles, const std::vector<Vector>& positions,
+               const std::vector<Triangle>& other_triangles, const std::vector<Vector>& other_positions);
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

@@ -123,21 +123,10 @@ inline void place_by_quadrics(const Clustered_faces& surface, const Border_arcs&
   });
 }
 
-// Compares a mesh with the mesh before the exchanges. The errors at the samples of the fit decide only if they differ much,
-// because the vertices have been fitted to these samples.
-inline bool is_nearer(const Clustered_faces& surface, const Fitted_mesh& mesh, const Fitted_mesh& plain)
-{
-  constexpr double clearly_less = 0.9;
-  if (mesh.error < clearly_less * plain.error)
-    return true;
-  const Sampled_distance distance(surface, plain.triangles.size());
-  return distance.squared(mesh.triangles, mesh.positions) < distance.squared(plain.triangles, plain.positions);
-}
-
-// Continues a fit with rounds that exchange vertices, and some rounds without exchange. Returns the best mesh after these
-// rounds, or nothing if none improves on the plain fit.
-inline std::optional<Fitted_mesh> best_after_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, std::size_t rounds,
-                                                       double mean_angle, const Cancellation_point& cancellation)
+// Continues a fit with rounds that exchange vertices, and some rounds without exchange. Returns the mesh after these rounds, or
+// nothing if it does not improve on the plain fit.
+inline std::optional<Fitted_mesh> fit_after_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, std::size_t rounds,
+                                                      double mean_angle, const Cancellation_point& cancellation)
 {
   // The number of rounds after the last exchange.
   constexpr std::size_t last_rounds = 2;
@@ -145,22 +134,20 @@ inline std::optional<Fitted_mesh> best_after_exchanges(Vertex_fit& fit, const Fi
   std::size_t exchanged = 1;
   for (std::size_t i = 0; i < rounds && exchanged > 0; ++i) {
     exchanged = fit.advance(true);
-    if (exchanged > 0 && i + 1 < rounds)
-      fit.find_feet();
+    fit.find_feet();
     cancellation.step_done(Coarsening_stage::FEEDBACK, i + 1, rounds + last_rounds);
   }
-  std::optional<Fitted_mesh> best;
-  for (std::size_t i = 0; i <= last_rounds; ++i) {
-    fit.settle();
-    Fitted_mesh mesh = fit.mesh();
-    if (mesh.improves(best ? *best : plain, mean_angle))
-      best = std::move(mesh);
-    if (i < last_rounds) {
-      fit.advance(false);
-      cancellation.step_done(Coarsening_stage::FEEDBACK, rounds + i + 1, rounds + last_rounds);
-    }
+  for (std::size_t i = 0; i < last_rounds; ++i) {
+    fit.advance(false);
+    if (i + 1 < last_rounds)
+      fit.find_feet();
+    cancellation.step_done(Coarsening_stage::FEEDBACK, rounds + i + 1, rounds + last_rounds);
   }
-  return best;
+  fit.settle();
+  Fitted_mesh mesh = fit.mesh();
+  if (!mesh.improves(plain, mean_angle))
+    return std::nullopt;
+  return mesh;
 }
 
 // The rounds without exchange.
@@ -186,7 +173,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices_from(const Clustered_faces
   triangles = fit.triangles();
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE Fitted_mesh fit_vertices(const Clustered_faces& surface, const Border_arcs& border,
+CGAL_SURFACE_MESH_COARSENING_INLINE Plain_fit fit_vertices(const Clustered_faces& surface, const Border_arcs& border,
                                                            std::size_t rounds, double mean_angle,
                                                            std::vector<Triangle>& triangles, std::vector<Vector>& positions,
                                                            const Vertex_relocation& relocation)
@@ -198,31 +185,39 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Fitted_mesh fit_vertices(const Clustered_fac
     fit->find_feet();
     fit->exchange_at_destinations();
     triangles = fit->triangles();
-    return Fitted_mesh();
+    return Plain_fit();
   }
   run_plain_rounds(*fit, rounds, surface.cancellation());
   triangles = fit->triangles();
   if (relocation.rounds == 0)
-    return Fitted_mesh();
+    return Plain_fit();
   relocation.begins();
-  Fitted_mesh plain = fit->mesh();
-  std::optional<Fitted_mesh> best =
-    best_after_exchanges(*fit, plain, relocation.rounds, mean_angle, surface.cancellation());
+  // The errors at the samples of the fit decide only if they differ much, because the vertices have been fitted to these samples.
+  constexpr double much_less = 0.9;
+  Plain_fit plain{fit->mesh()};
+  std::optional<Fitted_mesh> after =
+    fit_after_exchanges(*fit, plain, relocation.rounds, mean_angle, surface.cancellation());
   fit.reset(); // frees the memory of its samples
-  if (!best || !is_nearer(surface, *best, plain)) {
-    best = plain;
+  if (after && (after->error < much_less * plain.error ||
+                is_closer(surface, after->triangles, after->positions, plain.triangles, plain.positions))) {
+    plain.error_after_exchange = after->error;
+    triangles = std::move(after->triangles);
+    positions = std::move(after->positions);
+  } else {
+    triangles = plain.triangles;
+    positions = plain.positions;
     relocation.undo();
   }
-  triangles = std::move(best->triangles);
-  positions = std::move(best->positions);
   return plain;
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE double squared_distance(const Clustered_faces& surface,
-                                                            const std::vector<Triangle>& triangles,
-                                                            const std::vector<Vector>& positions)
+CGAL_SURFACE_MESH_COARSENING_INLINE bool is_closer(const Clustered_faces& surface, const std::vector<Triangle>& triangles,
+                                                   const std::vector<Vector>& positions,
+                                                   const std::vector<Triangle>& other_triangles,
+                                                   const std::vector<Vector>& other_positions)
 {
-  return Sampled_distance(surface, triangles.size()).squared(triangles, positions);
+  const Sampled_distance distance(surface, triangles.size());
+  return distance.squared(triangles, positions) < distance.squared(other_triangles, other_positions);
 }
 
 } // namespace internal
