@@ -52,7 +52,7 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
   input.mesh = flat_connectivity(mesh, n);
   dual.frame = copy_points(mesh, np, n, input.mesh);
   input.density = densities_or_one(n, input.mesh, get_parameter(np, internal_np::face_density));
-  compute_areas(input);
+  compute_areas_and_centroids(input);
   Cluster_labels labels(input.mesh);
   const auto names = label_clusters(n, clusters, labels);
   const auto name = [&](std::size_t x) { return "cluster " + std::to_string(names[x]); };

@@ -83,7 +83,7 @@ private:
     }
     m.points.swap(points_);
     complete_stars(m, m.points.size(), cancellation, execution);
-    compute_areas(input, cancellation, execution);
+    compute_areas_and_centroids(input, cancellation, execution);
     input.density.assign(input.area.size(), 1);
     return input;
   }

@@ -78,7 +78,7 @@ private:
     Clustering_input input;
     input.mesh = std::move(patch.mesh);
     input.density = patch.faces.density;
-    compute_areas(input);
+    compute_areas_and_centroids(input);
     return input;
   }
 

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -121,6 +122,7 @@ private:
   {
     Index face, first;
     Bbox_3 box;
+    std::vector<std::pair<Index, Index> > corner_of_vertex; // in order
   };
 
   // A closest point in the triangle of a fan that ends at corner `last`, counted from the apex.
@@ -155,9 +157,12 @@ private:
 
   Large_face large_face(Index f) const
   {
-    Large_face large{f, first_of_fan(f), Bbox_3()};
-    for (const Index c : mesh_.corners(f))
+    Large_face large{f, first_of_fan(f), Bbox_3(), {}};
+    for (const Index c : mesh_.corners(f)) {
       large.box += box_of_point(mesh_.points[mesh_.corner_vertex[c]]);
+      large.corner_of_vertex.emplace_back(mesh_.corner_vertex[c], c);
+    }
+    std::sort(large.corner_of_vertex.begin(), large.corner_of_vertex.end());
     return large;
   }
 
@@ -165,6 +170,14 @@ private:
   {
     return *std::lower_bound(large_faces_.begin(), large_faces_.end(), f,
                              [](const Large_face& large, Index g) { return large.face < g; });
+  }
+
+  Index corner_of(Index f, Index v) const
+  {
+    if (mesh_.degree(f) <= max_in_fan)
+      return mesh_.corner_of(f, v);
+    const auto& corners = large_face_of(f).corner_of_vertex;
+    return std::lower_bound(corners.begin(), corners.end(), std::make_pair(v, Index(0)))->second;
   }
 
   // Due to rounding, a point of a face may be nearer than the box of the face.
@@ -178,14 +191,14 @@ private:
     Index g = mesh_.face_across[mesh_.previous_corner(f, c)];
     for (int i = 0; i < max_each_way && g != NONE && g != f; ++i) {
       visit(g);
-      g = mesh_.face_across[mesh_.previous_corner(g, mesh_.corner_of(g, v))];
+      g = mesh_.face_across[mesh_.previous_corner(g, corner_of(g, v))];
     }
     if (g == f)
       return;
     g = mesh_.face_across[c];
     for (int i = 0; i < max_each_way && g != NONE; ++i) {
       visit(g);
-      g = mesh_.face_across[mesh_.corner_of(g, v)];
+      g = mesh_.face_across[corner_of(g, v)];
     }
   }
 

@@ -23,7 +23,7 @@ struct Clustering_input
   Flat_mesh mesh;
   std::vector<double> area;
   std::vector<double> density;
-  std::vector<Vector> item_centroid; // empty if items are polygons, whose centroids are faster to compute than to read
+  std::vector<Vector> item_centroid; // empty if items are polygons whose centroids are faster to compute than to read
   std::vector<double> item_faces;    // faces per item, fractions included; empty if 1
   std::vector<Index> parent;         // face of the caller's mesh; empty if items are these faces
 

@@ -18,11 +18,30 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-inline void compute_areas(Clustering_input& input, const Cancellation_point& cancellation = Cancellation_point(),
-                          Execution execution = Execution::SEQUENTIAL)
+// Computes the centroids of the faces if one face has a large part of all corners. In other meshes, computing them takes less
+// time than reading.
+inline void store_centroids_if_slow(Clustering_input& input, const Cancellation_point& cancellation, Execution execution)
+{
+  constexpr std::size_t many_corners = 64, part = 64;
+  const Flat_mesh& m = input.mesh;
+  std::size_t most = 0;
+  for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+    most = (std::max)(most, std::size_t(m.degree(Index(f))));
+  if (most < many_corners || part * most < m.corner_vertex.size())
+    return;
+  std::vector<Vector> centroids(m.number_of_faces());
+  for_each_number(execution, centroids.size(), cancellation, [&](Index f) { centroids[f] = input.centroid(f); });
+  input.item_centroid.swap(centroids);
+}
+
+// Computes the areas of the faces, and their centroids where these are stored.
+inline void compute_areas_and_centroids(Clustering_input& input,
+                                        const Cancellation_point& cancellation = Cancellation_point(),
+                                        Execution execution = Execution::SEQUENTIAL)
 {
   input.area.resize(input.mesh.number_of_faces());
   for_each_number(execution, input.area.size(), cancellation, [&](Index f) { input.area[f] = face_area(input.mesh, f); });
+  store_centroids_if_slow(input, cancellation, execution);
 }
 
 // Returns the input for pieces of the polygons of `whole`, or for some of these polygons. Densities and parents are
@@ -38,7 +57,7 @@ inline Clustering_input cut_input(const Clustering_input& whole, Flat_mesh piece
     result.density.push_back(whole.density[f]);
     result.parent.push_back(whole.parent_of(f));
   }
-  compute_areas(result, cancellation);
+  compute_areas_and_centroids(result, cancellation);
   return result;
 }
 

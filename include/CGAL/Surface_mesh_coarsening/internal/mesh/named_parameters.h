@@ -154,7 +154,7 @@ Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& 
     throw Invalid_input("the input has no faces");
   frame = copy_points(mesh, np, n, input.mesh, cancellation);
   input.density = densities_of(n, input.mesh, choice, get_parameter(np, internal_np::face_density), cancellation, execution);
-  compute_areas(input, cancellation, execution);
+  compute_areas_and_centroids(input, cancellation, execution);
   return input;
 }
 

@@ -3,10 +3,12 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_INPUT_ORACLE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_INPUT_ORACLE_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_hierarchy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Input_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Triangle_conflicts.h>
+#include <CGAL/Surface_mesh_coarsening/internal/repair/Cluster_boxes.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
@@ -30,17 +32,11 @@ class Input_oracle
 {
 public:
   explicit Input_oracle(const Clustered_faces& surface)
-    : surface_(surface), input_(surface.input().mesh), normals_(surface.number_of_clusters(), Vector{{0, 0, 0}}),
-      first_block_(surface.number_of_clusters() + 1, 0)
+    : surface_(surface), input_(surface.input().mesh), boxes_(surface), normals_(surface.number_of_clusters())
   {
-    for (std::size_t x = 0; x < normals_.size(); ++x)
-      first_block_[x + 1] = first_block_[x] + (surface.faces(x).size() + faces_of_block - 1) / faces_of_block;
-    box_of_block_.resize(first_block_.back());
     for_each_chunk(surface.execution(), normals_.size(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t x = begin; x < end; ++x) {
-        for_each_block(x, [this](const Face_range& faces, std::size_t i) { box_of_block_[i] = box_of_faces(faces); });
+      for (std::size_t x = begin; x < end; ++x)
         normals_[x] = mean_normal(x);
-      }
     });
   }
 
@@ -56,8 +52,8 @@ public:
 
   // Returns whether a coarse triangle faces away from the surface at the closest point of its clusters. The point is computed
   // only if the mean normals are not decisive. If the point lies on an edge, or if several points are equally close, all faces
-  // there count, so the result does not depend on rounding errors. Adds the number of faces whose distance it computes to
-  // `visited`.
+  // there count, so the result does not depend on rounding errors. Adds the number of faces whose distances it
+  // computes to `visited`, and a fraction of the number of boxes.
   bool is_against(const Triangle& t, const std::vector<Vector>& positions, std::size_t& visited) const
   {
     const Vector n = normal_of(positions, t), mean = normals_[t[0]] + normals_[t[1]] + normals_[t[2]];
@@ -65,21 +61,22 @@ public:
     if (dot(n, mean) > 0.5 * size * std::sqrt(dot(mean, mean)))
       return false;
     const Vector middle = (1. / 3) * (positions[t[0]] + positions[t[1]] + positions[t[2]]);
-    double nearest = squared_distance_from_nearest_block(middle, t);
+    double nearest = squared_distance_from_nearest_block(middle, t, visited);
+    std::size_t boxes = 0;
     std::vector<std::pair<double, Index> > faces;
-    visited += faces_of_block;
     for (const Index x : t)
-      for_each_block(x, [&](const Face_range& block, std::size_t i) {
-        if (squared_distance_from_box(middle, box_of_block_[i]) > same_as(nearest, size))
-          return;
-        visited += block.size();
-        for (const Index f : block) {
-          const double squared_distance = squared_distance_from_face(middle, f, 1.000001 * same_as(nearest, size));
-          if (squared_distance <= same_as(nearest, size))
-            faces.emplace_back(squared_distance, f);
-          nearest = (std::min)(nearest, squared_distance);
-        }
-      });
+      boxes += boxes_.for_each_near(
+        middle, x, [&](double squared_distance) { return squared_distance > same_as(nearest, size); },
+        [&](double, const Face_range& block) {
+          visited += block.size();
+          for (const Index f : block) {
+            const double squared_distance = squared_distance_from_face(middle, f, 1.000001 * same_as(nearest, size));
+            if (squared_distance <= same_as(nearest, size))
+              faces.emplace_back(squared_distance, f);
+            nearest = (std::min)(nearest, squared_distance);
+          }
+        });
+    visited += boxes / boxes_of_face;
     Vector there{{0, 0, 0}};
     for (const auto& [squared_distance, f] : faces)
       if (squared_distance <= same_as(nearest, size))
@@ -107,37 +104,8 @@ private:
 
   typedef Clustered_faces::Range Face_range;
 
-  // The nearest face of a cluster is searched in blocks of this many consecutive faces, each with its bounding box.
-  static constexpr std::size_t faces_of_block = 8;
-
-  // Calls `visit(faces, number)` for each block.
-  template <class Visit>
-  void for_each_block(std::size_t cluster, const Visit& visit) const
-  {
-    const Face_range faces = surface_.faces(cluster);
-    std::size_t number = first_block_[cluster];
-    for (auto begin = faces.begin(); begin != faces.end(); ++number) {
-      const auto end = begin + (std::min)(std::ptrdiff_t(faces_of_block), faces.end() - begin);
-      visit(Face_range(begin, end), number);
-      begin = end;
-    }
-  }
-
-  Bbox_3 box_of_faces(const Face_range& faces) const
-  {
-    Bbox_3 box;
-    for (const Index f : faces)
-      for (const Index v : surface_.vertices(f))
-        box += box_of_point(surface_.point(v));
-    return box;
-  }
-
-  Bbox_3 box_of_cluster(std::size_t cluster) const
-  {
-    Bbox_3 all;
-    for_each_block(cluster, [&](const Face_range&, std::size_t i) { all += box_of_block_[i]; });
-    return all;
-  }
+  // The distances from this many boxes take as long as the distance from a face.
+  static constexpr std::size_t boxes_of_face = 8;
 
   Vector mean_normal(std::size_t cluster) const
   {
@@ -148,31 +116,33 @@ private:
       sum = sum + vector_area(surface_.input().mesh, f);
       area += surface_.area(f);
     }
-    return area > rounding * squared_diagonal(box_of_cluster(cluster)) ? (1 / area) * sum : Vector{{0, 0, 0}};
+    return area > rounding * squared_diagonal(boxes_.box(cluster)) ? (1 / area) * sum : Vector{{0, 0, 0}};
   }
 
   // Returns the squared distance from a face; infinity if it is known to exceed `limit`. Due to rounding, a face may be nearer
   // than its box.
   double squared_distance_from_face(const Vector& p, Index f, double limit) const
   {
-    return squared_distance_from_box(p, box_of_faces(Face_range(&f, &f + 1))) > (1 + 1e-12) * limit
+    return squared_distance_from_box(p, box_of_faces(surface_, Face_range(&f, &f + 1))) > (1 + 1e-12) * limit
              ? std::numeric_limits<double>::infinity()
              : input_.squared_distance_from_face(p, f, limit);
   }
 
-  // Returns the squared distance from the faces of the block whose box is nearest.
-  double squared_distance_from_nearest_block(const Vector& p, const Triangle& t) const
+  // Returns the squared distance from the faces of the block whose box is nearest. Adds the number of faces and a fraction of the
+  // number of boxes that it compares to `visited`.
+  double squared_distance_from_nearest_block(const Vector& p, const Triangle& t, std::size_t& visited) const
   {
     double from_box = std::numeric_limits<double>::infinity(), nearest = from_box;
+    std::size_t boxes = 0;
     Face_range block(nullptr, nullptr);
     for (const Index x : t)
-      for_each_block(x, [&](const Face_range& faces, std::size_t i) {
-        const double d = squared_distance_from_box(p, box_of_block_[i]);
-        if (d < from_box) {
-          from_box = d;
+      boxes += boxes_.for_each_near(
+        p, x, [&](double squared_distance) { return squared_distance >= from_box; },
+        [&](double squared_distance, const Face_range& faces) {
+          from_box = squared_distance;
           block = faces;
-        }
-      });
+        });
+    visited += block.size() + boxes / boxes_of_face;
     for (const Index f : block)
       nearest = (std::min)(nearest, squared_distance_from_face(p, f, nearest));
     return nearest;
@@ -184,21 +154,36 @@ private:
     const auto known = intersecting_.find(both);
     if (known != intersecting_.end())
       return known->second;
-    std::vector<Triangle> all = pieces_at(x, box_of_cluster(y));
-    const std::ptrdiff_t of_x = std::ptrdiff_t(all.size());
-    const std::vector<Triangle> of_y = pieces_at(y, box_of_cluster(x));
+    return intersecting_[both] = pieces_intersect(pieces_at(x, boxes_.box(y)), pieces_at(y, boxes_.box(x)));
+  }
+
+  // Tests so many pairs at most; then assumes that there is no intersection. Where all boxes overlap, as in a fan of very many
+  // long triangles, testing all pairs would take quadratic time.
+  static std::size_t max_pairs(std::size_t pieces) { return 1000 + 16 * pieces; }
+
+  bool pieces_intersect(const std::vector<Triangle>& of_x, const std::vector<Triangle>& of_y) const
+  {
+    std::vector<Triangle> all = of_x;
     all.insert(all.end(), of_y.begin(), of_y.end());
     std::vector<Exact_point> points;
     const std::vector<Triangle> named = name_common_points(all, points);
     const Triangle_conflict conflict(points);
-    std::vector<Triangle_box> boxes = triangle_boxes(named, conflict);
-    const auto middle = boxes.begin() + of_x;
+    std::vector<Bbox_3> boxes_of_y;
+    for (std::size_t i = of_x.size(); i < named.size(); ++i)
+      boxes_of_y.push_back(conflict.box(named[i]));
+    Box_hierarchy hierarchy;
+    hierarchy.build(std::move(boxes_of_y));
+    std::size_t left = max_pairs(named.size());
     bool found = false;
-    box_intersection_d(boxes.begin(), middle, middle, boxes.end(), [&](const Triangle_box& a, const Triangle_box& b) {
-      const Triangle &f = named[a.info()], &g = named[b.info()];
-      found = found || (!have_common_corner(f, g) && conflict(f, g));
-    });
-    return intersecting_[both] = found;
+    for (std::size_t i = 0; i < of_x.size() && !found && left > 0; ++i)
+      hierarchy.for_each_overlapping(conflict.box(named[i]), [&](Index j) {
+        if (found || left == 0)
+          return;
+        --left;
+        const Triangle& other = named[of_x.size() + j];
+        found = !have_common_corner(named[i], other) && conflict(named[i], other);
+      });
+    return found;
   }
 
   static bool have_common_corner(const Triangle& t, const Triangle& u)
@@ -211,7 +196,7 @@ private:
   {
     std::vector<Triangle> triangles;
     for (const Index f : surface_.faces(x)) {
-      if (!do_overlap(box_of_faces(Face_range(&f, &f + 1)), box))
+      if (!do_overlap(box_of_faces(surface_, Face_range(&f, &f + 1)), box))
         continue;
       const Clustered_faces::Range v = surface_.vertices(f);
       for (std::size_t i = 2; i < v.size(); ++i)
@@ -239,9 +224,8 @@ private:
 
   const Clustered_faces& surface_;
   Input_surface input_;
+  const Cluster_boxes boxes_;
   std::vector<Vector> normals_;
-  std::vector<std::size_t> first_block_; // of each cluster
-  std::vector<Bbox_3> box_of_block_;
   std::unordered_map<std::uint64_t, bool> intersecting_; // tested pairs of clusters
 };
 

@@ -67,12 +67,9 @@ public:
   {
     std::size_t visited = 0;
     const bool result = is_reversed(t, visited);
-    spend(visited / 4); // the distance from a face takes a fraction of the time of an exact test
+    budget_.spend(visited / 4); // the distance from a face takes a fraction of the time of an exact test
     return result;
   }
-
-  // Returns whether neither the budget nor the maximum number of exact tests of this repair is exhausted.
-  bool may_test() const { return tests_ < max_tests && !budget_.is_spent(); }
 
   // Updates the position of a vertex. The change may be undone if no search has begun since.
   void follow(Index v)
@@ -136,7 +133,7 @@ public:
   {
     long faults = 0;
     for (std::size_t i = 0; i < known_pairs_.size() && faults < limit; ++i) {
-      spend(1);
+      budget_.spend(1);
       faults += is_fault(known_pairs_[i].first, known_pairs_[i].second);
     }
     for (std::size_t i = 0; i < known_reversed_.size() && faults < limit; ++i)
@@ -150,15 +147,6 @@ public:
   }
 
 private:
-  // The maximum number of exact tests, or of steps that take as long, in all rounds of a repair together: one or two seconds.
-  static constexpr std::size_t max_tests = 16000000;
-
-  void spend(std::size_t tests)
-  {
-    tests_ += tests;
-    budget_.spend(tests);
-  }
-
   bool is_fault(Index t, Index u) { return are_in_conflict({t, u}) && !is_in_input({t, u}); }
 
   // Calls `note_reversed(t)` and `note_pair(t, u)` for the faults of some triangles near the place of the search, until one of
@@ -174,12 +162,12 @@ private:
     for (std::size_t i = 0; i < altered.size() && goes_on; ++i) {
       const Index t = altered[i];
       cancellation_.poll(near_.size());
-      spend(near_.size() / 16); // a comparison of boxes takes a fraction of the time of an exact test
+      budget_.spend(near_.size() / 16); // a comparison of boxes takes a fraction of the time of an exact test
       near_boxes_.for_each_overlapping(conflict.box(coarse_.triangles()[t]), [&](std::size_t n) {
         const Index u = near_[n];
         if (!goes_on || u == t || (u < t && std::binary_search(altered.begin(), altered.end(), u)))
           return;
-        spend(1);
+        budget_.spend(1);
         if (is_fault(t, u))
           goes_on = note_pair(t, u);
       });
@@ -243,7 +231,6 @@ private:
   std::vector<Index> last_altered_;        // the triangles of the last count
   std::vector<Triangle_pair> known_pairs_; // the faults of the last count before a change
   std::vector<Index> known_reversed_;
-  std::size_t tests_ = 0;
 };
 
 } // namespace internal

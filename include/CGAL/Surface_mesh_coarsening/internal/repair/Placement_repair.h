@@ -40,8 +40,10 @@ public:
     : surface_(surface), border_(border), result_(triangles), positions_(positions),
       coarse_(triangles, positions.size(), surface.features()), reference_(surface),
       faults_(surface, reference_, coarse_, positions, output, budget, cancellation),
-      distance_(surface, coarse_, positions), cancellation_(cancellation)
-  {}
+      distance_(surface, coarse_, positions), budget_(budget), cancellation_(cancellation)
+  {
+    budget.begin_repair();
+  }
 
   // Restricts the positions of vertices to input vertices of their clusters.
   void stay_at_input_vertices() { at_input_vertices_ = true; }
@@ -66,6 +68,7 @@ public:
 
 private:
   static constexpr std::size_t max_rounds = 20;
+  static constexpr std::size_t comparisons_of_test = 48; // bounds of distances that take as long as an exact test
 
   // The number of faults that a change removes, and the increase of the squared distance from the input.
   struct Effect
@@ -103,7 +106,7 @@ private:
 
   bool is_worth_trying(std::size_t round, std::size_t rounds_in_vain) const
   {
-    return round < max_rounds && faults_.number() > 0 && rounds_in_vain < 6 && faults_.may_test();
+    return round < max_rounds && faults_.number() > 0 && rounds_in_vain < 6 && !budget_.is_spent_for_repair();
   }
 
   void repair_faults()
@@ -111,10 +114,10 @@ private:
     const std::vector<Triangle_pair> pairs = faults_.pairs();
     const std::vector<Index> reversed = faults_.reversed();
     for (const Triangle_pair& p : pairs)
-      if (faults_.may_test() && faults_.are_in_conflict(p))
+      if (!budget_.is_spent_for_repair() && faults_.are_in_conflict(p))
         repair({p.first, p.second});
     for (const Index t : reversed)
-      if (faults_.may_test() && faults_.is_reversed(t))
+      if (!budget_.is_spent_for_repair() && faults_.is_reversed(t))
         repair({t});
   }
 
@@ -135,6 +138,7 @@ private:
         best = change;
       }
     }
+    budget_.spend(distance_.take_comparisons() / comparisons_of_test);
     if (least.gain > 0)
       make_for_good(best);
   }
@@ -146,7 +150,7 @@ private:
     constexpr int times = 3;
     for (int i = 0; i < times; ++i)
       for (std::size_t v = 0; v < positions_.size(); ++v)
-        if (positions_[v] != wanted[v] && faults_.may_test())
+        if (positions_[v] != wanted[v] && !budget_.is_spent_for_repair())
           return_to(Index(v), wanted[v]);
     faults_.find();
   }
@@ -158,6 +162,7 @@ private:
     const std::vector<Index> altered = altered_by({{{v, from}}, NONE, 0});
     faults_.look_around({v});
     const long before = faults_.number_of(altered);
+    budget_.spend(distance_.take_comparisons() / comparisons_of_test);
     for (const double part : {1., 0.5, 0.25}) {
       const Vector to = surface_.within_bounds(v, without_last_digits(from + part * (wanted - from)));
       make({{{v, to}}, NONE, 0});
@@ -309,6 +314,7 @@ private:
   Input_oracle reference_;
   Placement_faults faults_;
   Trial_distance distance_; // around the current fault
+  Repair_budget& budget_;
   Cancellation_point cancellation_;
   std::vector<Index> last_altered_; // the triangles whose faults were counted last before a change
   long last_faults_ = 0;

@@ -10,22 +10,32 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Bounds the work of all repairs of one output in proportion to the input. The unit is one exact test of two triangles, and
-// steps that take as long. If sheets are too close everywhere, the remaining faults are not repaired.
+// Bounds the work of all repairs of one output in proportion to the input, and the work of each repair by a constant. The unit is
+// one exact test of two triangles, and steps that take as long. If sheets are too close everywhere, the remaining faults are not
+// repaired.
 class Repair_budget
 {
 public:
-  explicit Repair_budget(std::size_t faces) : left_(tests_per_face * (std::max)(faces, min_faces)) {}
+  explicit Repair_budget(std::size_t faces) : left_(tests_per_face * (std::max)(faces, min_faces)), left_of_repair_(left_) {}
 
-  void spend(std::size_t tests) { left_ -= (std::min)(tests, left_); }
+  void begin_repair() { left_of_repair_ = (std::min)(left_, max_tests_of_repair); }
+
+  void spend(std::size_t tests)
+  {
+    left_ -= (std::min)(tests, left_);
+    left_of_repair_ -= (std::min)(tests, left_of_repair_);
+  }
+
   bool is_spent() const { return left_ == 0; }
+  bool is_spent_for_repair() const { return left_of_repair_ == 0; }
 
 private:
   // With half of these tests, intersections remain on bipyramids and uneven grids that are repaired otherwise. Meshes with fewer
   // faces than the second number have the budget of that number.
   static constexpr std::size_t tests_per_face = 3000, min_faces = 2000;
+  static constexpr std::size_t max_tests_of_repair = 16000000; // one or two seconds
 
-  std::size_t left_;
+  std::size_t left_, left_of_repair_;
 };
 
 } // namespace internal

@@ -5,12 +5,14 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Prepared_triangle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,14 +46,18 @@ public:
     current_ = 0;
     if (triangles_.size() > max_triangles)
       return;
-    balls_.clear();
+    in_balls_.clear();
     for (const Index t : triangles_)
-      balls_.push_back(ball_around(t));
+      in_balls_.push_back(triangle_in_ball(t));
     for (const Index x : clusters)
       add_samples(x);
+    comparisons_ += samples_.size() * triangles_.size();
     for (const Sample& s : samples_)
       current_ += s.weight * s.squared_distance;
   }
+
+  // Returns the number of distances from triangles that were bounded or computed since the last call.
+  std::size_t take_comparisons() { return std::exchange(comparisons_, 0); }
 
   // Returns the distance of the measured positions.
   double current() const { return current_; }
@@ -64,6 +70,7 @@ public:
     begin_trial(altered);
     double sum = 0;
     for (const Sample& s : samples_) {
+      comparisons_ += is_altered_[s.nearest] ? triangles_.size() : altered_.size();
       sum += s.weight * changed_distance(s);
       if (sum >= limit)
         break;
@@ -76,10 +83,12 @@ private:
   static constexpr std::size_t max_samples = 24;   // of a cluster
   static constexpr std::size_t max_triangles = 500;
 
-  struct Ball
+  // A triangle and the ball around its centroid that contains it.
+  struct Triangle_in_ball
   {
     Vector center;
     double radius;
+    Prepared_triangle triangle;
   };
 
   struct Sample
@@ -89,22 +98,23 @@ private:
     std::size_t nearest; // triangle, by its position in the list
   };
 
-  struct Altered_ball
+  struct Altered_triangle
   {
     std::size_t place;
-    Ball before;
+    Triangle_in_ball before;
   };
 
-  Ball ball_around(Index triangle) const
+  Triangle_in_ball triangle_in_ball(Index triangle) const
   {
     const Triangle& t = coarse_.triangles()[triangle];
-    Ball ball{(1. / 3) * (positions_[t[0]] + positions_[t[1]] + positions_[t[2]]), 0};
+    Triangle_in_ball result{(1. / 3) * (positions_[t[0]] + positions_[t[1]] + positions_[t[2]]), 0,
+                            Prepared_triangle(positions_, t)};
     for (const Index v : t) {
-      const Vector d = positions_[v] - ball.center;
-      ball.radius = (std::max)(ball.radius, dot(d, d));
+      const Vector d = positions_[v] - result.center;
+      result.radius = (std::max)(result.radius, dot(d, d));
     }
-    ball.radius = std::sqrt(ball.radius);
-    return ball;
+    result.radius = std::sqrt(result.radius);
+    return result;
   }
 
   void add_samples(Index cluster)
@@ -128,16 +138,16 @@ private:
       if (place == triangles_.end() || *place != t)
         continue;
       const std::size_t i = std::size_t(place - triangles_.begin());
-      altered_.push_back({i, balls_[i]});
+      altered_.push_back({i, in_balls_[i]});
       is_altered_[i] = true;
-      balls_[i] = ball_around(t);
+      in_balls_[i] = triangle_in_ball(t);
     }
   }
 
   void end_trial()
   {
-    for (const Altered_ball& a : altered_)
-      balls_[a.place] = a.before;
+    for (const Altered_triangle& a : altered_)
+      in_balls_[a.place] = a.before;
   }
 
   double changed_distance(const Sample& s) const
@@ -145,53 +155,46 @@ private:
     std::size_t unused;
     if (is_altered_[s.nearest])
       return squared_distance(s.point, s.nearest, unused);
-    double nearest = s.squared_distance, distance = std::sqrt(nearest);
-    for (const Altered_ball& a : altered_)
+    Foot_point nearest{{{1, 0, 0}}, s.squared_distance};
+    double distance = std::sqrt(s.squared_distance);
+    for (const Altered_triangle& a : altered_)
       improve(s.point, a.place, nearest, distance);
-    return nearest;
+    return nearest.squared_distance;
   }
 
   // Returns the squared distance from the nearest triangle. The search begins with triangle `first`.
   double squared_distance(const Vector& p, std::size_t first, std::size_t& last) const
   {
-    double nearest = to(p, first, std::numeric_limits<double>::infinity()), distance = std::sqrt(nearest);
+    Foot_point nearest = in_balls_[first].triangle.closest(p);
+    double distance = std::sqrt(nearest.squared_distance);
     last = first;
     for (std::size_t i = 0; i < triangles_.size(); ++i)
       if (i != first && improve(p, i, nearest, distance))
         last = i;
-    return nearest;
+    return nearest.squared_distance;
   }
 
-  // Skips a triangle whose bounding ball is farther than the nearest triangle so far.
-  bool improve(const Vector& p, std::size_t i, double& nearest, double& distance) const
+  // Skips a triangle whose ball is farther than the nearest triangle so far.
+  bool improve(const Vector& p, std::size_t i, Foot_point& nearest, double& distance) const
   {
-    const Vector d = p - balls_[i].center;
-    const double reach = 1.000001 * (balls_[i].radius + distance);
-    if (dot(d, d) > reach * reach)
+    const Vector d = p - in_balls_[i].center;
+    const double reach = 1.000001 * (in_balls_[i].radius + distance);
+    if (dot(d, d) > reach * reach || !in_balls_[i].triangle.improve(p, nearest))
       return false;
-    const double square = to(p, i, nearest);
-    if (!(square < nearest))
-      return false;
-    nearest = square;
-    distance = std::sqrt(square);
+    distance = std::sqrt(nearest.squared_distance);
     return true;
-  }
-
-  double to(const Vector& p, std::size_t i, double limit) const
-  {
-    const Triangle& t = coarse_.triangles()[triangles_[i]];
-    return closest_on_triangle(p, positions_[t[0]], positions_[t[1]], positions_[t[2]], limit).squared_distance;
   }
 
   const Clustered_faces& surface_;
   const Flippable_triangulation& coarse_;
   const std::vector<Vector>& positions_;
   std::vector<Index> triangles_; // in order
-  std::vector<Ball> balls_;      // around these triangles
+  std::vector<Triangle_in_ball> in_balls_;
   std::vector<Sample> samples_;
-  std::vector<Altered_ball> altered_;
+  std::vector<Altered_triangle> altered_;
   std::vector<char> is_altered_;
   double current_ = 0;
+  std::size_t comparisons_ = 0;
 };
 
 } // namespace internal
