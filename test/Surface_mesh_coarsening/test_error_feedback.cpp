@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/place_and_exchange.h>
 #include <CGAL/Surface_mesh_coarsening/is_valid_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
 
@@ -142,6 +143,36 @@ BOOST_AUTO_TEST_CASE(same_on_any_number_of_threads)
   BOOST_TEST(are_equal(one.mesh, many.mesh));
   BOOST_TEST(one.labels == many.labels);
 #endif
+}
+
+// Clusters can be relocated again after they have been restored.
+BOOST_AUTO_TEST_CASE(relocation_after_undo)
+{
+  using namespace SMC::internal;
+  constexpr std::size_t n = 60;
+  const Mesh mesh = test::to_mesh(generated::triangle_sphere(4));
+  SMC::Mwcvd_clustering<Mesh, SMC::Weighted_area_weight> clustering(mesh);
+  clustering.seed(n);
+  clustering.grow();
+  const Clustering_state& state = clustering.state();
+  const std::vector<Index> labels = state.labels->labels();
+  Cluster_relocation clusters(state.featured_input(), *state.labels, Index(n));
+  const auto relocate_all = [&](std::size_t shift) {
+    for (std::size_t x = 0; x < n; ++x)
+      clusters.relocate(Index(x), NONE, {Index((x * 7919 + shift) % mesh.number_of_faces())});
+    BOOST_TEST(clusters.number() > n / 4);
+    const auto map = boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index f) { return (*state.labels)[f]; });
+    BOOST_TEST(SMC::is_valid_clustering(mesh, map));
+    const std::vector<Index> after = state.labels->labels();
+    BOOST_TEST(std::set<Index>(after.begin(), after.end()).size() == n);
+    return after;
+  };
+  const std::vector<Index> first = relocate_all(0);
+  clusters.undo();
+  BOOST_TEST((state.labels->labels() == labels));
+  relocate_all(1000);
+  clusters.undo();
+  BOOST_TEST((relocate_all(0) == first));
 }
 
 BOOST_AUTO_TEST_CASE(features_stay)

@@ -33,6 +33,12 @@ public:
       walk_(labels),
       face_of_(clusters, NONE)
   {
+    find_clusters();
+  }
+
+  // Must be called after other changes of the labels.
+  void find_clusters()
+  {
     for (std::size_t f = mesh_.number_of_faces(); f-- > 0;)
       face_of_[labels_[Index(f)]] = Index(f);
   }

@@ -48,8 +48,8 @@ public:
 
   void undo()
   {
-    take_labels(old_labels_);
     has_changed_.assign(has_changed_.size(), false);
+    take_labels(old_labels_);
     number_ = 0;
   }
 
@@ -59,6 +59,10 @@ public:
     for (std::size_t f = 0; f < labels.size(); ++f)
       if (labels_[Index(f)] != labels[f])
         labels_.move(Index(f), labels[f]);
+    editing_.find_clusters();
+    for (std::size_t x = 0; x < bounds_.size(); ++x)
+      if (has_changed_[x])
+        bounds_[x] = internal::vertex_bounds(mesh_, editing_.faces(Index(x)));
   }
 
 private:
