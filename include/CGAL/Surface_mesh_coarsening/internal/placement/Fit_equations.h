@@ -3,7 +3,9 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_EQUATIONS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_EQUATIONS_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 
 #include <Eigen/Core>
@@ -66,13 +68,15 @@ struct Symmetric_block
 // matrix resembles a mass matrix, whose condition number does not grow with the mesh.
 //
 // Eigen::ConjugateGradient is not used, because the symmetric blocks of the triangles take a third of the memory of the
-// sparse matrix and need no assembly.
+// sparse matrix and need no assembly. The sums over the triangles around a vertex are made in their order, so the result does not
+// depend on the number of threads.
 class Fit_equations
 {
 public:
-  Fit_equations(const std::vector<Triangle>& triangles, std::size_t vertices)
+  Fit_equations(const std::vector<Triangle>& triangles, std::size_t vertices, const Cancellation_point& cancellation,
+                Execution execution)
     : triangles_(triangles), of_triangle_(triangles.size()), of_vertex_(vertices), right_(vertices, Vector{{0, 0, 0}}),
-      is_fixed_(vertices, false) {}
+      is_fixed_(vertices, false), cancellation_(cancellation), execution_(execution) {}
 
   // Adds terms for the movement of points of triangle `t`; `metric` weights the directions. `products` are sums over the points:
   // the weight of a point times the products of its barycentric coordinates.
@@ -98,23 +102,24 @@ public:
   void fix(Index v) { is_fixed_[v] = true; }
 
   // Returns the movements; empty if a number overflows.
-  std::vector<Vector> solve(std::size_t max_steps, double tolerance, const Cancellation_point& cancellation) const
+  std::vector<Vector> solve(std::size_t max_steps, double tolerance) const
   {
     const std::size_t n = right_.size();
-    const std::vector<Symmetric_block> inverse = inverse_blocks();
+    const Corners corners(numbers_below(Index(3 * triangles_.size())), n, [this](Index c) { return triangles_[c / 3][c % 3]; });
+    const std::vector<Symmetric_block> inverse = inverse_blocks(corners);
     std::vector<Vector> x(n, Vector{{0, 0, 0}}), r = right_, z(n), p(n), q(n);
     hold(r);
     const double goal = product(r, r) * tolerance * tolerance;
     double rz = 0;
     for (std::size_t step = 0; step < max_steps && product(r, r) > goal; ++step) {
-      cancellation.poll(n);
+      cancellation_.poll(n);
       for (std::size_t v = 0; v < n; ++v)
         z[v] = inverse[v] * r[v];
       const double now = product(r, z), beta = step == 0 ? 0 : now / rz;
       rz = now;
       for (std::size_t v = 0; v < n; ++v)
         p[v] = step == 0 ? z[v] : z[v] + beta * p[v];
-      multiply(p, q);
+      multiply(corners, p, q);
       const double alpha = rz / product(p, q);
       for (std::size_t v = 0; v < n; ++v) {
         x[v] = x[v] + alpha * p[v];
@@ -129,32 +134,47 @@ private:
   // The blocks of the pairs of corners 00, 11, 22, 12, 20 and 01.
   typedef std::array<Symmetric_block, 6> Element;
 
-  std::vector<Symmetric_block> inverse_blocks() const
+  // The corners of triangles at each vertex. Corner `3 t + i` is corner `i` of triangle `t`.
+  typedef Bucketed_items<Index> Corners;
+
+  static constexpr std::size_t vertices_of_chunk = 256;
+
+  std::vector<Symmetric_block> inverse_blocks(const Corners& corners) const
   {
     std::vector<Symmetric_block> blocks = of_vertex_;
-    for (std::size_t t = 0; t < triangles_.size(); ++t)
-      for (std::size_t a = 0; a < 3; ++a)
-        blocks[triangles_[t][a]].add(1, of_triangle_[t][a]);
-    for (Symmetric_block& b : blocks) {
-      const Eigen::Matrix3d inverse = b.matrix().inverse();
-      b = {inverse(0, 0), inverse(0, 1), inverse(0, 2), inverse(1, 1), inverse(1, 2), inverse(2, 2)};
-    }
+    for_each_chunk(execution_, blocks.size(), vertices_of_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) {
+        for (const Index c : corners[v])
+          blocks[v].add(1, of_triangle_[c / 3][c % 3]);
+        const Eigen::Matrix3d inverse = blocks[v].matrix().inverse();
+        blocks[v] = {inverse(0, 0), inverse(0, 1), inverse(0, 2), inverse(1, 1), inverse(1, 2), inverse(2, 2)};
+      }
+    });
     return blocks;
   }
 
-  void multiply(const std::vector<Vector>& p, std::vector<Vector>& q) const
+  void multiply(const Corners& corners, const std::vector<Vector>& p, std::vector<Vector>& q) const
   {
-    for (std::size_t v = 0; v < p.size(); ++v)
-      q[v] = of_vertex_[v] * p[v];
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      const Triangle& corner = triangles_[t];
-      const Element& e = of_triangle_[t];
-      const Vector a = p[corner[0]], b = p[corner[1]], c = p[corner[2]];
-      q[corner[0]] = q[corner[0]] + e[0] * a + e[5] * b + e[4] * c;
-      q[corner[1]] = q[corner[1]] + e[5] * a + e[1] * b + e[3] * c;
-      q[corner[2]] = q[corner[2]] + e[4] * a + e[3] * b + e[2] * c;
+    for_each_chunk(execution_, p.size(), vertices_of_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v)
+        q[v] = row_product(Index(v), corners[v], p);
+    });
+  }
+
+  template <class Corner_range>
+  Vector row_product(Index v, const Corner_range& corners, const std::vector<Vector>& p) const
+  {
+    constexpr std::size_t block[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
+    if (is_fixed_[v])
+      return {{0, 0, 0}};
+    Vector sum = of_vertex_[v] * p[v];
+    for (const Index c : corners) {
+      const Triangle& corner = triangles_[c / 3];
+      const Element& e = of_triangle_[c / 3];
+      const auto& row = block[c % 3];
+      sum = sum + e[row[0]] * p[corner[0]] + e[row[1]] * p[corner[1]] + e[row[2]] * p[corner[2]];
     }
-    hold(q);
+    return sum;
   }
 
   void hold(std::vector<Vector>& p) const
@@ -177,6 +197,8 @@ private:
   std::vector<Symmetric_block> of_vertex_;
   std::vector<Vector> right_;
   std::vector<char> is_fixed_; // bytes, which several threads may write
+  const Cancellation_point cancellation_;
+  const Execution execution_;
 };
 
 } // namespace internal

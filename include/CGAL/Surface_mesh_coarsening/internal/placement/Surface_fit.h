@@ -52,7 +52,7 @@ public:
   {
     const std::vector<Triangle>& triangles = coarse_.triangles();
     const double area = samples_.area();
-    Fit_equations equations(triangles, positions_.size());
+    Fit_equations equations(triangles, positions_.size(), surface_.cancellation(), surface_.execution());
     std::vector<Hold> holds(positions_.size());
     add_triangles(equations, holds);
     lines_.add_to(equations, coarse_, line_width * std::sqrt(area / double(positions_.size())), damping);
@@ -70,7 +70,7 @@ public:
       equations.add_vertex(v, d, shape * holds[v].weight);
       equations.add_force(v, free_part(holds[v].normals.matrix(), d), damping * holds[v].squared_weight);
     });
-    std::vector<Vector> moves = equations.solve(100, 1e-3, surface_.cancellation());
+    std::vector<Vector> moves = equations.solve(100, 1e-3);
     for (Vector& move : moves)
       move = over_relaxation * move;
     move_by(std::move(moves));
