@@ -57,6 +57,9 @@ public:
       if (is_on_border(x))
         positions[x] = places_[place_of_[x]];
   }
+
+  // Returns the place on the border or on a feature of a cluster that contains a part of it.
+  const internal::Vector& place(std::size_t cluster) const { return places_[place_of_[cluster]]; }
   /// \endcond
 
 private:

@@ -16,14 +16,14 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Fits the polyline of a feature line to the line, with fixed ends, by the squared distances of samples of the line. Two steps
-// alternate: find the closest points of the samples, and move each vertex to the position where its two sides are closest
-// to their samples. Along a circle, the fit more than halves the distance of a polyline with vertices on the line.
+// Fits the polyline of a feature line to the line, with fixed ends, by the squared distances of samples of both from the other.
+// Two steps alternate: find the closest points of the samples, and move each vertex to the position where its two sides are
+// closest to their samples. Samples of the line alone would not keep the corners of a polyline with few vertices near the line.
 class Line_fit
 {
 public:
   Line_fit(const Flat_mesh& mesh, const Coarse_features::Line& line, std::vector<Vector>& positions)
-    : line_(line), positions_(positions), sides_(line.is_loop ? line.arcs.size() : line.arcs.size() - 1)
+    : mesh_(mesh), line_(line), positions_(positions), sides_(line.is_loop ? line.arcs.size() : line.arcs.size() - 1)
   {
     for (std::size_t k = 0; k < line.arcs.size(); ++k) {
       const std::vector<Index>& v = line.arcs[k].vertices;
@@ -39,8 +39,9 @@ public:
     for (int round = 0; round < rounds; ++round) {
       find_feet();
       of_side_.assign(sides_, {});
-      for (std::size_t i = 0; i < samples_.size(); ++i)
-        of_side_[samples_[i].side].push_back(i);
+      for (const std::vector<Sample>* samples : {&samples_, &back_samples_})
+        for (const Sample& s : *samples)
+          of_side_[s.side].push_back(&s);
       for (std::size_t k = line_.is_loop ? 0 : 1; k < sides_; ++k)
         move(k);
     }
@@ -50,32 +51,46 @@ public:
   {
     for (Sample& s : samples_)
       find_foot(s);
+    back_samples_.clear();
+    for (std::size_t side = 0; side < sides_; ++side)
+      add_back_samples(side);
   }
 
-  // Calls `visit(x, y, at, off, weight)` for each sample. `x` and `y` are the vertices at the ends of its side, `at` is the
-  // position of its foot on the side, from 0 to 1, `off` is the vector from the foot to the sample, and `weight` is its share of
-  // the length of the line.
+  // Calls `visit(x, y, at, off, weight)` for each sample. `x` and `y` are the vertices at the ends of its side, `at` is its
+  // position or the position of its foot on the side, from 0 to 1, `off` is the vector from there to the line, and `weight` is its
+  // share of the length of the line or the polyline.
   template <class Visit>
   void for_each_foot(const Visit& visit) const
   {
-    for (const Sample& s : samples_) {
-      const Index x = line_.arcs[s.side].cluster, y = line_.arcs[(s.side + 1) % line_.arcs.size()].cluster;
-      visit(x, y, s.at, s.position - ((1 - s.at) * positions_[x] + s.at * positions_[y]), s.weight);
-    }
+    for (const std::vector<Sample>* samples : {&samples_, &back_samples_})
+      for (const Sample& s : *samples) {
+        const Index x = line_.arcs[s.side].cluster, y = line_.arcs[(s.side + 1) % line_.arcs.size()].cluster;
+        visit(x, y, s.at, s.position - ((1 - s.at) * positions_[x] + s.at * positions_[y]), s.weight);
+      }
+  }
+
+  // Calls `visit(x, y)` for the two vertices of each side.
+  template <class Visit>
+  void for_each_side(const Visit& visit) const
+  {
+    for (std::size_t k = 0; k < sides_; ++k)
+      visit(line_.arcs[k].cluster, line_.arcs[(k + 1) % line_.arcs.size()].cluster);
   }
 
 private:
   static constexpr int rounds = 10;
-  static constexpr int samples_per_edge = 4;
+  static constexpr int samples_per_edge = 4, samples_per_side = 4;
+  static constexpr double part_of_direction = 0.5; // of the weights of the samples
   static constexpr double damping = 0.02; // the weight of movements along the line
 
+  // A point of the line with its foot on a side, or a point of a side with its foot on the line.
   struct Sample
   {
-    Vector position;
+    Vector position; // on the line
     double weight;
     std::size_t arc;
-    std::size_t side; // the side of its foot; sides connect the vertices of consecutive arcs
-    double at;        // the position of the foot on its side, from 0 to 1
+    std::size_t side; // sides connect the vertices of consecutive arcs
+    double at;        // the position on the side, from 0 to 1
   };
 
   Vector& vertex(std::size_t k) { return positions_[line_.arcs[k % line_.arcs.size()].cluster]; }
@@ -85,7 +100,7 @@ private:
     const Vector d = b - a;
     const double length = std::sqrt(dot(d, d));
     for (int i = 0; i < samples_per_edge; ++i)
-      samples_.push_back({a + ((i + 0.5) / samples_per_edge) * d, length / samples_per_edge, arc, 0, 0});
+      samples_.push_back({a + ((i + 0.5) / samples_per_edge) * d, part_of_direction * length / samples_per_edge, arc, 0, 0});
   }
 
   // Searches the sides around the vertex of the arc.
@@ -107,6 +122,38 @@ private:
     }
   }
 
+  // Searches the arcs around the side.
+  void add_back_samples(std::size_t side)
+  {
+    const std::size_t n = line_.arcs.size();
+    const Vector &a = vertex(side), &b = vertex(side + 1), d = b - a;
+    const double weight = part_of_direction * std::sqrt(dot(d, d)) / samples_per_side;
+    for (int i = 0; i < samples_per_side; ++i) {
+      const double at = (i + 0.5) / samples_per_side;
+      const Vector p = a + at * d;
+      Vector foot = a;
+      double nearest = -1;
+      for (std::size_t k = 0; k < 4; ++k) // one arc before the ends of the side and one after them
+        if (line_.is_loop || (side + k >= 1 && side + k <= n))
+          improve_on_arc(p, (side + n + k - 1) % n, foot, nearest);
+      back_samples_.push_back({foot, weight, NONE, side, at});
+    }
+  }
+
+  void improve_on_arc(const Vector& p, std::size_t arc, Vector& foot, double& nearest) const
+  {
+    const std::vector<Index>& v = line_.arcs[arc].vertices;
+    for (std::size_t i = 1; i < v.size(); ++i) {
+      const Vector &a = mesh_.points[v[i - 1]], &b = mesh_.points[v[i]];
+      const Vector q = a + closest_on_segment(p, a, b) * (b - a);
+      const double square = dot(p - q, p - q);
+      if (nearest >= 0 && !(square < nearest))
+        continue;
+      nearest = square;
+      foot = q;
+    }
+  }
+
   // Moves the vertex between side `k` and the previous side.
   void move(std::size_t k)
   {
@@ -119,13 +166,12 @@ private:
       if (along.squaredNorm() > 0)
         along.normalize();
       const Eigen::Matrix3d metric = Eigen::Matrix3d::Identity() - (1 - damping) * along * along.transpose();
-      for (const std::size_t i : of_side_[side]) {
-        const Sample& s = samples_[i];
-        const double part = side == k ? 1 - s.at : s.at;
-        const Vector off = s.position - ((1 - s.at) * a + s.at * b);
-        matrix += s.weight * part * part * metric;
-        right += s.weight * part * (metric * Eigen::Vector3d(off[0], off[1], off[2]));
-        total += s.weight * part * part;
+      for (const Sample* s : of_side_[side]) {
+        const double part = side == k ? 1 - s->at : s->at;
+        const Vector off = s->position - ((1 - s->at) * a + s->at * b);
+        matrix += s->weight * part * part * metric;
+        right += s->weight * part * (metric * Eigen::Vector3d(off[0], off[1], off[2]));
+        total += s->weight * part * part;
       }
     }
     if (!(total > 0))
@@ -135,11 +181,12 @@ private:
       vertex(k) = vertex(k) + Vector{{x[0], x[1], x[2]}};
   }
 
+  const Flat_mesh& mesh_;
   const Coarse_features::Line& line_;
   std::vector<Vector>& positions_;
   std::size_t sides_;
-  std::vector<Sample> samples_;
-  std::vector<std::vector<std::size_t> > of_side_;
+  std::vector<Sample> samples_, back_samples_; // of the line and of the polyline
+  std::vector<std::vector<const Sample*> > of_side_;
 };
 
 } // namespace internal

@@ -42,6 +42,14 @@ public:
       line.find_feet();
   }
 
+  // Calls `visit(x, y)` for the two vertices of each side of the polylines.
+  template <class Visit>
+  void for_each_side(const Visit& visit) const
+  {
+    for (const Line_fit& line : lines_)
+      line.for_each_side(visit);
+  }
+
   // Samples of lines constrain movements perpendicular to the edge of their foot. A line counts as a strip of width `width`.
   void add_to(Fit_equations& equations, const Flippable_triangulation& coarse, double width, double damping) const
   {

@@ -78,6 +78,7 @@ public:
 
 private:
   static constexpr int max_halvings = 5;
+  static constexpr double min_part_of_side = 0.3;
   // Closest points move with the triangles, so movements are too short: 5 rounds with this factor reach the result of 7 without.
   static constexpr double over_relaxation = 1.5;
   static constexpr std::size_t steps_of_triangle = 16, triangles_of_part = 64;
@@ -142,7 +143,8 @@ private:
       });
   }
 
-  // Triangles must not turn by more than a right angle. Where one would, the movements of its vertices are halved.
+  // Triangles must not turn by more than a right angle, and sides of feature lines must not become much shorter in one round,
+  // because their vertices could change places. Where one would, the movements of its vertices are halved.
   void move_by(std::vector<Vector> moves)
   {
     const std::vector<Vector> before = positions_;
@@ -155,6 +157,11 @@ private:
         if (dot(normal_of(before, t), normal_of(positions_, t)) < 0)
           for (const Index v : t)
             goes_too_far[v] = true;
+      lines_.for_each_side([&](Index x, Index y) {
+        const Vector d = before[y] - before[x];
+        if (dot(positions_[y] - positions_[x], d) < min_part_of_side * dot(d, d))
+          goes_too_far[x] = goes_too_far[y] = true;
+      });
       for (std::size_t v = 0; v < positions_.size(); ++v)
         if (goes_too_far[v])
           moves[v] = 0.5 * moves[v];

@@ -58,9 +58,8 @@ public:
   {
     std::vector<Placement_change> changes;
     for (const Index v : vertices)
-      if (!border_.is_on_border(v))
-        for (const Vector& to : places_for(v))
-          changes.push_back({{{v, to}}, NONE, 0});
+      for (const Vector& to : border_.is_on_border(v) ? places_on_line(v) : places_for(v))
+        changes.push_back({{{v, to}}, NONE, 0});
     for (const Index t : faulty)
       for (int i = 0; i < 3; ++i) {
         const Index u = coarse_.across(t, i);
@@ -102,6 +101,18 @@ private:
       places.push_back(from + out);
       places.push_back(from - out);
     }
+    return places;
+  }
+
+  // Returns positions towards the middle of the vertex's part of a feature line, where it was before the fit. Vertices on borders
+  // that are no features are still there.
+  std::vector<Vector> places_on_line(Index v) const
+  {
+    std::vector<Vector> places;
+    const Vector from = positions_[v], middle = border_.place(v);
+    if (!at_input_vertices_ && from != middle)
+      for (const double part : {0.1, 0.3, 0.6, 1.})
+        places.push_back(from + part * (middle - from));
     return places;
   }
 

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Component_plan.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_merging.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Seed_walk.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_splitting.h>
@@ -123,6 +124,49 @@ private:
     }
     seeds.corners = seeds.faces.size();
     walk_.run(on_lines, seeds.level, seeds.faces);
+    fill_gaps_on_lines(on_lines, seeds);
+  }
+
+  // Disjoint neighborhoods leave at most this number of nodes of a line between seeds, unless the line passes vertices of high
+  // valence, whose faces are all neighbors.
+  static std::size_t max_gap(Index level) { return 4 * std::size_t(level) + 2; }
+
+  void fill_gaps_on_lines(const std::vector<Index>& cells_on_lines, Component_seeds& seeds)
+  {
+    const Feature_graph& graph = cells_->graph();
+    std::vector<Index> lines, seeded;
+    for (const Index f : cells_on_lines)
+      lines.push_back(graph.line(cells_->node(f)));
+    for (const Index f : seeds.faces)
+      seeded.push_back(cells_->node(f));
+    sort_unique(lines);
+    sort_unique(seeded);
+    for (const Index l : lines) {
+      const std::vector<Index>& nodes = graph.lines()[l].nodes;
+      const std::size_t n = nodes.size();
+      const auto is_seed = [&](std::size_t i) { return std::binary_search(seeded.begin(), seeded.end(), nodes[i % n]); };
+      std::size_t first = 0;
+      while (first < n && !is_seed(first))
+        ++first;
+      if (first == n) { // a loop: the ends of other lines are corners, which are seeds
+        first = 0;
+        walk_.take(cells_->cell(nodes[0]), 0, seeds.faces);
+      }
+      const std::size_t end = graph.lines()[l].is_loop ? first + n : n - 1;
+      for (std::size_t last = first, i = first + 1; i <= end; ++i)
+        if (i == end || is_seed(i)) {
+          take_between(nodes, last, i, seeds);
+          last = i;
+        }
+    }
+  }
+
+  // Takes seeds at equal distances between two nodes of a line.
+  void take_between(const std::vector<Index>& nodes, std::size_t first, std::size_t last, Component_seeds& seeds)
+  {
+    const std::size_t parts = (last - first + max_gap(seeds.level) - 1) / max_gap(seeds.level);
+    for (std::size_t i = 1; i < parts; ++i)
+      walk_.take(cells_->cell(nodes[(first + i * (last - first) / parts) % nodes.size()]), 0, seeds.faces);
   }
 
   // Returns the seeds of the largest level, near the expected level, with at least `wanted` seeds.
