@@ -101,7 +101,7 @@ public:
   // Fixes vertex `v`.
   void fix(Index v) { is_fixed_[v] = true; }
 
-  // Returns the movements; empty if a number overflows.
+  // Returns the movements; all are zero if a number overflows.
   std::vector<Vector> solve(std::size_t max_steps, double tolerance) const
   {
     const std::size_t n = right_.size();

@@ -27,8 +27,9 @@ namespace internal {
 
 // Moves vertices and flips edges of a coarse mesh where triangles intersect that do not in the input, and where triangles face
 // away from the surface that they approximate. For each fault, the repair tries many small changes: it moves vertices towards the
-// centroids of their clusters or towards their neighbors, moves vertices along the normal of the surface, and flips edges. It
-// makes the change that increases the distance least for each fault that it removes.
+// centroids of their clusters or towards their neighbors, vertices on feature lines towards the middle of their part of the line,
+// moves vertices along the normal of the surface, and flips edges. It makes the change that increases the distance least for each
+// fault that it removes.
 class Placement_repair
 {
 public:

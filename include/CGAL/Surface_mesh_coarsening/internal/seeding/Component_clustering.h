@@ -27,7 +27,7 @@ struct Component_seeds
 {
   std::vector<Index> faces;
   Index level = 0;
-  std::size_t corners = 0; // the cells of feature corners, which are seeds of every level
+  std::size_t of_every_level = 0; // on features: the cells of corners, and one cell on each loop
 };
 
 // Clusters one connected component according to its plan: seeds, growth, splitting, merging.
@@ -122,7 +122,7 @@ private:
       else
         on_lines.push_back(f);
     }
-    seeds.corners = seeds.faces.size();
+    seeds.of_every_level = seeds.faces.size();
     walk_.run(on_lines, seeds.level, seeds.faces);
     fill_gaps_on_lines(on_lines, seeds);
   }
@@ -143,7 +143,9 @@ private:
     sort_unique(seeded);
     for (const Index l : lines) {
       const std::vector<Index>& nodes = graph.lines()[l].nodes;
+      const bool is_loop = graph.lines()[l].is_loop;
       const std::size_t n = nodes.size();
+      seeds.of_every_level += is_loop;
       const auto is_seed = [&](std::size_t i) { return std::binary_search(seeded.begin(), seeded.end(), nodes[i % n]); };
       std::size_t first = 0;
       while (first < n && !is_seed(first))
@@ -152,7 +154,7 @@ private:
         first = 0;
         walk_.take(cells_->cell(nodes[0]), 0, seeds.faces);
       }
-      const std::size_t end = graph.lines()[l].is_loop ? first + n : n - 1;
+      const std::size_t end = is_loop ? first + n : n - 1;
       for (std::size_t last = first, i = first + 1; i <= end; ++i)
         if (i == end || is_seed(i)) {
           take_between(nodes, last, i, seeds);
@@ -182,7 +184,7 @@ private:
         seeds = seeds_of_level(faces, seeds.level - 1);
       return seeds;
     }
-    while (seeds.faces.size() > (std::max)(seeds.corners, std::size_t(1))) {
+    while (seeds.faces.size() > (std::max)(seeds.of_every_level, std::size_t(1))) {
       Component_seeds fewer = seeds_of_level(faces, seeds.level + 1);
       if (fewer.faces.size() < wanted)
         break;

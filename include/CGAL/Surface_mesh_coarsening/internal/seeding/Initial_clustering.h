@@ -318,7 +318,7 @@ private:
         is_pinched_[i] = clustering_->is_pinched();
         return true;
       }
-      if (!plan_[i].revise(seeds_[i].level, seeds_[i].faces.size() - seeds_[i].corners, reached)) {
+      if (!plan_[i].revise(seeds_[i].level, seeds_[i].faces.size() - seeds_[i].of_every_level, reached)) {
         raise_minimum(i);
         return false;
       }
