@@ -148,6 +148,7 @@ int main(int argc, char** argv)
     return 2;
   }
   try {
+    std::cout.precision(4);
     std::cout << "model,faces,asked,method,vertices,result,runs,clock_median_s,processor_median_s,ratio_to_first,"
                  "minimum_s,quartile_1_s,quartile_3_s,maximum_s,rms_%,maximum_%,border_rms_%,mean_smallest_angle,smallest_angle,"
                  "self_intersections"

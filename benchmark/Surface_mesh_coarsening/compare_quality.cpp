@@ -2,10 +2,10 @@
 //
 // Runs this package and the other compiled-in coarsening methods on meshes, at several sizes. The first argument names a file,
 // which gets a row for each run as soon as the run is measured. Runs that the file already has are not repeated, so an
-// interrupted comparison can be continued. At the end, prints means over the meshes as CSV. Distances and deviations of normals
-// are divided by the values of the edge collapse of CGAL with its default cost, by Lindstrom and Turk, at the same size: below
-// 1, a method is closer. Their means are geometric. Runs that fail, do not end, or return no 2-manifold, are counted and omitted
-// from the means.
+// interrupted comparison can be continued. At the end, prints two tables as CSV, with an empty line between them: means over the
+// meshes, and the mean ratio of distances for each mesh. Distances and deviations of normals are divided by the values of the
+// edge collapse of CGAL with its default cost, by Lindstrom and Turk, at the same size: below 1, a method is closer. Their means
+// are geometric. Runs that fail, do not end, or return no 2-manifold, are counted and omitted from the means.
 
 #include "support/Surface_certificate.h"
 #include "support/models.h"
@@ -225,9 +225,11 @@ std::string formatted(double size)
   return os.str();
 }
 
-void compare(const std::string& file, const std::vector<double>& sizes, const std::vector<Method>& methods, Runs_file& runs,
-             std::vector<Record>& records)
+// Adds the runs on a mesh to the records of the methods, and returns the mean ratio of distances of each method on it.
+std::vector<Geometric_mean> compare(const std::string& file, const std::vector<double>& sizes, const std::vector<Method>& methods,
+                                    Runs_file& runs, std::vector<Record>& records)
 {
+  std::vector<Geometric_mean> distances(methods.size());
   const Mesh mesh = read_model(file);
   for (std::size_t s = 0; s < sizes.size(); ++s) {
     const std::size_t number = (std::max)(std::size_t(sizes[s] / 100 * double(mesh.number_of_vertices())), std::size_t(4));
@@ -238,9 +240,14 @@ void compare(const std::string& file, const std::vector<double>& sizes, const st
     const Run anchor = run_of(methods.front());
     if (anchor.vertices == 0)
       throw std::runtime_error("the edge collapse, which the others are compared with, has failed");
-    for (std::size_t i = 0; i < methods.size(); ++i)
-      records[i].add(run_of(methods[i]), anchor, s);
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+      const Run run = run_of(methods[i]);
+      records[i].add(run, anchor, s);
+      if (run.vertices != 0)
+        distances[i].add(run.rms_percent / anchor.rms_percent);
+    }
   }
+  return distances;
 }
 
 void print(const std::vector<double>& sizes, const std::vector<Method>& methods, const std::vector<Record>& records)
@@ -257,6 +264,26 @@ void print(const std::vector<double>& sizes, const std::vector<Method>& methods,
       std::cout << ',' << mean.value();
     std::cout << ',' << r.worst << ',' << r.closer << ',' << r.normals.value() << ',' << r.angles / runs << ','
               << r.below_30_percent / runs << ',' << r.self_intersections << ',' << r.seconds.value() << std::endl;
+  }
+}
+
+typedef std::vector<std::pair<std::string, std::vector<Geometric_mean> > > Models;
+
+// A method without runs on a mesh has no mean.
+void print(const std::vector<Method>& methods, const Models& models)
+{
+  std::cout << "\nmodel";
+  for (const Method& method : methods)
+    std::cout << ',' << method.name;
+  std::cout << std::endl;
+  for (const auto& model : models) {
+    std::cout << model.first;
+    for (const Geometric_mean& mean : model.second) {
+      std::cout << ',';
+      if (mean.value() > 0)
+        std::cout << mean.value();
+    }
+    std::cout << std::endl;
   }
 }
 
@@ -279,10 +306,12 @@ int main(int argc, char** argv)
     const std::vector<Method> methods = all_methods();
     std::vector<Record> records(methods.size(), Record(sizes.size()));
     Runs_file runs(argv[1]);
+    Models models;
     for (int i = 3; i < argc; ++i)
-      compare(argv[i], sizes, methods, runs, records);
+      models.emplace_back(std::filesystem::path(argv[i]).stem().string(), compare(argv[i], sizes, methods, runs, records));
     std::cout.precision(3);
     print(sizes, methods, records);
+    print(methods, models);
   } catch (const std::exception& e) {
     std::cerr << "compare_quality: " << e.what() << std::endl;
     return 1;

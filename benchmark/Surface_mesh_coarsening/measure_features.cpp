@@ -79,6 +79,7 @@ int main(int argc, char** argv)
     Task task{benchmark_support::read_model(argv[1]), Marks(), std::strtoul(argv[2], nullptr, 10), std::strtod(argv[3], nullptr)};
     task.is_line = task.mesh.add_property_map<Mesh::Edge_index, bool>("e:line", false).first;
     CGAL::Polygon_mesh_processing::detect_sharp_edges(task.mesh, task.angle, task.is_line);
+    std::cout.precision(4);
     std::cout << "weight,maximum_density,placement,lines_%,lines_back_%,surface_%,surface_without_features_%" << std::endl;
     measure<SMC::Maximum_density_weight, SMC::Centroid_placement>(task, "maximum", 50, "centroid");
     measure<SMC::Maximum_density_weight, SMC::Quadric_placement>(task, "maximum", 50, "quadric");

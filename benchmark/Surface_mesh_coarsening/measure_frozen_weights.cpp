@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Weights from the current sums, as the package has them, against weights that are frozen for a round, as the paper can be read:
+// Compares weights from the current sums, as in the package, with weights that are frozen for a round, as the paper can be read:
 //   measure_frozen_weights FILE VERTICES [R_AREA R_MAXIMUM R_VARIANCE]
-// prints for each weight how many rounds were run, the smallest and the largest energy in the last twenty of them, relative to
-// the smallest of all, and the shapes of the third of the clusters that has the highest densities: the mean elongation, and the
-// mean cosine of the angle between the long axis and the sharp edges, where a cluster has some.
+// For each weight, prints the number of rounds, and the smallest and the largest energy in the last twenty rounds relative to the
+// smallest energy of all rounds. Prints the shapes of the densest third of the clusters: the mean elongation, and the mean cosine
+// of the angle between the long axis and the sharp edges of a cluster, if it has sharp edges.
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
@@ -263,6 +263,7 @@ int main(int argc, char* argv[])
   try {
     const std::size_t number = std::strtoul(argv[2], nullptr, 10);
     const auto density = [&](int i, double otherwise) { return argc == 6 ? std::strtod(argv[i], nullptr) : otherwise; };
+    std::cout.precision(4);
     std::cout << "weight,weights_of_a_round,rounds,least_energy_of_last_20,largest,elongation,cosine_with_sharp_edges"
               << std::endl;
     compare<SMC::Weighted_area_weight>(mesh, number, AREA, density(3, 50));

@@ -148,6 +148,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   try {
+    std::cout.precision(4);
     const auto number = [](const std::string& s) { return std::size_t(std::stoull(s)); };
     if (arguments[0] == "--clusters")
       measure_clusters(number(arguments.at(1)));

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# What the manual says that commands print, they print: the short tables of the manual, measured again, agree with it to the
-# accuracy of sampling, and so do the figures of the README.
+# The manual agrees with the programs: the short tables of the manual, measured again, agree with it to the accuracy of sampling,
+# table 1 of the paper agrees exactly, the table in README agrees with the table of speed and with the tool, and numbers in the text
+# agree with the code.
 #   cmake -D BIN=... -D COARSEN_MESH=... -D FIND_SEEDS=... -D FANDISK=... -D CGAL_DATA_DIR=... -D PROJECT_SOURCE_DIR=... -P test_manual.cmake
 
 cmake_minimum_required(VERSION 3.25)
@@ -90,6 +91,7 @@ function(check_table name)
   endforeach()
 endfunction()
 
+file(REMOVE_RECURSE ${CMAKE_CURRENT_BINARY_DIR}/tables)
 set(tables weights_and_placements energies borders distance levels tolerance)
 foreach(name features frozen_weights) # by programs of the benchmarks, which may be left out of the build
   if(EXISTS ${BIN}/measure_${name})
@@ -104,11 +106,58 @@ foreach(name IN LISTS tables)
   check_table(${name})
 endforeach()
 
-# Fails unless a page states the number that a header has, where `text` and `code` match with the number as their first group.
+# Table 1 of the paper: the rows without times are equal, in the columns of the models that are found.
+function(read_paper result file)
+  file(STRINGS ${file} lines REGEX "\\|")
+  set(rows "")
+  foreach(line IN LISTS lines)
+    if(NOT line MATCHES "^(initialization, s|  s) ")
+      string(REGEX REPLACE " *\\| *" "|" line "${line}")
+      list(APPEND rows "${line}")
+    endif()
+  endforeach()
+  set(${result} "${rows}" PARENT_SCOPE)
+endfunction()
+
+function(check_paper)
+  execute_process(COMMAND ${BIN}/reproduce_paper ${CGAL_DATA_DIR}/meshes OUTPUT_FILE paper.txt COMMAND_ERROR_IS_FATAL ANY)
+  read_paper(measured paper.txt)
+  read_paper(stated ${doc}/tables/paper.md)
+  list(LENGTH measured n)
+  list(LENGTH stated m)
+  if(NOT n EQUAL m OR n LESS 20)
+    message(SEND_ERROR "reproduce_paper prints ${n} rows, the manual has ${m}")
+  endif()
+  list(GET measured 0 models)
+  list(GET stated 0 stated_models)
+  string(REPLACE "|" ";" models "${models}")
+  string(REPLACE "|" ";" stated_models "${stated_models}")
+  foreach(row stated_row IN ZIP_LISTS measured stated)
+    string(REPLACE "|" ";" row "${row}")
+    string(REPLACE "|" ";" stated_row "${stated_row}")
+    foreach(model cell IN ZIP_LISTS models row)
+      list(FIND stated_models "${model}" i)
+      list(GET stated_row ${i} stated_cell)
+      if(NOT cell STREQUAL stated_cell)
+        message(SEND_ERROR "table 1, ${model}: reproduce_paper prints '${cell}', the manual has '${stated_cell}' in\n${stated_row}")
+      endif()
+    endforeach()
+  endforeach()
+endfunction()
+
+if(EXISTS ${BIN}/reproduce_paper)
+  check_paper()
+endif()
+
+# Fails unless a page states the number that a file has, where `text` and `code` match with the number as their first group. The
+# file is a header, or is named from the root of the project.
 function(check_constant page text header code)
   file(READ ${doc}/${page} page_text)
   string(REGEX REPLACE "[ \n]+" " " page_text "${page_text}")
-  file(READ ${PROJECT_SOURCE_DIR}/include/CGAL/Surface_mesh_coarsening/${header} header_text)
+  if(NOT header MATCHES "^(test|doc|examples)/")
+    set(header include/CGAL/Surface_mesh_coarsening/${header})
+  endif()
+  file(READ ${PROJECT_SOURCE_DIR}/${header} header_text)
   if(NOT header_text MATCHES "${code}")
     message(SEND_ERROR "${header} does not have '${code}'")
     return()
@@ -128,6 +177,47 @@ check_constant(Surface_mesh_coarsening.txt "create no angle below ([0-9]+) degre
 check_constant(Surface_mesh_coarsening.txt "triangles with angles below ([0-9]+) degrees move" ${angles} "narrow_angle = ([0-9]+)")
 check_constant(Surface_mesh_coarsening.txt "remaining triangles with angles below ([0-9]+) degrees" ${angles} "min_angle = ([0-9]+)")
 check_constant(Robustness.txt "after `number_of_iterations` rounds, ([0-9]+) by default" defaults.h "number_of_iterations = ([0-9]+)")
+set(manual Surface_mesh_coarsening.txt)
+set(theory Theory_and_proofs.txt)
+check_constant(${manual} "or turns by more than ([0-9]+) degrees" internal/features/Feature_edges.h
+  "turns by more than ([0-9]+) degrees")
+check_constant(${manual} "more than one pair for ([0-9]+) vertices remains" internal/pipeline/place_and_exchange.h
+  "([0-9]+) \\* dual.number_left\\(\\) > state.number_of_clusters")
+check_constant(${manual} "reclusters the mesh, up to ([0-9]+) times" internal/pipeline/stages_impl.h "max_repetitions = ([0-9]+)")
+check_constant(${manual} "near curved borders, up to ([0-9]+) times" internal/mesh/Border_deviations.h "max_raised = ([0-9]+)")
+check_constant(${manual} "clusters the mesh for up to ([0-9]+) numbers" internal/distance/Distance_search.h "max_trials = ([0-9]+)")
+check_constant(${manual} "rho_j\\^{([0-9]+)} \\)" Cluster_weight/Maximum_density_weight.h "double p = ([0-9]+)")
+check_constant(${theory} "f. p = ([0-9]+) .f" Cluster_weight/Maximum_density_weight.h "double p = ([0-9]+)")
+check_constant(${theory} "f. ([0-9]+) \\+ 26 g" internal/seeding/Component_plan.h "return ([0-9]+) \\+ 26")
+check_constant(${theory} "\\+ ([0-9]+) g \\+ 8 b" internal/seeding/Component_plan.h "\\+ ([0-9]+) \\* c.genus")
+check_constant(${theory} "g \\+ ([0-9]+) b .f" internal/seeding/Component_plan.h "\\+ ([0-9]+) \\* c.loops")
+check_constant(${theory} "and ([0-9]+) more for each cluster that a feature" internal/seeding/Component_plan.h
+  "\\+ ([0-9]+) \\* c.feature_clusters")
+check_constant(${theory} "vertices at 1/([0-9]+) of the edges" internal/mesh/Corner_truncation.h "\\(1\\. / ([0-9]+)\\) \\*")
+check_constant(${theory} "at most ([0-9]+) bytes per face in addition" test/Surface_mesh_coarsening/test_memory.cpp
+  "\"torus\"[^;]*defaults\\) <= ([0-9]+)")
+check_constant(${theory} "and at most ([0-9]+) bytes with the placements" test/Surface_mesh_coarsening/test_memory.cpp
+  "quadric\", mesh[^;]*<= ([0-9]+)")
+check_constant(Robustness.txt "beyond .f. 2\\^{([0-9]+)}" internal/mesh/Local_frame.h "exponent > ([0-9]+)")
+
+# The numbers of seeds in the text are the numbers of table 1.
+check_constant(Following_the_paper.txt "Bunny lies in between: it gives ([0-9]+) seeds" doc/Surface_mesh_coarsening/tables/paper.md
+  "594 / ([0-9]+)")
+check_constant(Following_the_paper.txt "breadth-first order gives ([0-9]+)" doc/Surface_mesh_coarsening/tables/paper.md
+  "breadth-first[^|]*\\|[^|]*\\|[^|]*\\| *([0-9]+)")
+check_constant(Following_the_paper.txt "finds ([0-9]+) seeds in the file of" doc/Surface_mesh_coarsening/tables/paper.md
+  "527 / ([0-9]+)")
+
+# The table in README has the rows of the table of speed.
+file(COPY_FILE ${PROJECT_SOURCE_DIR}/README.md README.md)
+execute_process(COMMAND ${CMAKE_COMMAND} -D BIN=${BIN} -D NAMES=readme -D SPEED=${doc}/tables/speed.md -D README=README.md
+  -D OUT=${CMAKE_CURRENT_BINARY_DIR}/readme_table -P ${PROJECT_SOURCE_DIR}/benchmark/Surface_mesh_coarsening/make_tables.cmake
+  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files README.md ${PROJECT_SOURCE_DIR}/README.md RESULT_VARIABLE differs
+  ERROR_QUIET)
+if(differs)
+  message(SEND_ERROR "the table in README does not have the rows of tables/speed.md: target table_readme writes it")
+endif()
 
 # Rows of the README: a command between backquotes, the distance and the angle that it measures.
 file(STRINGS ${PROJECT_SOURCE_DIR}/README.md rows REGEX "^\\| `coarsen_mesh fandisk.off [^`]*` \\| [0-9.]+ \\| [0-9.]+&deg")

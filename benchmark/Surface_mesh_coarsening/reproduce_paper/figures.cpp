@@ -89,12 +89,15 @@ public:
 private:
   Image colored(const std::function<Rgb(Face)>& color) const
   {
-    return render(make_scene(mesh, true, color, [](Edge) { return false; }, 1, 0), camera);
+    return render(make_scene(
+                    mesh, true, color, [](Edge) { return false; }, 1, 0),
+                  camera);
   }
 };
 
-std::string write_picture(const std::string& directory, const std::string& name,
-                          const std::vector<std::vector<Image> >& rows)
+} // namespace
+
+std::string write_picture(const std::string& directory, const std::string& name, const std::vector<std::vector<Image> >& rows)
 {
   const std::string file = (std::filesystem::path(directory) / name).string();
   std::ofstream os(file, std::ios::binary);
@@ -104,10 +107,8 @@ std::string write_picture(const std::string& directory, const std::string& name,
   return file;
 }
 
-} // namespace
-
-std::vector<std::string> write_figures(const Paper_model& model, const Mesh& mesh,
-                                       const std::vector<Clustering_run>& runs, const std::string& directory)
+std::vector<std::string> write_figures(const Paper_model& model, const Mesh& mesh, const std::vector<Clustering_run>& runs,
+                                       const std::string& directory)
 {
   std::vector<std::string> written;
   const Artist artist(mesh, Vector(1, 0.5, 0.8));

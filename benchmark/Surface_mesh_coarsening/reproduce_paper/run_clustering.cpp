@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_coarsening/neighborhood_seeds.h>
 #include <CGAL/Surface_mesh_coarsening/paper.h>
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
@@ -114,6 +115,22 @@ std::pair<std::size_t, std::size_t> seeds_in_random_orders(const Mesh& mesh, uns
     range = {(std::min)(range.first, seeds), (std::max)(range.second, seeds)};
   }
   return range;
+}
+
+std::size_t components_with_clusters_beyond_seeds(const Mesh& mesh, const Clustering_run& run)
+{
+  std::vector<std::size_t> component(mesh.number_of_faces());
+  std::vector<std::ptrdiff_t> beyond(
+    CGAL::Polygon_mesh_processing::connected_components(mesh, CGAL::make_property_map(component)), 0);
+  std::vector<bool> is_counted(run.report.clusters, false);
+  for (Face f : mesh.faces())
+    if (!is_counted[run.labels[f]]) {
+      is_counted[run.labels[f]] = true;
+      ++beyond[component[f]];
+    }
+  for (Face f : run.seeds)
+    --beyond[component[f]];
+  return std::size_t(std::count_if(beyond.begin(), beyond.end(), [](std::ptrdiff_t b) { return b > 0; }));
 }
 
 Clustering_run run_uniform_clustering(const Mesh& mesh, unsigned level, double maximum_density)

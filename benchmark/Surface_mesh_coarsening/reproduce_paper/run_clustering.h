@@ -38,6 +38,9 @@ std::size_t seeds_in_breadth_first_order(const Mesh& mesh, unsigned level);
 // The smallest and the largest number of seeds in ten random orders of the faces.
 std::pair<std::size_t, std::size_t> seeds_in_random_orders(const Mesh& mesh, unsigned level);
 
+// The number of connected components that have more clusters than seeds.
+std::size_t components_with_clusters_beyond_seeds(const Mesh& mesh, const Clustering_run& run);
+
 } // namespace reproduce_paper
 
 #endif // REPRODUCE_PAPER_RUN_CLUSTERING_H
