@@ -129,7 +129,7 @@ void check_number(const Options& options)
     throw Wrong_usage("--vertices and --neighborhood-level exclude each other");
   if (!has_number && !options.neighborhood_level && !options.maximum_distance && !options.asks_range)
     throw Wrong_usage("how many vertices? Give --vertices N, --vertices P%, --maximum-distance D or --neighborhood-level K; "
-                      "--range tells which numbers INPUT can be coarsened to");
+                      "--range prints the possible numbers for INPUT");
 }
 
 // Returns the view (1, 0.5, 0.8) of a model with vertical y axis, rotated with the model by the shortest rotation from the
@@ -188,10 +188,9 @@ po::options_description described_options()
     ("local-repairs", text()->value_name("R")->default_value(std::to_string(Defaults::local_repairs)),
      "relocate vertices to triangles that still intersect after the repair up to R times, before the mesh is reclustered")
     ("paper",
-     "do as the article prints: densities up to 50 (variance: 3) and none for borders, merging by area, the check "
-     "by boundary-edge "
-     "counts, the end when a round changes nothing, vertices at centroids, no feedback and no repair; options "
-     "beside it take precedence")
+     "run the method as printed in the article: densities up to 50 (variance: 3) and none for borders, merging by area, "
+     "the check by boundary-edge counts, the end when a round changes nothing, vertices at centroids, no feedback and no "
+     "repair; options beside it take precedence")
     ("features", text()->value_name("ANGLE")->implicit_value(default_feature_angle),
      "keep sharp edges, whose normals differ by ANGLE degrees or more: they become lines of edges, and their corners keep "
      "their positions")
