@@ -179,8 +179,6 @@ check_constant(Surface_mesh_coarsening.txt "remaining triangles with angles belo
 check_constant(Robustness.txt "after `number_of_iterations` rounds, ([0-9]+) by default" defaults.h "number_of_iterations = ([0-9]+)")
 set(manual Surface_mesh_coarsening.txt)
 set(theory Theory_and_proofs.txt)
-check_constant(${manual} "or turns by more than ([0-9]+) degrees" internal/features/Feature_edges.h
-  "turns by more than ([0-9]+) degrees")
 check_constant(${manual} "more than one pair for ([0-9]+) vertices remains" internal/pipeline/place_and_exchange.h
   "([0-9]+) \\* dual.number_left\\(\\) > state.number_of_clusters")
 check_constant(${manual} "reclusters the mesh, up to ([0-9]+) times" internal/pipeline/stages_impl.h "max_repetitions = ([0-9]+)")
@@ -199,6 +197,23 @@ check_constant(${theory} "at most ([0-9]+) bytes per face in addition" test/Surf
 check_constant(${theory} "and at most ([0-9]+) bytes with the placements" test/Surface_mesh_coarsening/test_memory.cpp
   "quadric\", mesh[^;]*<= ([0-9]+)")
 check_constant(Robustness.txt "beyond .f. 2\\^{([0-9]+)}" internal/mesh/Local_frame.h "exponent > ([0-9]+)")
+
+# Fails unless a page has a phrase and a header has the code that the phrase describes.
+function(check_phrase page phrase header code)
+  file(READ ${doc}/${page} text)
+  string(REGEX REPLACE "[ \n]+" " " text "${text}")
+  string(FIND "${text}" "${phrase}" place)
+  file(READ ${PROJECT_SOURCE_DIR}/include/CGAL/Surface_mesh_coarsening/${header} header_text)
+  string(FIND "${header_text}" "${code}" place_of_code)
+  if(place EQUAL -1 OR place_of_code EQUAL -1)
+    message(SEND_ERROR "${page} has to have '${phrase}', and ${header} '${code}'")
+  endif()
+endfunction()
+
+check_phrase(${manual} "or turns by more than 60 degrees" internal/features/Feature_edges.h "dot(a, b) < 0.5 * std::sqrt")
+check_phrase(${theory} "uses the seeds of the largest level that gives twice this number" internal/seeding/Component_plan.h
+  "seeds_per_cluster = 2;")
+check_phrase(Robustness.txt "The mesh is clustered at most six times" internal/pipeline/stages_impl.h "max_repetitions = 4;")
 
 # The numbers of seeds in the text are the numbers of table 1.
 check_constant(Following_the_paper.txt "Bunny lies in between: it gives ([0-9]+) seeds" doc/Surface_mesh_coarsening/tables/paper.md

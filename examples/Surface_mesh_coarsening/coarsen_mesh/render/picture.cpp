@@ -41,7 +41,7 @@ double diagonal_of(const Mesh& mesh)
 Image captioned(const Image& image, const std::string& caption)
 {
   const Bitmap_text text(caption, dot);
-  Image result((std::max)(image.width, text.width()), image.height + line_height);
+  Image result((std::max)(image.width, text.width() + line_height), image.height + line_height);
   const std::size_t left = (result.width - image.width) / 2;
   for (std::size_t y = 0; y < image.height; ++y)
     for (std::size_t x = 0; x < image.width; ++x)
