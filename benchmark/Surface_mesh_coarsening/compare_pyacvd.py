@@ -4,8 +4,8 @@
 
   compare_pyacvd.py FILE.off VERTICES
 
-Needs pyacvd, which needs PyVista and pykdtree, and surface_mesh_coarsening on the path of Python. It is run by hand: nothing
-else of this package needs the three.
+Needs surface_mesh_coarsening on the path of Python. pyacvd, which needs PyVista and pykdtree, is omitted if it is not installed.
+Run the script by hand: nothing else of this package needs pyacvd.
 """
 
 import sys
@@ -13,10 +13,13 @@ import time
 from pathlib import Path
 
 import numpy as np
-import pyacvd
-import pyvista
-
 import surface_mesh_coarsening as smc
+
+try:
+    import pyacvd
+    import pyvista
+except ImportError:
+    pyacvd = None
 
 
 def read_off(file):
@@ -45,11 +48,13 @@ def main(file, number):
     points, faces = read_off(file)
     plain = {"weight": "uniform", "placement": "centroid", "error_feedback": 0}
     print("program,processor_s,vertices,rms_percent,mean_smallest_angle,self_intersections")
-    for name, coarsen in (
-        ("pyacvd", lambda: with_pyacvd(points, faces, number)),
-        ("defaults", lambda: with_this_module(points, faces, number)),
+    programs = [
         ("uniform and centroid", lambda: with_this_module(points, faces, number, **plain)),
-    ):
+        ("defaults", lambda: with_this_module(points, faces, number)),
+    ]
+    if pyacvd:
+        programs.insert(0, ("pyacvd", lambda: with_pyacvd(points, faces, number)))
+    for name, coarsen in programs:
         begin = time.process_time()
         coarse = coarsen()
         seconds = time.process_time() - begin
