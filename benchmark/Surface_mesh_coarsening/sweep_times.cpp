@@ -188,7 +188,7 @@ Options read_options(int argc, char** argv)
   Options options;
   po::options_description described("usage: sweep_times [OPTIONS]\noptions");
   described.add_options()("help", "print this and exit")(
-    "reference", po::value(&options.reference), "the horse, of 112,642 faces")(
+    "reference", po::value(&options.reference), "the horse, of 96,966 faces")(
     "limit", po::value(&options.limit)->default_value(options.limit), "times the reference's time for each face")(
     "only", po::value(&options.only), "meshes with this in their names")(
     "options", po::value(&options.tool_options), "options of the tool, for all runs")(
@@ -212,7 +212,7 @@ try {
     throw std::runtime_error("the environment variable COARSEN_MESH does not name the tool");
   Sweep sweep(options.limit, options.tool_options);
   if (!options.reference.empty()) {
-    sweep.run_reference(std::filesystem::absolute(options.reference).string(), 112642, 1579);
+    sweep.run_reference(std::filesystem::absolute(options.reference).string(), 96966, 1579);
   } else {
     const Soup sphere = generated::with_noise(generated::triangle_sphere(6), 0.001);
     const test::Tool_directory directory;

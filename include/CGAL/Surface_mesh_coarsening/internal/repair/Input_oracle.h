@@ -32,7 +32,8 @@ class Input_oracle
 {
 public:
   explicit Input_oracle(const Clustered_faces& surface)
-    : surface_(surface), input_(surface.input().mesh), boxes_(surface), normals_(surface.number_of_clusters())
+    : surface_(surface), input_(surface.input().mesh), boxes_(surface), normals_(surface.number_of_clusters()),
+      pieces_left_(max_pieces_of_corner * surface.input().mesh.corner_vertex.size())
   {
     for_each_chunk(surface.execution(), normals_.size(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t x = begin; x < end; ++x)
@@ -85,7 +86,8 @@ public:
   }
 
   // Returns whether faces of the clusters of two coarse triangles intersect. Faces with a common vertex are not tested, because
-  // they are many and rarely have more points in common.
+  // they are many and rarely have more points in common. If very many coarse triangles intersect beside huge faces, only the first
+  // pairs of clusters are tested, and the others count as not intersecting.
   bool intersects_itself(const Triangle& t, const Triangle& u)
   {
     for (const Index x : t)
@@ -103,6 +105,9 @@ private:
   }
 
   typedef Clustered_faces::Range Face_range;
+
+  // The number of tests of each corner of the input, on average, for which there is time.
+  static constexpr std::size_t max_pieces_of_corner = 64;
 
   // The distances from this many boxes take as long as the distance from a face.
   static constexpr std::size_t boxes_of_face = 8;
@@ -154,7 +159,11 @@ private:
     const auto known = intersecting_.find(both);
     if (known != intersecting_.end())
       return known->second;
-    return intersecting_[both] = pieces_intersect(pieces_at(x, boxes_.box(y)), pieces_at(y, boxes_.box(x)));
+    if (pieces_left_ == 0)
+      return false;
+    const std::vector<Triangle> of_x = pieces_at(x, boxes_.box(y)), of_y = pieces_at(y, boxes_.box(x));
+    pieces_left_ -= (std::min)(pieces_left_, of_x.size() + of_y.size());
+    return intersecting_[both] = pieces_intersect(of_x, of_y);
   }
 
   // Tests so many pairs at most; then assumes that there is no intersection. Where all boxes overlap, as in a fan of very many
@@ -226,6 +235,7 @@ private:
   Input_surface input_;
   const Cluster_boxes boxes_;
   std::vector<Vector> normals_;
+  std::size_t pieces_left_; // of faces, to be tested for intersections
   std::unordered_map<std::uint64_t, bool> intersecting_; // tested pairs of clusters
 };
 
