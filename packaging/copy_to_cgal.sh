@@ -53,7 +53,8 @@ foreach(source IN LISTS sources)
   if(TARGET CGAL::TBB_support)
     target_link_libraries(\${program} PRIVATE CGAL::TBB_support)
   endif()
-$([[ $kind == Tests:test ]] && echo '  target_link_libraries(${program} PRIVATE Boost::unit_test_framework)')
+$([[ $kind == Tests:test ]] && printf '  %s\n' 'target_link_libraries(${program} PRIVATE Boost::unit_test_framework)' \
+  'target_compile_definitions(${program} PRIVATE BOOST_TEST_MODULE=${program})')
 endforeach()
 END
 done

@@ -3,7 +3,6 @@
 // The minimization in blocks of clusters: whatever the order in which the blocks make their moves, and on however many threads,
 // the result is the same; clusterings stay valid, and the energy falls.
 
-#define BOOST_TEST_MODULE blocks
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
@@ -35,6 +34,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_blocks)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using namespace SMC::internal;
@@ -357,3 +358,5 @@ BOOST_AUTO_TEST_CASE(cancelling)
   }
   BOOST_CHECK_GT(refusals, 2u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -2,7 +2,6 @@
 //
 // The border of the output against the border of the input, and measure_coarsening() on meshes of known distances.
 
-#define BOOST_TEST_MODULE borders
 #include "support/face_graphs.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
@@ -22,6 +21,8 @@
 #include <limits>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_borders)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -274,3 +275,5 @@ BOOST_AUTO_TEST_CASE(borders_on_one_side_only)
   BOOST_CHECK(std::isinf(quality(closed, open).border_rms_distance));
   BOOST_CHECK(std::isinf(quality(open, closed).border_maximum_distance));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

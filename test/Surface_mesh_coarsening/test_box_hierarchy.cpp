@@ -2,7 +2,6 @@
 //
 // The boxes that a `Box_hierarchy` and a `Box_list` find are the boxes that a loop over all finds, also after boxes have changed.
 
-#define BOOST_TEST_MODULE box_hierarchy
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_hierarchy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_list.h>
@@ -13,6 +12,8 @@
 #include <cstddef>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_box_hierarchy)
 
 using CGAL::Bbox_3;
 using CGAL::Surface_mesh_coarsening::internal::Box_hierarchy;
@@ -128,3 +129,5 @@ BOOST_AUTO_TEST_CASE(builds_again)
   hierarchy.build({});
   BOOST_TEST(found_by(hierarchy, Bbox_3(0, 0, 0, 9, 9, 9)).empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,7 +3,6 @@
 // A visitor can cancel quickly at any stage of the coarsening, and nothing has changed then. The test reads no clock but
 // counts the calls of the visitor.
 
-#define BOOST_TEST_MODULE cancelling
 #include "support/face_graphs.h"
 
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
@@ -16,6 +15,8 @@
 #include <cstddef>
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_cancelling)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using SMC::Coarsening_stage;
@@ -191,3 +192,5 @@ BOOST_AUTO_TEST_CASE(steps_restart)
       BOOST_CHECK_EQUAL(clustering.energy(), expected.energy());
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

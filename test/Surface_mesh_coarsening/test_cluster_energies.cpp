@@ -3,7 +3,6 @@
 // Energies of clusters: sums that follow faces which join and leave are compared with the formulas, and the guarantee with any
 // energy.
 
-#define BOOST_TEST_MODULE cluster_energies
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
@@ -29,6 +28,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_cluster_energies)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 namespace internal = SMC::internal;
@@ -517,3 +518,5 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(regularization, Energy, Energies)
   };
   BOOST_CHECK_LT(inertia_with(10), inertia_with(1e-3));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -2,7 +2,6 @@
 //
 // Compares the weights with formulas (9) to (13) of the paper while random faces join and leave.
 
-#define BOOST_TEST_MODULE cluster_weights
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 #include "support/reference_energy.h"
@@ -21,6 +20,8 @@
 #include <random>
 #include <type_traits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_cluster_weights)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 
@@ -327,3 +328,5 @@ BOOST_AUTO_TEST_CASE(own_weights_with_optional_members)
   BOOST_TEST(Judging_weight::number_of_judgements > 1000u);
   BOOST_TEST(Bounding_weight::number_of_bounds > 1000u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -2,7 +2,6 @@
 //
 // Compares seeds, growth, minimization and dual with brute force, on generated meshes and on models, for each weight.
 
-#define BOOST_TEST_MODULE clustering
 #include "support/face_graphs.h"
 #include "support/reference_energy.h"
 
@@ -27,6 +26,8 @@
 #include <iterator>
 #include <limits>
 #include <utility>
+
+BOOST_AUTO_TEST_SUITE(test_clustering)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 namespace utf = boost::unit_test;
@@ -636,4 +637,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(weights, Weight, Weights)
   in_blocks.in_blocks = true;
   check_clustering<Weight>(test::read_soup(models::horse), 1579, in_blocks);
 }
+BOOST_AUTO_TEST_SUITE_END()
+
 BOOST_AUTO_TEST_SUITE_END()

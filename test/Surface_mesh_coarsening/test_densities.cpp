@@ -2,7 +2,6 @@
 //
 // Section 5.2 of the paper: densities from the deviation of normals; and densities near borders.
 
-#define BOOST_TEST_MODULE densities
 #include "support/face_graphs.h"
 #include "support/reference_energy.h"
 
@@ -15,6 +14,8 @@
 #include <cmath>
 #include <map>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_densities)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using generated::Soup;
@@ -227,3 +228,5 @@ BOOST_AUTO_TEST_CASE(given_densities)
   BOOST_CHECK_NO_THROW(right(1e20));
   BOOST_CHECK_NO_THROW(right(1e-20));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -2,7 +2,6 @@
 //
 // Results within a distance: the bound holds, and is at most the requested distance.
 
-#define BOOST_TEST_MODULE distance
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
@@ -20,6 +19,8 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_distance)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using test::Mesh;
@@ -175,3 +176,5 @@ BOOST_AUTO_TEST_CASE(a_plane_needs_what_its_topology_needs)
   for (const auto v : output.vertices())
     BOOST_CHECK(mesh.is_valid(source[v].face));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,7 +3,6 @@
 // Vertex exchange between regions during the fit (parameter `error_feedback`): the distance decreases, the number of vertices
 // and the topology do not change, and the clusters remain valid.
 
-#define BOOST_TEST_MODULE error_feedback
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
@@ -28,6 +27,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_error_feedback)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using test::Mesh;
@@ -325,3 +326,5 @@ BOOST_AUTO_TEST_CASE(levels_and_editing_go_on)
   BOOST_TEST(output.number_of_vertices() == 278);
   BOOST_TEST(CGAL::is_valid_polygon_mesh(output));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -2,7 +2,6 @@
 //
 // Refused input, with its exception and message; the output does not change.
 
-#define BOOST_TEST_MODULE errors
 #include "support/face_graphs.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
@@ -22,6 +21,8 @@
 #include <limits>
 #include <string>
 #include <type_traits>
+
+BOOST_AUTO_TEST_SUITE(test_errors)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using generated::Soup;
@@ -316,3 +317,5 @@ BOOST_AUTO_TEST_CASE(order_of_steps)
   c.minimize();
   BOOST_CHECK(test::labels_in(c, mesh) == first);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -2,7 +2,6 @@
 //
 // Feature lines and corners: their images in the output, and an independent check of the rules for clusters.
 
-#define BOOST_TEST_MODULE features
 #include "support/face_graphs.h"
 #include "support/line_distance.h"
 
@@ -38,6 +37,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_features)
 
 namespace utf = boost::unit_test;
 namespace SMC = CGAL::Surface_mesh_coarsening;
@@ -738,3 +739,5 @@ BOOST_AUTO_TEST_CASE(fandisk, *utf::precondition(test::If_found{models::fandisk}
   const double without = SMC::measure_coarsening(plain.mesh, coarsened(plain, 527, true).mesh).rms_distance;
   BOOST_TEST(quality.rms_distance <= without);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

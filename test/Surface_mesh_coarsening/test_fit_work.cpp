@@ -3,7 +3,6 @@
 // The fit and the repair take about as long per face on meshes with one or two vertices of very high valence as on a sphere.
 // Processor time is compared with processor time, so the bound holds on any machine and with any options.
 
-#define BOOST_TEST_MODULE fit_work
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
@@ -14,6 +13,8 @@
 #include <cstddef>
 #include <ctime>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_fit_work)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using test::Mesh;
@@ -67,3 +68,5 @@ BOOST_AUTO_TEST_CASE(high_valence)
     polygon.polygons[0].push_back(i);
   BOOST_CHECK_LE(seconds_each("polygon", test::to_mesh(polygon), 3999), bound * usual);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,7 +3,6 @@
 // Mesh types, kernels, property maps, named parameters and visitors: the clusters do not depend on the representation
 // of the mesh.
 
-#define BOOST_TEST_MODULE genericity
 #include "support/face_graphs.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
@@ -35,6 +34,8 @@
 #include <map>
 #include <numeric>
 #include <random>
+
+BOOST_AUTO_TEST_SUITE(test_genericity)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -675,3 +676,5 @@ BOOST_AUTO_TEST_CASE(labels_of_anyone)
   BOOST_CHECK_EQUAL(dual.number_of_faces(), 12u);
   BOOST_CHECK(CGAL::is_closed(dual));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,7 +3,6 @@
 // The manual's promises for degenerate, extreme or invalid input, and for failures during the call: a result, or an error
 // with input and output unchanged.
 
-#define BOOST_TEST_MODULE hostile_input
 #include "support/face_graphs.h"
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
@@ -80,6 +79,8 @@ void operator delete(void* p) noexcept { memory::give(p); }
 void operator delete[](void* p) noexcept { memory::give(p); }
 void operator delete(void* p, std::size_t) noexcept { memory::give(p); }
 void operator delete[](void* p, std::size_t) noexcept { memory::give(p); }
+
+BOOST_AUTO_TEST_SUITE(test_hostile_input)
 
 namespace {
 
@@ -586,3 +587,5 @@ BOOST_AUTO_TEST_CASE(allocations_that_fail_in_steering)
     BOOST_CHECK(left_none > 3);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -2,7 +2,6 @@
 //
 // The effects of scaling, translation and rotation on a clustering.
 
-#define BOOST_TEST_MODULE invariance
 #include "support/face_graphs.h"
 #include "support/reference_energy.h"
 
@@ -18,6 +17,8 @@
 
 #include <cmath>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(test_invariance)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 namespace utf = boost::unit_test;
@@ -187,4 +188,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(weights, Weight, Weights)
   check_invariance<Weight>(soup, 700);
   check_invariance_of_blocks<Weight>(soup, 1579);
 }
+BOOST_AUTO_TEST_SUITE_END()
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,7 +3,6 @@
 // Levels of detail: each is valid, its clusters are unions of clusters of finer levels, and the stored history gives
 // its triangles.
 
-#define BOOST_TEST_MODULE levels
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
@@ -29,6 +28,8 @@
 #include <map>
 #include <set>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_levels)
 
 namespace utf = boost::unit_test;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -230,3 +231,5 @@ BOOST_AUTO_TEST_CASE(other_face_graphs_and_components_that_are_left_out)
   levels.write_clusters(20, boost::make_assoc_property_map(clusters));
   BOOST_CHECK_EQUAL(std::count_if(clusters.begin(), clusters.end(), [](const auto& c) { return c.second == 20; }), 4);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

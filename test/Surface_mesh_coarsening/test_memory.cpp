@@ -2,7 +2,6 @@
 //
 // The memory of the coarsening beyond the loaded mesh, output included, counted in `new`.
 
-#define BOOST_TEST_MODULE memory
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
@@ -64,6 +63,8 @@ void operator delete(void* p, const std::nothrow_t&) noexcept { give_back(p); }
 void operator delete(void* p, std::size_t) noexcept { give_back(p); }
 void operator delete[](void* p, std::size_t) noexcept { give_back(p); }
 
+BOOST_AUTO_TEST_SUITE(test_memory)
+
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using test::Mesh;
 
@@ -119,3 +120,5 @@ BOOST_AUTO_TEST_CASE(placements)
   BOOST_TEST(bytes_per_face("quadric", mesh, defaults.vertex_placement(SMC::Quadric_placement())) <= 100);
   BOOST_TEST(bytes_per_face("fitted", mesh, defaults.vertex_placement(SMC::Fitted_placement())) <= 140);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

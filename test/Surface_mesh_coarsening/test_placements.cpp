@@ -2,7 +2,6 @@
 //
 // The positions of vertices on meshes where they are known, and the repair of self-intersections.
 
-#define BOOST_TEST_MODULE placements
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
@@ -31,6 +30,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_placements)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using test::Mesh;
@@ -370,3 +371,5 @@ BOOST_AUTO_TEST_CASE(clusters_of_others_are_not_recomputed)
   BOOST_TEST(left_of_uniform > 0); // otherwise there would be no reason to
   BOOST_TEST(left_of_edited > 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

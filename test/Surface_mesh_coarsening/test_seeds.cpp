@@ -2,7 +2,6 @@
 //
 // Compares seeds with disjoint neighborhoods with a literal implementation of section 6 of the paper.
 
-#define BOOST_TEST_MODULE seeds
 #include "support/face_graphs.h"
 
 #include "models.h"
@@ -17,6 +16,8 @@
 #include <numeric>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_seeds)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 namespace utf = boost::unit_test;
@@ -187,3 +188,5 @@ BOOST_AUTO_TEST_CASE(table_1_horse, *utf::precondition(test::If_found{models::ho
 {
   check_near(count(models::horse, 5), 1579);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

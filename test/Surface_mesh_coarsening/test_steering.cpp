@@ -2,7 +2,6 @@
 //
 // Clusters frozen, split and removed by hand: the clustering remains valid after any sequence of edits.
 
-#define BOOST_TEST_MODULE steering
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
@@ -15,6 +14,8 @@
 
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_steering)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using test::Mesh;
@@ -153,3 +154,5 @@ BOOST_AUTO_TEST_CASE(what_topology_needs_stays)
   BOOST_CHECK_LT(clustering.number_of_clusters(), 20u);
   BOOST_CHECK_EQUAL(fault(clustering, mesh), "");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

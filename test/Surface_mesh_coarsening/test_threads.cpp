@@ -2,7 +2,6 @@
 //
 // The result is the same to the last bit for any number of threads, the sequential version included.
 
-#define BOOST_TEST_MODULE threads
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
@@ -32,6 +31,8 @@
 #include <set>
 #include <thread>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_threads)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using test::Mesh;
@@ -205,3 +206,5 @@ BOOST_AUTO_TEST_CASE(bounds_of_relocated_clusters)
   BOOST_CHECK(state.labels->labels() == labels);
   BOOST_CHECK(state.labels->recounted() == state.labels->boundary_counts());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -2,7 +2,6 @@
 //
 // Runs the tool coarsen_mesh as a process. Its path is taken from the environment variable COARSEN_MESH.
 
-#define BOOST_TEST_MODULE tool
 #include "check/soup_fault.h"
 #include "io/read_soup.h"
 #include "io/to_mesh.h"
@@ -32,6 +31,8 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+BOOST_AUTO_TEST_SUITE(test_tool)
 
 namespace {
 
@@ -938,5 +939,7 @@ BOOST_AUTO_TEST_CASE(pipes_are_written_to)
     usleep(50000);
   BOOST_TEST(shop.report("copy")["output"]["vertices"] == 5);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

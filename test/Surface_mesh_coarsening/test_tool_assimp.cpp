@@ -2,7 +2,6 @@
 //
 // Formats that the tool reads and writes through the library Assimp, where it is built with it.
 
-#define BOOST_TEST_MODULE tool_assimp
 #include "io/assimp_formats.h"
 #include "io/read_soup.h"
 #include "support/Tool_process.h"
@@ -22,6 +21,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_tool_assimp)
 
 namespace {
 
@@ -295,3 +296,5 @@ BOOST_AUTO_TEST_CASE(without_assimp, *boost::unit_test::precondition(has_no_assi
     BOOST_CHECK(outcome.names("the format glb takes a program that is built with the library Assimp"));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

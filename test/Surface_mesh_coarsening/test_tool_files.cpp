@@ -2,7 +2,6 @@
 //
 // The tool with damaged, inconsistent, unreadable and unwritable files, and with signals.
 
-#define BOOST_TEST_MODULE tool_files
 #include "check/soup_fault.h"
 #include "io/read_soup.h"
 #include "support/Tool_process.h"
@@ -15,6 +14,8 @@
 #include <random>
 
 #include <sys/stat.h>
+
+BOOST_AUTO_TEST_SUITE(test_tool_files)
 
 namespace {
 
@@ -583,5 +584,7 @@ BOOST_AUTO_TEST_CASE(several_inputs)
   }
   BOOST_CHECK(shop.files() == before);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -2,7 +2,6 @@
 //
 // The tool's transfer of properties other than points and polygons, and its results for a distance and for levels.
 
-#define BOOST_TEST_MODULE tool_properties
 #include "io/read_soup.h"
 #include "support/Tool_process.h"
 #include "support/mesh_files.h"
@@ -17,6 +16,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_tool_properties)
 
 namespace {
 
@@ -436,5 +437,7 @@ BOOST_AUTO_TEST_CASE(distances_take_the_place_of_numbers)
   BOOST_CHECK(shop.run("in.off out.off --maximum-distance 1e-9").names("no result within 1e-09 of the diagonal ("));
   BOOST_CHECK(shop.run("in.off out.off --maximum-distance 0.02").out.find(" of the diagonal (") != std::string::npos);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,7 +3,6 @@
 // Tests the common parts of the programs: the check of a soup, the counts of the certificate, the colors of clusters,
 // the renderer.
 
-#define BOOST_TEST_MODULE tool_support
 #include "check/certificate.h"
 #include "check/soup_fault.h"
 #include "io/read_soup.h"
@@ -31,6 +30,8 @@
 #include <random>
 #include <set>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_tool_support)
 
 namespace {
 
@@ -392,3 +393,5 @@ BOOST_AUTO_TEST_CASE(rendering)
   const Mesh turned = mesh_of(generated::reversed(generated::triangulated(generated::cube_grid(1))));
   BOOST_TEST((render(mesh_scene(turned), camera).at(50, 40) == image.at(50, 40)));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

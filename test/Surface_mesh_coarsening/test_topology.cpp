@@ -4,7 +4,6 @@
 // 2-manifold of the topology of the input with exactly that number of vertices, or the number is refused with the
 // nearest attainable one.
 
-#define BOOST_TEST_MODULE topology
 #include "support/face_graphs.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
@@ -26,6 +25,8 @@
 #include <tuple>
 #include <type_traits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_topology)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using generated::Soup;
@@ -243,3 +244,5 @@ BOOST_AUTO_TEST_CASE(moebius_strip)
   SMC::coarsen_mesh(mesh, 10, output);
   check_output(m, output, 10, "a strip cut open");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -2,7 +2,6 @@
 //
 // The sources of the vertices of a coarse mesh, and the transfer of properties to it.
 
-#define BOOST_TEST_MODULE transfer
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
@@ -28,6 +27,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_transfer)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -507,3 +508,5 @@ BOOST_AUTO_TEST_CASE(other_face_graphs_and_wrong_arguments)
   BOOST_CHECK_THROW(Transfer(r.input, r.cluster, empty), SMC::Invalid_input);
   BOOST_CHECK_THROW(Transfer(r.input, r.cluster, r.input), SMC::Invalid_input); // faces of four sides
 }
+
+BOOST_AUTO_TEST_SUITE_END()

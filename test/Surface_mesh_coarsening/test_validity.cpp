@@ -3,7 +3,6 @@
 // The fast tests of moves and of clusterings agree with brute force on millions of cases: random small surfaces,
 // random labels, every move.
 
-#define BOOST_TEST_MODULE validity
 #include "support/face_graphs.h"
 #include "support/random_surfaces.h"
 
@@ -16,6 +15,8 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <map>
+
+BOOST_AUTO_TEST_SUITE(test_validity)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using generated::Soup;
@@ -319,3 +320,5 @@ BOOST_AUTO_TEST_CASE(named_faults)
   BOOST_CHECK_EQUAL(fault(generated::tetrahedron(), {3, 1, 0, 2}), "");
   BOOST_CHECK_EQUAL(fault(generated::single_triangle(), {0}), "cluster 0 has fewer than three neighbors");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -3,7 +3,6 @@
 // Every vertex of the output lies in the bounding box of its cluster enlarged by half its diagonal, for faces of any shape:
 // self-intersecting, nearly degenerate, not planar, or with very many sides.
 
-#define BOOST_TEST_MODULE vertex_bounds
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
@@ -32,6 +31,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_vertex_bounds)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using generated::Soup;
@@ -280,3 +281,5 @@ BOOST_AUTO_TEST_CASE(centroids_of_polygons)
     std::rotate(corners.begin(), corners.begin() + 1, corners.end());
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -2,7 +2,6 @@
 //
 // Meshes in pieces on several ranks. The program runs on any number of ranks; cases that need fewer use the first ones.
 
-#define BOOST_TEST_MODULE distributed
 #include "distributed/mixed_surfaces.h"
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
@@ -39,6 +38,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_distributed)
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 namespace mpi = boost::mpi;
@@ -642,3 +643,5 @@ BOOST_AUTO_TEST_CASE(cancelling_on_one_rank)
     }
   });
 }
+
+BOOST_AUTO_TEST_SUITE_END()
