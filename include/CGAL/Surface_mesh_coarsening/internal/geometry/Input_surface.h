@@ -108,7 +108,7 @@ public:
       const Candidate before = candidate;
       for_each_near(before, [&](Index g) {
         ++visited;
-        return improve(p, g, candidate);
+        improve(p, g, candidate);
       });
       if (candidate.face == before.face)
         break;
@@ -117,8 +117,8 @@ public:
   }
 
 private:
-  // The maximum number of faces visited around a vertex in each direction, and of faces in succession that are not nearer.
-  static constexpr int max_each_way = 12, max_in_vain = 3;
+  // The maximum number of faces visited around a vertex in each direction.
+  static constexpr int max_each_way = 12;
   // Larger fans are not searched triangle by triangle.
   static constexpr Index max_in_fan = 16;
 
@@ -188,23 +188,23 @@ private:
   // Due to rounding, a point of a face may be nearer than the box of the face.
   static double exceeding(double squared_distance) { return (1 + 1e-12) * squared_distance; }
 
-  // Calls `visit(g)`, which returns whether `g` is nearer, for the faces around the vertex at corner `c` of face `f`, from `f` in
-  // both directions. Around vertices of high valence, the walk in a direction ends when several faces in succession are not.
+  // Calls `visit(g)` for the faces around the vertex at corner `c` of face `f`, from `f` in both directions.
   template <class Visit>
   void for_each_around(Index f, Index c, const Visit& visit) const
   {
     const Index v = mesh_.corner_vertex[c];
-    const auto walk = [&](Index g, const auto& next) {
-      for (int i = 0, in_vain = 0; i < max_each_way && in_vain < max_in_vain && g != NONE && g != f; ++i) {
-        in_vain = visit(g) ? 0 : in_vain + 1;
-        g = next(g);
-      }
-      return g;
-    };
-    const Index last = walk(mesh_.face_across[mesh_.previous_corner(f, c)],
-                            [&](Index g) { return mesh_.face_across[mesh_.previous_corner(g, corner_of(g, v))]; });
-    if (last != f)
-      walk(mesh_.face_across[c], [&](Index g) { return mesh_.face_across[corner_of(g, v)]; });
+    Index g = mesh_.face_across[mesh_.previous_corner(f, c)];
+    for (int i = 0; i < max_each_way && g != NONE && g != f; ++i) {
+      visit(g);
+      g = mesh_.face_across[mesh_.previous_corner(g, corner_of(g, v))];
+    }
+    if (g == f)
+      return;
+    g = mesh_.face_across[c];
+    for (int i = 0; i < max_each_way && g != NONE; ++i) {
+      visit(g);
+      g = mesh_.face_across[corner_of(g, v)];
+    }
   }
 
   template <class Visit>
@@ -228,13 +228,11 @@ private:
     return {x[0] * corners.point(0) + x[1] * corners.point(c.last - 1) + x[2] * corners.point(c.last), c.face};
   }
 
-  // Returns whether the face is nearer.
-  bool improve(const Vector& p, Index f, Candidate& candidate) const
+  void improve(const Vector& p, Index f, Candidate& candidate) const
   {
     const bool is_large = mesh_.degree(f) > max_in_fan;
     if (is_large && squared_distance_from_box(p, large_face_of(f).box) > exceeding(candidate.foot.squared_distance))
-      return false;
-    const double before = candidate.foot.squared_distance;
+      return;
     const Fan corners = fan(f);
     const auto visit = [&](Index i) {
       const Foot_point foot =
@@ -250,7 +248,6 @@ private:
     } else {
       visit_downhill(corners.degree, visit);
     }
-    return candidate.foot.squared_distance < before;
   }
 
   // Calls `visit(g)` for the faces across a side that is no farther from a closest point than the point that was searched for;

@@ -29,7 +29,8 @@ namespace internal {
 // away from the surface that they approximate. For each fault, the repair tries many small changes: it moves vertices towards the
 // centroids of their clusters or towards their neighbors, vertices on feature lines towards the middle of their part of the line,
 // moves vertices along the normal of the surface, and flips edges. It makes the change that increases the distance least for each
-// fault that it removes.
+// fault that it removes. If there are many times more faults than triangles, it changes
+// nothing, because local changes would not remove them.
 class Placement_repair
 {
 public:
@@ -55,7 +56,7 @@ public:
     faults_.find();
     counts.intersections_found = faults_.pairs().size();
     counts.reversals_found = faults_.reversed().size();
-    if (faults_.number() > 0) {
+    if (faults_.number() > 0 && faults_.number() <= max_faults_of_triangle * coarse_.triangles().size()) {
       const std::vector<Vector> wanted = positions_;
       search();
       if (!at_input_vertices_)
@@ -68,7 +69,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t max_rounds = 20;
+  static constexpr std::size_t max_rounds = 20, max_faults_of_triangle = 8;
   static constexpr std::size_t comparisons_of_test = 48; // bounds of distances that take as long as an exact test
 
   // The number of faults that a change removes, and the increase of the squared distance from the input.
