@@ -51,6 +51,9 @@ on 2 large.ply out.off -n 300 --faces-per-block 20000 --quiet --memory 1K --scra
   fault "scratch files failed for a large mesh"
 cmp expected.off out.off || fault "scratch files give another result for a large mesh"
 grep -q '"bytes_of_scratch": [1-9]' report.json || fault "nothing was written to scratch files"
+on 3 plate.ply out.off -n 60 --faces-per-block 4000 --quiet --report report.json || fault "a thin plate failed"
+grep -q '"intersections_found": [1-9]' report.json || fault "no triangles of a thin plate intersect after the fit"
+grep -q '"intersections_left": 0' report.json || fault "triangles of a thin plate still intersect"
 rm -f out.off
 
 # refuses MESSAGE RANKS ARGUMENT...: the run fails with the message, once, and leaves no file.

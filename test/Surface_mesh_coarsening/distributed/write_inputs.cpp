@@ -86,4 +86,5 @@ int main()
   cut_off("cut_in_triangles.ply", "triangles.ply", 0.9);
   cut_off("cut_in_vertices.ply", "polygons.ply", 0.3);
   write_ply("large.ply", generated::triangle_sphere(7));
+  write_ply("plate.ply", generated::triangulated(generated::thin_plate(40, 0.05)));
 }

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/cut_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,7 +27,8 @@ namespace internal {
 
 // A surface that approximates the input, on one rank: each cell of several faces is a fan of triangles around a point of the
 // cell. There are several triangles for each triangle of the coarse mesh, so all vertices can be fitted to this surface in place
-// of the input. Its border is the border of the input, because the faces on the border are cells.
+// of the input, and the placement can be repaired. Its border is the border of the input, because the faces on the border are
+// cells.
 class Cell_surface
 {
 public:
@@ -48,9 +50,10 @@ public:
     std::sort(cell_of_origin_.begin(), cell_of_origin_.end());
   }
 
-  // Fits the vertices to this surface. The parts know the clusters of the faces that represent cells.
-  void fit(const Dual_parts& parts, const Distributed_choice& choice, const Cancellation_point& cancellation,
-           std::vector<Triangle>& triangles, std::vector<Vector>& positions)
+  // Fits the vertices to this surface if the placement does so, and repairs the placement on request. Called once. The parts know
+  // the clusters of the faces that represent cells.
+  Repair_counts place(const Dual_parts& parts, const Distributed_choice& choice, const Output_coordinates& output_coordinates,
+                      const Cancellation_point& cancellation, std::vector<Triangle>& triangles, std::vector<Vector>& positions)
   {
     const Clustering_input input = make_input(cancellation, choice.execution);
     Cluster_labels labels(input.mesh);
@@ -59,7 +62,15 @@ public:
     const Clustered_faces surface(input, labels, parts.bounds(), choice.execution, cancellation);
     const Border_arcs border(surface, choice.places_on_borders);
     border.place(positions);
-    choice.placement.from_start(surface, border, triangles, positions);
+    if (choice.placement.from_start) {
+      cancellation.stage_begins(Coarsening_stage::PLACEMENT);
+      choice.placement.from_start(surface, border, triangles, positions);
+      cancellation.stage_ends(Coarsening_stage::PLACEMENT);
+    }
+    if (!choice.repairs_output)
+      return Repair_counts();
+    Repair_budget budget(input.mesh.number_of_faces());
+    return repair_placement(surface, border, choice.placement, output_coordinates, triangles, positions, budget, cancellation);
   }
 
 private:

@@ -85,9 +85,12 @@ public:
   }
 
   // Returns whether faces of the clusters of two coarse triangles intersect. Faces with a common vertex are not tested, because
-  // they are many and rarely have more points in common.
+  // they are many and rarely have more points in common. Intersections of an approximation of the input say nothing about the
+  // input, which is then assumed to have none.
   bool intersects_itself(const Triangle& t, const Triangle& u)
   {
+    if (surface_.is_approximate())
+      return false;
     for (const Index x : t)
       for (const Index y : u)
         if (clusters_intersect((std::min)(x, y), (std::max)(x, y)))
