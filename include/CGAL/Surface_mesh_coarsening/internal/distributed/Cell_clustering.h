@@ -142,6 +142,9 @@ private:
   {
     Cell_mesh mesh(density_);
     std::vector<std::size_t> end; // of the cells of each rank
+    for (std::size_t rank = 0; rank < all.number_of_bins(); ++rank)
+      all.read(rank, [&](const std::uint64_t* word, const std::uint64_t* last) { mesh.count(word, last); });
+    mesh.reserve();
     for (std::size_t rank = 0; rank < all.number_of_bins(); ++rank) {
       all.read(rank, [&](const std::uint64_t* word, const std::uint64_t* last) { mesh.read(word, last); });
       all.clear(rank);

@@ -37,11 +37,16 @@ public:
     if (mesh.corner_vertex.size() >= NONE / 6)
       throw Invalid_input("the mesh of cells has " + std::to_string(mesh.corner_vertex.size()) +
                           " corners, more than the " + std::to_string(NONE / 6 - 1) + " to which vertices can be fitted");
-    for (std::size_t x = 0; x <= mesh.number_of_faces(); ++x)
+    const std::size_t size = mesh.number_of_faces();
+    first_corner_.reserve(size + 1);
+    for (std::size_t x = 0; x <= size; ++x)
       first_corner_.push_back(mesh.first_corner[x]);
     corner_vertex_ = mesh.corner_vertex;
-    points_ = mesh.points;
-    for (Index x = 0; x < mesh.number_of_faces(); ++x) {
+    center_.reserve(size);
+    cell_of_origin_.reserve(size);
+    points_.reserve(mesh.points.size() + size);
+    points_.insert(points_.end(), mesh.points.begin(), mesh.points.end());
+    for (Index x = 0; x < size; ++x) {
       center_.push_back(cells.faces()[x] > 1 ? Index(points_.size()) : NONE);
       if (center_[x] != NONE)
         points_.push_back(cells.centers()[x]);
@@ -84,6 +89,9 @@ private:
       first_face_.push_back(first_face_.back() + number_of_faces_in(x));
     Clustering_input input;
     Flat_mesh& m = input.mesh;
+    m.first_corner.reserve(first_face_.back() + 1);
+    m.corner_vertex.reserve(3 * first_face_.back());
+    m.face_across.reserve(3 * first_face_.back());
     m.first_corner.push_back(0);
     for (Index x = 0; x < center_.size(); ++x) {
       cancellation.poll(degree(x));
@@ -93,6 +101,7 @@ private:
         m.first_corner.push_back(Index(m.corner_vertex.size()));
     }
     m.points.swap(points_);
+    first_corner_ = corner_vertex_ = corner_across_ = center_ = std::vector<Index>(); // frees their memory
     complete_stars(m, m.points.size(), cancellation, execution);
     compute_areas_and_centroids(input, cancellation, execution);
     input.density.assign(input.area.size(), 1);
