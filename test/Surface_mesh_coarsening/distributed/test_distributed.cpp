@@ -641,6 +641,33 @@ BOOST_AUTO_TEST_CASE(faults_of_pieces)
   });
 }
 
+// A real block of so many faces would take more memory than test machines have.
+BOOST_AUTO_TEST_CASE(block_with_too_many_corners)
+{
+  using namespace SMC::internal;
+  const Soup soup = generated::triangle_sphere(2);
+  Patch patch;
+  Face_record face;
+  for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
+    face.origin = f;
+    face.vertex.assign(soup.polygons[f].begin(), soup.polygons[f].end());
+    face.point.clear();
+    for (const std::size_t v : soup.polygons[f])
+      face.point.push_back({{soup.points[v][0], soup.points[v][1], soup.points[v][2]}});
+    face.begin_with_smallest_number();
+    patch.faces.append(face);
+  }
+  const Face_names names = [](std::uint64_t f) { return "face " + std::to_string(f) + " of piece 0"; };
+  std::string message;
+  try {
+    Patch_builder(patch, names, 3 * soup.polygons.size() - 1).run(Cancellation_point());
+  } catch (const SMC::Invalid_input& e) {
+    message = e.what();
+  }
+  BOOST_TEST(contains(message, "a block around face "));
+  BOOST_TEST(contains(message, " of piece 0 has 384 face corners, more than the 383 that can be numbered"));
+}
+
 BOOST_AUTO_TEST_CASE(vertices_that_are_not_manifold)
 {
   on_first_ranks(2, [](const mpi::communicator& ranks) {
