@@ -44,6 +44,7 @@ Pictures pictures_of_the_method();
 Pictures pictures_of_features_and_borders();
 Pictures pictures_of_what_comes_next();
 Pictures pictures_of_refinement();
+Pictures pictures_of_ranks();
 Pictures plots();
 
 inline Mesh read(const Setting& setting, const std::string& name)

@@ -19,7 +19,7 @@ int main(int argc, char* argv[])
   using namespace coarsening_pictures;
   Pictures all;
   for (const Pictures& some : {pictures_of_the_method(), pictures_of_features_and_borders(), pictures_of_what_comes_next(),
-                               pictures_of_refinement(), plots()})
+                               pictures_of_refinement(), pictures_of_ranks(), plots()})
     all.insert(all.end(), some.begin(), some.end());
   const std::vector<std::string> wanted(argv + (std::min)(argc, 3), argv + argc);
   const auto is_wanted = [&](const std::string& name) {

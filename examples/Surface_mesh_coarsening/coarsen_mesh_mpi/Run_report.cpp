@@ -44,6 +44,10 @@ std::string Run_report::json() const
                                       {"clusters", done_.clusters},
                                       {"rounds", done_.rounds},
                                       {"energy", done_.final_energy},
+                                      {"intersections_found", done_.intersections_found},
+                                      {"intersections_left", done_.intersections_left},
+                                      {"reversals_found", done_.reversals_found},
+                                      {"reversals_left", done_.reversals_left},
                                       {"seconds", seconds_},
                                       {"ranks", ranks}};
   return all.dump(2) + "\n";
@@ -55,6 +59,8 @@ std::string Run_report::sentence() const
   text.precision(3);
   text << faces_ << " faces to " << done_.clusters << " vertices on " << ranks_.size()
        << (ranks_.size() == 1 ? " rank" : " ranks") << " in " << seconds_ << " s";
+  if (done_.intersections_left > 0)
+    text << ", with " << done_.intersections_left << " intersecting pairs of triangles";
   return text.str();
 }
 

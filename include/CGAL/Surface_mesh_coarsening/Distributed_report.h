@@ -12,7 +12,9 @@ namespace Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// Statistics of the coarsening of a distributed mesh. The members of the base class are equal on all ranks. Its numbers of
-/// seeds, splits, merges, moves and tests, and its initial energy, describe the clustering of cells.
+/// seeds, splits, merges, moves and tests, and its initial energy, describe the clustering of cells. Unless the cells are the
+/// faces, all intersecting pairs are counted, also where the input intersects itself, and reversed triangles face away from an
+/// approximation of the input.
 struct Distributed_report
   : Coarsening_report
 {

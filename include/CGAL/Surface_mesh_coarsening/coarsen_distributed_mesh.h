@@ -7,7 +7,8 @@
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_coarsening.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/chosen_energy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/read_distributed_choice.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
 
 #include <boost/mpi/communicator.hpp>
 
@@ -25,104 +26,6 @@ namespace Surface_mesh_coarsening {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-template <class Parameter, class NamedParameters>
-void refuse_across_ranks(const NamedParameters&, Parameter, const char* name)
-{
-  if constexpr (has_parameter<Parameter, NamedParameters>)
-    throw Invalid_input(std::string("the parameter ") + name + " is not available for distributed meshes");
-}
-
-// The same for a parameter that is accepted if its value is `false` or 0.
-template <class Parameter, class NamedParameters>
-void refuse_if_set(const NamedParameters& np, Parameter parameter, const char* name)
-{
-  if constexpr (has_parameter<Parameter, NamedParameters>)
-    if (get_parameter(np, parameter))
-      refuse_across_ranks(np, parameter, name);
-}
-
-template <class NPIn, class NPOut>
-void refuse_unavailable(const NPIn& np_in, const NPOut& np_out)
-{
-  refuse_across_ranks(np_in, internal_np::feature_angle_p, "feature_angle");
-  refuse_across_ranks(np_in, CGAL::internal_np::edge_is_constrained, "edge_is_constrained_map");
-  refuse_across_ranks(np_in, CGAL::internal_np::vertex_is_constrained, "vertex_is_constrained_map");
-  refuse_across_ranks(np_in, CGAL::internal_np::face_patch, "face_patch_map");
-  refuse_across_ranks(np_in, CGAL::internal_np::face_index, "face_index_map");
-  refuse_across_ranks(np_in, internal_np::neighborhood_level_p, "neighborhood_level");
-  refuse_across_ranks(np_in, internal_np::vertex_ratio_p, "vertex_ratio");
-  refuse_across_ranks(np_in, internal_np::minimum_component_area_p, "minimum_component_area");
-  refuse_across_ranks(np_in, internal_np::vertex_to_cluster, "vertex_to_cluster_map");
-  refuse_across_ranks(np_in, internal_np::vertex_boundary_count, "vertex_boundary_count_map");
-  refuse_if_set(np_in, internal_np::start_from_face_clusters_p, "start_from_face_clusters");
-  refuse_if_set(np_in, internal_np::subdivide_input_p, "subdivide_input");
-  refuse_if_set(np_in, internal_np::boundary_count_check_p, "boundary_count_check");
-  refuse_if_set(np_in, internal_np::border_densities_p, "border_densities");
-  refuse_if_set(np_in, internal_np::repair_output_p, "repair_output");
-  refuse_if_set(np_in, internal_np::error_feedback_p, "error_feedback");
-  refuse_if_set(np_in, internal_np::local_repairs_p, "local_repairs");
-  refuse_across_ranks(np_out, internal_np::vertex_source, "vertex_source_map");
-  refuse_across_ranks(np_out, CGAL::internal_np::edge_is_constrained, "edge_is_constrained_map");
-  refuse_across_ranks(np_out, CGAL::internal_np::vertex_is_constrained, "vertex_is_constrained_map");
-  refuse_across_ranks(np_out, CGAL::internal_np::face_patch, "face_patch_map");
-}
-
-template <class NamedParameters>
-Minimization_end distributed_minimization_end(const NamedParameters& np)
-{
-  const double tolerance =
-    choose_parameter(get_parameter(np, internal_np::convergence_tolerance_p), Coarsening_defaults::convergence_tolerance);
-  if (!(tolerance >= 0))
-    throw Invalid_input("the convergence tolerance is " + std::to_string(tolerance));
-  return {std::size_t(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
-                                       Coarsening_defaults::number_of_iterations)),
-          tolerance};
-}
-
-template <class NamedParameters>
-void read_scratch(const NamedParameters& np, Distributed_choice& choice)
-{
-  choice.scratch_directory = choose_parameter(get_parameter(np, internal_np::scratch_directory_p), std::string());
-  choice.scratch_memory = std::uint64_t(choose_parameter(get_parameter(np, internal_np::scratch_memory_p), std::uint64_t(0)));
-}
-
-// The choice refers to the placement and the parameters.
-template <class ConcurrencyTag, class Placement, class NamedParametersIn, class NamedParametersOut>
-Distributed_choice distributed_choice(std::size_t number_of_vertices, const Placement& placement, const NamedParametersIn& np_in,
-                                      const NamedParametersOut& np_out)
-{
-  refuse_unavailable(np_in, np_out);
-  Distributed_choice choice;
-  choice.number_of_vertices = number_of_vertices;
-  if constexpr (has_parameter<internal_np::faces_per_block_t, NamedParametersIn>) {
-    choice.faces_per_block = std::size_t(get_parameter(np_in, internal_np::faces_per_block_p));
-    if (*choice.faces_per_block == 0)
-      throw Invalid_input("the number of faces per block is 0");
-  }
-  choice.end = distributed_minimization_end(np_in);
-  choice.has_densities = has_parameter<internal_np::face_density_t, NamedParametersIn>;
-  choice.maximum_density = density_choice(np_in).maximum;
-  choice.execution = execution<ConcurrencyTag>();
-  choice.visitor = Visitor_handle(get_parameter(np_in, CGAL::internal_np::visitor));
-  const auto energy = chosen_energy<Energy_choice<NamedParametersIn> >(np_in);
-  choice.energy = energy_model(energy);
-  choice.energies = [energy](const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters) {
-    return cluster_energies(energy, input, labels, clusters);
-  };
-  choice.placement = placement_model(placement);
-  if (!choice.placement.local && !choice.placement.from_start)
-    throw Invalid_input("a placement of all vertices together, other than Fitted_placement, is not available for distributed "
-                        "meshes");
-  choice.merges_by_area = choose_parameter(get_parameter(np_in, internal_np::merge_by_area_p), false);
-  choice.places_on_borders = choose_parameter(get_parameter(np_in, internal_np::place_on_borders_p), true);
-  choice.wants_output_everywhere = choose_parameter(get_parameter(np_in, internal_np::output_on_all_ranks_p), false);
-  choice.wants_clusters = has_parameter<internal_np::face_cluster_t, NamedParametersIn>;
-  if constexpr (has_parameter<internal_np::face_name_t, NamedParametersIn>)
-    choice.face_names = [&np_in](std::uint64_t face) { return get(get_parameter(np_in, internal_np::face_name), face); };
-  read_scratch(np_in, choice);
-  return choice;
-}
-
 // `put_clusters` receives the clusters of the faces of the piece of this rank, if the parameters request them.
 template <class ConcurrencyTag, class OutputFaceGraph, class NamedParametersIn, class NamedParametersOut, class PutClusters>
 Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, const Face_source& source,
@@ -132,8 +35,9 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
   typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Centroid_placement> Placement;
   const auto placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
   Distributed_choice choice;
-  on_all_ranks(communicator,
-               [&] { choice = distributed_choice<ConcurrencyTag>(number_of_vertices, placement, np_in, np_out); });
+  on_all_ranks(communicator, [&] {
+    choice = distributed_choice<ConcurrencyTag, OutputFaceGraph>(number_of_vertices, placement, np_in, np_out);
+  });
   Distributed_coarsening coarsening(communicator, choice);
   coarsening.run(source);
   typedef Face_graph_filler<OutputFaceGraph, NamedParametersOut> Filler;
@@ -237,6 +141,15 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///     \cgalParamDescription{whether clusters on the border have their vertex on the border}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{repair_output}
+///     \cgalParamDescription{whether rank 0 moves vertices and flips edges where triangles of the output intersect, or face away
+///                           from an approximation of the input. Unless the cells are the faces, triangles are separated also where
+///                           the input intersects itself.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true` with `Fitted_placement`, which needs the approximation, too; otherwise `false`}
+///     \cgalParamExtra{With a placement at input vertices, `true` is rejected. The input is not clustered again, and no vertices
+///                     are relocated, so more intersections may remain than with `coarsen_mesh()`.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{merge_by_area}
 ///     \cgalParamDescription{whether clusters of cells are merged to the number of vertices by their area, instead of by mass and

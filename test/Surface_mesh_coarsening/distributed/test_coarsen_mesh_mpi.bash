@@ -51,6 +51,9 @@ on 2 large.ply out.off -n 300 --faces-per-block 20000 --quiet --memory 1K --scra
   fault "scratch files failed for a large mesh"
 cmp expected.off out.off || fault "scratch files give another result for a large mesh"
 grep -q '"bytes_of_scratch": [1-9]' report.json || fault "nothing was written to scratch files"
+on 3 plate.ply out.off -n 60 --faces-per-block 4000 --quiet --report report.json || fault "a thin plate failed"
+grep -q '"intersections_found": [1-9]' report.json || fault "no triangles of a thin plate intersect after the fit"
+grep -q '"intersections_left": 0' report.json || fault "triangles of a thin plate still intersect"
 rm -f out.off
 
 # refuses MESSAGE RANKS ARGUMENT...: the run fails with the message, once, and leaves no file.
@@ -58,7 +61,8 @@ refuses()
 {
   local message=$1
   shift
-  on "$@" > output.txt 2>&1 && fault "was accepted: $*"
+  on "$@" > output.txt 2>&1
+  [ $? = 1 ] || fault "was accepted, or has another exit status than 1: $*"
   [ "$(grep -c "^coarsen_mesh_mpi: .*$message" output.txt)" = 1 ] || { fault "no or another message for: $*"; cat output.txt; }
   ls out.* clusters* .coarsen_mesh* scratch/* 2> /dev/null && fault "files are left by: $*"
 }
@@ -70,6 +74,10 @@ for ranks in 1 3; do
   refuses "cut_in_vertices.ply: is cut off" $ranks cut_in_vertices.ply out.off "${common[@]}"
   refuses "piece_3.ply: cannot be read" $ranks piece_0.ply piece_3.ply out.off "${common[@]}"
   refuses "face .* of .* is face .* of .*, too" $ranks piece_0.ply piece_1.ply again.ply out.off "${common[@]}"
+  refuses "vertex [0-9]* has two positions, in face [0-9]* of piece_1.ply and in face [0-9]* of moved.ply" $ranks \
+    piece_0.ply piece_1.ply moved.ply out.off "${common[@]}"
+  refuses "two faces on the same side, face [0-9]* of .*.ply and face [0-9]* of .*.ply: their orientations" $ranks \
+    piece_0.ply piece_1.ply reversed.ply out.off "${common[@]}"
   refuses "vertices have no property vertex_number" $ranks piece_0.ply polygons.ply out.off "${common[@]}"
   refuses "3 " $ranks polygons.ply out.off -n 3 --clusters clusters.pvtp
   refuses "no/where" $ranks polygons.ply out.off "${common[@]}" --memory 1K --scratch no/where
@@ -86,24 +94,36 @@ done
 grep -q "cannot write to a scratch file in scratch: " output.txt || { fault "no message for a full disk"; cat output.txt; }
 ls out.* scratch/* 2> /dev/null && fault "files are left by a full disk"
 
-# If a rank is killed, all end, and no file is left.
-"$mpiexec" "$numproc_flag" 3 "$tool" large.ply out.off -n 1000 --faces-per-block 3000 --memory 1K --scratch scratch \
-  > output.txt 2>&1 &
-parent=$!
-child=
-for ((i = 0; i < 200; ++i)); do
-  child=$(pgrep -P $parent | tail -1)
-  [ -n "$child" ] && [ "$(readlink "/proc/$child/exe")" = "$(readlink -f "$tool")" ] && break
-  sleep 0.05
+# killed_after SECONDS: a rank is killed so long after its start. All end, the output does not change, and no file is left.
+killed_after()
+{
+  echo "an older output" > out.off
+  "$mpiexec" "$numproc_flag" 3 "$tool" large.ply out.off -n 1000 --faces-per-block 3000 --memory 1K --scratch scratch \
+    > output.txt 2>&1 &
+  local parent=$! child= i
+  for ((i = 0; i < 200; ++i)); do
+    child=$(pgrep -P $parent | tail -1)
+    [ -n "$child" ] && [ "$(readlink "/proc/$child/exe")" = "$(readlink -f "$tool")" ] && break
+    sleep 0.05
+  done
+  sleep "$1"
+  if kill -KILL "$child"; then
+    for ((i = 0; i < 200; ++i)); do
+      kill -0 $parent 2> /dev/null || break
+      sleep 0.05
+    done
+    kill -0 $parent 2> /dev/null && { fault "the other ranks go on"; kill -KILL $parent; }
+    wait $parent && fault "a run without one of its ranks has succeeded"
+    [ "$(cat out.off)" = "an older output" ] || fault "a rank killed after $1 s changes the output"
+  else
+    fault "no rank was there to be killed after $1 s"
+  fi
+  rm out.off
+  ls out.* .coarsen_mesh* scratch/* 2> /dev/null && fault "files are left by a rank killed after $1 s"
+}
+
+for seconds in 0 0.1 0.2 0.3; do
+  killed_after $seconds
 done
-sleep 0.3
-kill -KILL "$child" || fault "no rank was there to be killed"
-for ((i = 0; i < 200; ++i)); do
-  kill -0 $parent 2> /dev/null || break
-  sleep 0.05
-done
-kill -0 $parent 2> /dev/null && { fault "the other ranks go on"; kill -KILL $parent; }
-wait $parent && fault "a run without one of its ranks has succeeded"
-ls out.* .coarsen_mesh* scratch/* 2> /dev/null && fault "files are left by a killed rank"
 
 exit $((faults > 0))

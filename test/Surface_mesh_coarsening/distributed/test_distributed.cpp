@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -33,10 +34,12 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_distributed)
@@ -208,6 +211,9 @@ std::string message_of(const mpi::communicator& ranks, const Piece& piece, std::
   return message_of(ranks, piece, n, SMC::parameters::faces_per_block(50));
 }
 
+// Two sheets much closer to each other than the error of the coarse mesh: triangles of a fit intersect.
+Soup thin_plate() { return generated::triangulated(generated::thin_plate(40, 0.05)); }
+
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string vertex(std::size_t v) { return "vertex " + std::to_string(number_of_vertex(v)); }
@@ -224,20 +230,79 @@ BOOST_AUTO_TEST_CASE(result_does_not_depend_on_ranks)
   check_all_numbers_of_ranks(mixed_surfaces(), 60, blocks(30).vertex_placement(SMC::Quadric_placement()));
   check_all_numbers_of_ranks(mixed_surfaces(), 1500, blocks(500)); // too many for cells
   check_all_numbers_of_ranks(mixed_surfaces(), 60, blocks(60).vertex_placement(SMC::Fitted_placement()));
+  check_all_numbers_of_ranks(thin_plate(), 60, blocks(700).vertex_placement(SMC::Fitted_placement()));
   check_all_numbers_of_ranks(generated::tetrahedron(), 4, blocks(1));
+}
+
+namespace {
+
+struct Repaired
+{
+  SMC::Distributed_report report;
+  Mesh output;
+};
+
+template <class NamedParameters>
+Repaired repaired(const mpi::communicator& ranks, const Soup& soup, std::size_t n, const NamedParameters& np)
+{
+  const Piece piece = piece_of(soup, ranks);
+  Repaired result;
+  result.report = SMC::coarsen_distributed_mesh(ranks, piece.mesh, piece.number, n, result.output, np);
+  return result;
+}
+
+std::size_t self_intersections(const Mesh& mesh)
+{
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index> > pairs;
+  CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+  return pairs.size();
+}
+
+} // namespace
+
+// A fit is repaired by default, other placements on request, and all ranks have the same counts.
+BOOST_AUTO_TEST_CASE(repair_takes_sheets_apart)
+{
+  on_first_ranks(3, [](const mpi::communicator& ranks) {
+    const Soup soup = thin_plate();
+    const auto blocks = SMC::parameters::faces_per_block(4000);
+    const auto check = [&](std::size_t n, const auto& np, const auto& without) {
+      const Repaired plain = repaired(ranks, soup, n, without), result = repaired(ranks, soup, n, np);
+      const SMC::Distributed_report& report = result.report;
+      BOOST_TEST(plain.report.intersections_found == 0);
+      BOOST_TEST(report.intersections_found > 0);
+      const std::array<std::size_t, 3> own{{report.intersections_found, report.intersections_left, report.reversals_left}};
+      BOOST_TEST(report.intersecting_faces.size() == report.intersections_left);
+      std::array<std::size_t, 3> first = own;
+      mpi::broadcast(ranks, first.data(), 3, 0);
+      BOOST_TEST(first == own);
+      if (ranks.rank() != 0)
+        return;
+      BOOST_TEST_MESSAGE(n << " vertices: " << report.intersections_found << " found, " << report.intersections_left
+                           << " left, " << self_intersections(plain.output) << " without repair");
+      BOOST_TEST(self_intersections(result.output) == report.intersections_left);
+      BOOST_TEST(self_intersections(plain.output) == report.intersections_found);
+      BOOST_TEST(10 * report.intersections_left <= report.intersections_found);
+    };
+    const auto fitted = blocks.vertex_placement(SMC::Fitted_placement());
+    check(60, fitted, fitted.repair_output(false));
+    check(350, fitted, fitted.repair_output(false)); // too many for cells
+    const auto by_quadrics = blocks.vertex_placement(SMC::Quadric_placement());
+    check(60, by_quadrics.repair_output(true), by_quadrics);
+  });
 }
 
 BOOST_AUTO_TEST_CASE(result_does_not_depend_on_ranks_threads_and_memory)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  const Soup soup = mixed_surfaces();
-  const auto np = SMC::parameters::faces_per_block(300);
+  const Soup soup = generated::joined(mixed_surfaces(), generated::translated(thin_plate(), 9, 0, 0));
+  const auto np = SMC::parameters::faces_per_block(1000).vertex_placement(SMC::Fitted_placement());
   Result on_one;
   for (const int number : {1, 2, 3, 4, 7})
     on_first_ranks(number, [&](const mpi::communicator& ranks) {
       const auto check = [&](std::size_t threads, const auto& parameters) {
         const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-        const Result result = coarsened<CGAL::Parallel_tag>(ranks, soup, 90, parameters);
+        const Result result = coarsened<CGAL::Parallel_tag>(ranks, soup, 150, parameters);
         if (ranks.rank() != 0)
           return;
         on_one = on_one.clusters.empty() ? result : on_one;
@@ -577,6 +642,33 @@ BOOST_AUTO_TEST_CASE(faults_of_pieces)
   });
 }
 
+// A real block of so many faces would take more memory than test machines have.
+BOOST_AUTO_TEST_CASE(block_with_too_many_corners)
+{
+  using namespace SMC::internal;
+  const Soup soup = generated::triangle_sphere(2);
+  Patch patch;
+  Face_record face;
+  for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
+    face.origin = f;
+    face.vertex.assign(soup.polygons[f].begin(), soup.polygons[f].end());
+    face.point.clear();
+    for (const std::size_t v : soup.polygons[f])
+      face.point.push_back({{soup.points[v][0], soup.points[v][1], soup.points[v][2]}});
+    face.begin_with_smallest_number();
+    patch.faces.append(face);
+  }
+  const Face_names names = [](std::uint64_t f) { return "face " + std::to_string(f) + " of piece 0"; };
+  std::string message;
+  try {
+    Patch_builder(patch, names, 3 * soup.polygons.size() - 1).run(Cancellation_point());
+  } catch (const SMC::Invalid_input& e) {
+    message = e.what();
+  }
+  BOOST_TEST(contains(message, "a block around face "));
+  BOOST_TEST(contains(message, " of piece 0 has 384 face corners, more than the 383 that can be numbered"));
+}
+
 BOOST_AUTO_TEST_CASE(vertices_that_are_not_manifold)
 {
   on_first_ranks(2, [](const mpi::communicator& ranks) {
@@ -605,10 +697,11 @@ BOOST_AUTO_TEST_CASE(what_is_not_available)
   on_first_ranks(2, [](const mpi::communicator& ranks) {
     const Piece piece = piece_of(generated::triangle_sphere(2), ranks);
     BOOST_TEST(contains(message_of(ranks, piece, 10, SMC::parameters::feature_angle(40)), "feature_angle is not available"));
-    BOOST_TEST(contains(message_of(ranks, piece, 10, SMC::parameters::repair_output(true)), "repair_output is not available"));
+    const auto at_vertices = SMC::parameters::vertex_placement(SMC::Closest_vertex_placement());
+    BOOST_TEST(contains(message_of(ranks, piece, 10, at_vertices.repair_output(true)), "repair_output is not available"));
+    BOOST_TEST(message_of(ranks, piece, 10, at_vertices) == "");
     BOOST_TEST(contains(message_of(ranks, piece, 10, SMC::parameters::vertex_placement(Idle_global_placement())),
                         "other than Fitted_placement, is not available"));
-    BOOST_TEST(message_of(ranks, piece, 10, SMC::parameters::repair_output(false)) == "");
   });
 }
 

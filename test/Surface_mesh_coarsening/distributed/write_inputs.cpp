@@ -4,6 +4,7 @@
 
 #include "distributed/mixed_surfaces.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <map>
@@ -82,8 +83,14 @@ int main()
   write_piece("piece_1.ply", soup, faces / 5, faces / 2);
   write_piece("piece_2.ply", soup, faces / 2, faces);
   write_piece("again.ply", soup, faces / 2 - 3, faces);
+  write_piece("moved.ply", generated::translated(soup, 1, 0, 0), faces / 2, faces);
+  Soup reversed = soup;
+  for (auto& polygon : reversed.polygons)
+    std::reverse(polygon.begin(), polygon.end());
+  write_piece("reversed.ply", reversed, faces / 2, faces);
   cut_off("cut_in_faces.ply", "polygons.ply", 0.9);
   cut_off("cut_in_triangles.ply", "triangles.ply", 0.9);
   cut_off("cut_in_vertices.ply", "polygons.ply", 0.3);
   write_ply("large.ply", generated::triangle_sphere(7));
+  write_ply("plate.ply", generated::triangulated(generated::thin_plate(40, 0.05)));
 }

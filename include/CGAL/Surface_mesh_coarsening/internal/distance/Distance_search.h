@@ -61,7 +61,7 @@ public:
     }
     for (find_level(); !bound_result(); find_level())
       find_clustering();
-    report_placement(state_, result_->triangles, result_->positions, result_->counts);
+    report_placement(state_.report, result_->triangles, result_->positions, result_->counts);
     if (exchanges) {
       enough_ = double(result_->level);
       cluster_directly(direct_part * enough_);
@@ -314,7 +314,7 @@ private:
     if (dual.number_left() > 0)
       return infinite;
     if (bound <= local_distance_) {
-      report_placement(state_, dual.triangles, dual.positions, dual.counts);
+      report_placement(state_.report, dual.triangles, dual.positions, dual.counts);
       clusters_ = std::move(clusters);
       report_.vertices = n;
       report_.distance_bound = state_.frame.length_to_mesh(bound);

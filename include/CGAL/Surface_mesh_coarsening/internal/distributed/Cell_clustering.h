@@ -48,7 +48,7 @@ public:
   const Coarsening_report& report() const { return report_; }
   // Valid on rank 0 if the cells have level 0:
   Placed_dual& dual() { return dual_; }
-  // Valid on rank 0 otherwise, if the vertices are fitted together:
+  // Valid on rank 0 otherwise, if vertices are placed on the surface of cells:
   Cell_surface& surface() { return *surface_; }
 
 private:
@@ -142,6 +142,9 @@ private:
   {
     Cell_mesh mesh(density_);
     std::vector<std::size_t> end; // of the cells of each rank
+    for (std::size_t rank = 0; rank < all.number_of_bins(); ++rank)
+      all.read(rank, [&](const std::uint64_t* word, const std::uint64_t* last) { mesh.count(word, last); });
+    mesh.reserve();
     for (std::size_t rank = 0; rank < all.number_of_bins(); ++rank) {
       all.read(rank, [&](const std::uint64_t* word, const std::uint64_t* last) { mesh.read(word, last); });
       all.clear(rank);
@@ -152,7 +155,7 @@ private:
     state.execution = choice_.execution;
     state.energy = choice_.energy;
     state.frame = frame_;
-    state.repairs_output = false;
+    state.repairs_output = choice_.repairs_output;
     state.merges_by_area = choice_.merges_by_area;
     state.places_on_borders = choice_.places_on_borders;
     state.input.items = mesh.make(level_ == 0, context_.cancellation, choice_.execution);
@@ -164,10 +167,10 @@ private:
         outgoing[rank].push_back(clusters[x]);
     tasks = Cluster_tasks(state.input.items, mesh.faces(), clusters, state.number_of_clusters(), curve_, faces_per_task(mesh))
               .words();
-    if (level_ > 0 && choice_.placement.from_start)
+    if (level_ > 0 && choice_.places_on_cells())
       surface_ = std::make_unique<Cell_surface>(mesh, state.input.items.mesh);
     if (level_ == 0)
-      dual_ = place(state, choice_.placement, Output_coordinates());
+      dual_ = place(state, choice_.placement, choice_.output_coordinates(frame_));
     report_ = state.report;
     return true;
   }

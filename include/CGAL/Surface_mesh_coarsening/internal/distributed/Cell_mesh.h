@@ -37,6 +37,31 @@ class Cell_mesh
 public:
   explicit Cell_mesh(const Linear_density& density) : density_(density) {}
 
+  // Counts the cells that `Cells` has written, and their corners, for `reserve()`.
+  void count(const std::uint64_t* words, const std::uint64_t* end)
+  {
+    for (; words != end; words += words_of_cell + words_of_corner * high_half(*words)) {
+      ++expected_cells_;
+      expected_corners_ += high_half(*words);
+    }
+  }
+
+  // Reserves memory for the counted cells; growing arrays would take almost twice as much.
+  void reserve()
+  {
+    for (std::vector<double>* const values : {&area_, &mass_})
+      values->reserve(expected_cells_);
+    faces_.reserve(expected_cells_);
+    moment_.reserve(expected_cells_);
+    origin_.reserve(expected_cells_);
+    center_.reserve(expected_cells_);
+    first_corner_.reserve(expected_cells_ + 1);
+    begins_star_.reserve(expected_corners_);
+    for (std::vector<std::uint64_t>* const values : {&number_, &before_, &after_})
+      values->reserve(expected_corners_);
+    point_.reserve(expected_corners_);
+  }
+
   // Adds the cells that `Cells` has written.
   void read(const std::uint64_t* words, const std::uint64_t* end)
   {
@@ -48,8 +73,8 @@ public:
       moment_.push_back(density_.constant * vector_at(words, i + 2) + density_.factor * vector_at(words, i + 5));
       origin_.push_back(words[i + 8]);
       center_.push_back(vector_at(words, i + 9));
-      i += 12;
-      for (Index c = 0; c < corners; ++c, i += 7) {
+      i += words_of_cell - 1;
+      for (Index c = 0; c < corners; ++c, i += words_of_corner) {
         begins_star_.push_back(char(words[i]));
         number_.push_back(words[i + 1]);
         before_.push_back(words[i + 2]);
@@ -89,6 +114,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t words_of_cell = 13, words_of_corner = 7;
+
   static Vector vector_at(const std::uint64_t* words, std::size_t i)
   {
     return {{to_double(words[i]), to_double(words[i + 1]), to_double(words[i + 2])}};
@@ -171,6 +198,7 @@ private:
   }
 
   Linear_density density_;
+  std::size_t expected_cells_ = 0, expected_corners_ = 0;
   // Of each cell:
   std::vector<Index> faces_;
   std::vector<double> area_, mass_;

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/cut_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,7 +27,8 @@ namespace internal {
 
 // A surface that approximates the input, on one rank: each cell of several faces is a fan of triangles around a point of the
 // cell. There are several triangles for each triangle of the coarse mesh, so all vertices can be fitted to this surface in place
-// of the input. Its border is the border of the input, because the faces on the border are cells.
+// of the input, and the placement can be repaired. Its border is the border of the input, because the faces on the border are
+// cells.
 class Cell_surface
 {
 public:
@@ -35,11 +37,16 @@ public:
     if (mesh.corner_vertex.size() >= NONE / 6)
       throw Invalid_input("the mesh of cells has " + std::to_string(mesh.corner_vertex.size()) +
                           " corners, more than the " + std::to_string(NONE / 6 - 1) + " to which vertices can be fitted");
-    for (std::size_t x = 0; x <= mesh.number_of_faces(); ++x)
+    const std::size_t size = mesh.number_of_faces();
+    first_corner_.reserve(size + 1);
+    for (std::size_t x = 0; x <= size; ++x)
       first_corner_.push_back(mesh.first_corner[x]);
     corner_vertex_ = mesh.corner_vertex;
-    points_ = mesh.points;
-    for (Index x = 0; x < mesh.number_of_faces(); ++x) {
+    center_.reserve(size);
+    cell_of_origin_.reserve(size);
+    points_.reserve(mesh.points.size() + size);
+    points_.insert(points_.end(), mesh.points.begin(), mesh.points.end());
+    for (Index x = 0; x < size; ++x) {
       center_.push_back(cells.faces()[x] > 1 ? Index(points_.size()) : NONE);
       if (center_[x] != NONE)
         points_.push_back(cells.centers()[x]);
@@ -48,9 +55,10 @@ public:
     std::sort(cell_of_origin_.begin(), cell_of_origin_.end());
   }
 
-  // Fits the vertices to this surface. The parts know the clusters of the faces that represent cells.
-  void fit(const Dual_parts& parts, const Distributed_choice& choice, const Cancellation_point& cancellation,
-           std::vector<Triangle>& triangles, std::vector<Vector>& positions)
+  // Fits the vertices to this surface if the placement does so, and repairs the placement on request. Called once. The parts know
+  // the clusters of the faces that represent cells.
+  Repair_counts place(const Dual_parts& parts, const Distributed_choice& choice, const Output_coordinates& output_coordinates,
+                      const Cancellation_point& cancellation, std::vector<Triangle>& triangles, std::vector<Vector>& positions)
   {
     const Clustering_input input = make_input(cancellation, choice.execution);
     Cluster_labels labels(input.mesh);
@@ -59,7 +67,15 @@ public:
     const Clustered_faces surface(input, labels, parts.bounds(), choice.execution, cancellation);
     const Border_arcs border(surface, choice.places_on_borders);
     border.place(positions);
-    choice.placement.from_start(surface, border, triangles, positions);
+    if (choice.placement.from_start) {
+      cancellation.stage_begins(Coarsening_stage::PLACEMENT);
+      choice.placement.from_start(surface, border, triangles, positions);
+      cancellation.stage_ends(Coarsening_stage::PLACEMENT);
+    }
+    if (!choice.repairs_output)
+      return Repair_counts();
+    Repair_budget budget(input.mesh.number_of_faces());
+    return repair_placement(surface, border, choice.placement, output_coordinates, triangles, positions, budget, cancellation);
   }
 
 private:
@@ -73,6 +89,9 @@ private:
       first_face_.push_back(first_face_.back() + number_of_faces_in(x));
     Clustering_input input;
     Flat_mesh& m = input.mesh;
+    m.first_corner.reserve(first_face_.back() + 1);
+    m.corner_vertex.reserve(3 * first_face_.back());
+    m.face_across.reserve(3 * first_face_.back());
     m.first_corner.push_back(0);
     for (Index x = 0; x < center_.size(); ++x) {
       cancellation.poll(degree(x));
@@ -82,6 +101,7 @@ private:
         m.first_corner.push_back(Index(m.corner_vertex.size()));
     }
     m.points.swap(points_);
+    first_corner_ = corner_vertex_ = corner_across_ = center_ = std::vector<Index>(); // frees their memory
     complete_stars(m, m.points.size(), cancellation, execution);
     compute_areas_and_centroids(input, cancellation, execution);
     input.density.assign(input.area.size(), 1);

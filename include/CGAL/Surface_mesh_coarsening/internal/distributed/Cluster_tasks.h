@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_CLUSTER_TASKS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Cell_mesh.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/face_blocks.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Morton_curve.h>
 
 #include <algorithm>
 #include <array>

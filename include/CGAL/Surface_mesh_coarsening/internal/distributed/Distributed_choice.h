@@ -40,10 +40,14 @@ struct Distributed_choice
   Cluster_energies energies;
   Placement_model placement;
   Face_names face_names;
-  bool merges_by_area = false, places_on_borders = true;
+  std::function<Output_coordinates(const Local_frame&)> output_coordinates;
+  bool merges_by_area = false, places_on_borders = true, repairs_output = false;
   bool wants_clusters = false, wants_output_everywhere = false;
   std::string scratch_directory; // if empty, all records are kept in memory
   std::uint64_t scratch_memory = 0; // the number of bytes of records that are kept in memory in spite of a scratch directory
+
+  // Whether rank 0 places vertices on the surface of cells.
+  bool places_on_cells() const { return placement.from_start || repairs_output; }
 };
 
 } // namespace internal

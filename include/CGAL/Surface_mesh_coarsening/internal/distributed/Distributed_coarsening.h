@@ -59,6 +59,10 @@ public:
       take_dual(cells, *blocks, pieces);
     else
       refine_and_place(cells, std::move(blocks), pieces, names);
+    on_all_ranks(context_.communicator, [&] {
+      if (context_.rank() == 0)
+        report_placement(report_, triangles_, positions_, counts_);
+    });
     if (choice_.wants_output_everywhere)
       broadcast_output();
     broadcast_report(context_, report_);
@@ -101,6 +105,7 @@ private:
   {
     triangles_ = std::move(cells.dual().triangles);
     positions_ = std::move(cells.dual().positions);
+    counts_ = std::move(cells.dual().counts);
     const Bin_ranks ranks(context_, context_.number_of_ranks());
     Word_store labels(1, context_.scratch);
     Word_routing routing(context_, ranks, labels);
@@ -143,8 +148,8 @@ private:
     parts = gathered(parts);
     triangulate(parts);
     choice_.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
-    if (choice_.placement.from_start)
-      fit(cells, parts);
+    if (choice_.places_on_cells())
+      place_on_cells(cells, parts);
   }
 
   void send_to_tasks(const Cell_clustering& cells, Word_store& blocks, const Bin_ranks& tasks, Word_store& faces)
@@ -202,14 +207,13 @@ private:
     return parts;
   }
 
-  void fit(Cell_clustering& cells, const Dual_parts& parts)
+  void place_on_cells(Cell_clustering& cells, const Dual_parts& parts)
   {
-    begin_stage(Coarsening_stage::PLACEMENT);
     on_all_ranks(context_.communicator, [&] {
       if (context_.rank() == 0)
-        cells.surface().fit(parts, choice_, context_.cancellation, triangles_, positions_);
+        counts_ = cells.surface().place(parts, choice_, choice_.output_coordinates(frame_), context_.cancellation, triangles_,
+                                        positions_);
     });
-    choice_.visitor.stage_ends(Coarsening_stage::PLACEMENT);
   }
 
   void triangulate(Dual_parts& parts)
@@ -250,6 +254,7 @@ private:
   std::vector<Index> clusters_;
   std::vector<Triangle> triangles_;
   std::vector<Vector> positions_;
+  Repair_counts counts_;
 };
 
 } // namespace internal

@@ -51,7 +51,7 @@ struct Dual_parts
 
   std::vector<Cluster_part> clusters;
   std::vector<Border_part> border;
-  std::vector<Center_part> centers; // if the vertices are fitted together
+  std::vector<Center_part> centers; // if vertices are placed on the surface of cells
   std::vector<Meeting_point> meeting_points;
 
   void add(const Patch& patch, const Patch_clusters& clusters_of_patch, const Distributed_choice& choice,
@@ -63,7 +63,7 @@ struct Dual_parts
     for (Index f = 0; f < input.mesh.number_of_faces(); ++f) {
       if (choice.places_on_borders && patch.is_own(f))
         add_border(patch, clusters_of_patch, f, is_on_border);
-      if (choice.placement.from_start && patch.is_own(f) && patch.faces.is_center[f])
+      if (choice.places_on_cells() && patch.is_own(f) && patch.faces.is_center[f])
         centers.push_back({patch.faces.origin[f], patch.faces.cluster[f]});
     }
     const Clustered_faces surface(input, labels, clusters_of_patch.size(), choice.execution, nullptr, cancellation);

@@ -53,15 +53,16 @@ struct Face_record
 
   void write(Words& words) const
   {
-    words.clear();
-    words.push_back(packed(Index(vertex.size()) | (is_own ? own_bit : 0) | (is_center ? center_bit : 0), cluster));
-    words.push_back(place);
-    words.push_back(to_word(density));
-    words.push_back(origin);
+    words.resize(words_of_face + words_of_corner * vertex.size());
+    std::uint64_t* word = words.data();
+    *word++ = packed(Index(vertex.size()) | (is_own ? own_bit : 0) | (is_center ? center_bit : 0), cluster);
+    *word++ = place;
+    *word++ = to_word(density);
+    *word++ = origin;
     for (std::size_t i = 0; i < vertex.size(); ++i) {
-      words.push_back(vertex[i]);
+      *word++ = vertex[i];
       for (const double x : point[i])
-        words.push_back(to_word(x));
+        *word++ = to_word(x);
     }
   }
 

@@ -60,8 +60,9 @@ struct Patch
 class Patch_builder
 {
 public:
-  Patch_builder(Patch& patch, const Face_names& names)
-    : patch_(patch), faces_(patch.faces), mesh_(patch.mesh), names_(names)
+  // Faces with more than `max_corners` corners together are rejected.
+  Patch_builder(Patch& patch, const Face_names& names, std::size_t max_corners = NONE / 2 - 1)
+    : patch_(patch), faces_(patch.faces), mesh_(patch.mesh), names_(names), max_corners_(max_corners)
   {}
 
   void run(const Cancellation_point& cancellation)
@@ -114,9 +115,9 @@ private:
 
   void check_size() const
   {
-    if (faces_.vertex.size() >= NONE / 2)
+    if (faces_.vertex.size() > max_corners_)
       throw Invalid_input("a block around " + names_(faces_.origin.front()) + " has " + std::to_string(faces_.vertex.size()) +
-                          " face corners, more than the " + std::to_string(NONE / 2 - 1) + " that can be numbered");
+                          " face corners, more than the " + std::to_string(max_corners_) + " that can be numbered");
   }
 
   // Lists the corners at each vertex number, in order.
@@ -314,6 +315,7 @@ private:
   Face_set& faces_;
   Flat_mesh& mesh_;
   const Face_names& names_;
+  const std::size_t max_corners_;
   Number_table table_;             // of the vertex numbers
   std::vector<Index> face_of_;     // of each corner
   std::vector<Index> vertex_of_;   // of each corner, by number; fans are not distinguished

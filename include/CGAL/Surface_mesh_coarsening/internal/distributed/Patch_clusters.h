@@ -28,14 +28,18 @@ class Patch_clusters
 public:
   explicit Patch_clusters(Patch& patch) : patch_(patch), input_{input_of(patch), nullptr}, labels_(input_.items.mesh)
   {
-    for (std::size_t f = 0; f < patch.faces.size(); ++f)
-      if (patch.is_own(f))
-        global_.push_back(patch.faces.cluster[f]);
-    sort_unique(global_);
+    global_ = clusters_of(true);
     own_ = global_.size();
-    number_foreign();
-    for (std::size_t f = 0; f < patch.faces.size(); ++f)
-      labels_.set(Index(f), local_number(patch.faces.cluster[f]));
+    const std::vector<Index> foreign = clusters_of(false);
+    global_.insert(global_.end(), foreign.begin(), foreign.end());
+    Index last = NONE, number = NONE;
+    for (std::size_t f = 0; f < patch.faces.size(); ++f) {
+      if (patch.faces.cluster[f] != last) {
+        last = patch.faces.cluster[f];
+        number = local_number(last);
+      }
+      labels_.set(Index(f), number);
+    }
     labels_.recount();
   }
 
@@ -82,14 +86,15 @@ private:
     return input;
   }
 
-  void number_foreign()
+  // Returns the clusters of the own or the foreign faces, in order. Most faces have the same cluster as the previous face.
+  std::vector<Index> clusters_of(bool own) const
   {
-    std::vector<Index> foreign;
+    std::vector<Index> clusters;
     for (std::size_t f = 0; f < patch_.faces.size(); ++f)
-      if (!patch_.is_own(f))
-        foreign.push_back(patch_.faces.cluster[f]);
-    sort_unique(foreign);
-    global_.insert(global_.end(), foreign.begin(), foreign.end());
+      if (patch_.is_own(f) == own && (clusters.empty() || clusters.back() != patch_.faces.cluster[f]))
+        clusters.push_back(patch_.faces.cluster[f]);
+    sort_unique(clusters);
+    return clusters;
   }
 
   Index local_number(Index cluster) const

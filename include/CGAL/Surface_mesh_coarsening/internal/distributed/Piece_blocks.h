@@ -4,17 +4,22 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PIECE_BLOCKS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Box_of_ranks.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_source.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Morton_curve.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_routing.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/face_blocks.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Local_frame.h>
 
+#include <boost/mpi/collectives.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,7 +82,11 @@ public:
       places.reserve(faces_);
       for_each_record([&](const Face_record& face) { places.push_back(face.place); });
     });
-    return block_starts(communicator_, std::move(places), faces_per_block);
+    return block_starts(std::move(places), faces_per_block, [this](const std::vector<std::uint64_t>& own) {
+      std::vector<std::uint64_t> all(own.size());
+      boost::mpi::all_reduce(communicator_, own.data(), int(own.size()), all.data(), std::plus<std::uint64_t>());
+      return all;
+    });
   }
 
   // Sends each face to its block.

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_store.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/exchange.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/on_all_ranks.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/face_blocks.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +20,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The ranks of numbered bins: consecutive runs of bins belong to consecutive ranks.
+// The ranks of numbered bins.
 class Bin_ranks
 {
 public:
@@ -28,7 +29,7 @@ public:
   {}
 
   std::size_t number_of_bins() const { return bins_; }
-  std::size_t rank_of(std::size_t bin) const { return bin * ranks_ / bins_; }
+  std::size_t rank_of(std::size_t bin) const { return rank_of_bin(bin, bins_, ranks_); }
   // The bins of this rank.
   std::size_t first() const { return first_; }
   std::size_t number_of_own() const { return end_ - first_; }

@@ -45,13 +45,13 @@ public:
     });
   }
 
-  // The vertices have given bounds, and clusters may have no faces.
+  // For a surface that approximates the input: the vertices have given bounds, and clusters may have no faces.
   Clustered_faces(const Clustering_input& input, const Cluster_labels& labels, std::vector<Bbox_3> bounds, Execution execution,
                   const Cancellation_point& cancellation)
     : input_(input), labels_(labels), execution_(execution), features_(nullptr), cancellation_(cancellation),
       faces_(numbers_below(std::uint32_t(input.mesh.number_of_faces())), bounds.size(),
              [&](std::uint32_t f) { return labels[f]; }, cancellation),
-      bounds_(std::move(bounds))
+      bounds_(std::move(bounds)), is_approximate_(true)
   {}
 
   const Clustering_input& input() const { return input_; }
@@ -60,6 +60,8 @@ public:
   const Coarse_features* features() const { return features_; }
   const Cancellation_point& cancellation() const { return cancellation_; }
 
+  // Whether the faces approximate the input. They may intersect where the input does not.
+  bool is_approximate() const { return is_approximate_; }
   std::size_t number_of_clusters() const { return faces_.size(); }
   Range faces(std::size_t cluster) const { return faces_[cluster]; }
   // The vertices around a face, counterclockwise.
@@ -73,9 +75,12 @@ public:
   double area(std::size_t face) const { return input_.area[face]; }
   bool is_on_cluster_boundary(std::size_t vertex) const { return labels_.boundary_count(Index(vertex)) != 0; }
 
-  // The centroid (7) of a cluster: see `Clustered_surface::cluster_centroid()`.
+  // The centroid (7) of a cluster: see `Clustered_surface::cluster_centroid()`. For a cluster without faces, the middle of its
+  // bounds.
   Vector cluster_centroid(std::size_t cluster) const
   {
+    if (faces(cluster).empty())
+      return without_last_digits(0.5 * (low_corner(bounds_[cluster]) + high_corner(bounds_[cluster])));
     Vector moment{{0, 0, 0}}, sum{{0, 0, 0}};
     double mass = 0;
     for (const Index f : faces(cluster)) {
@@ -104,6 +109,7 @@ private:
   const Cancellation_point cancellation_;
   Bucketed_items<std::uint32_t> faces_; // of each cluster
   std::vector<Bbox_3> bounds_;          // of each cluster's vertex
+  bool is_approximate_ = false;
 };
 
 } // namespace internal

@@ -15,7 +15,7 @@ namespace internal {
 template <class Output, class NamedParameters, class Before>
 void emit(Clustering_state& state, const Placed_dual& dual, Output& output, const NamedParameters& np, const Before& before)
 {
-  report_placement(state, dual.triangles, dual.positions, dual.counts, dual.clusterings);
+  report_placement(state.report, dual.triangles, dual.positions, dual.counts, dual.clusterings);
   Face_graph_filler<Output, NamedParameters> filler(dual.positions, state.frame, dual.triangles, output, np,
                                                     state.cancellation());
   state.visitor.throw_if_cancelled();

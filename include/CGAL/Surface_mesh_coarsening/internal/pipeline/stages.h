@@ -85,7 +85,7 @@ Placed_dual place_embedded(Clustering_state& state, const Placement_model& place
                            const Output_coordinates& output_coordinates);
 
 // Records the result in the report.
-void report_placement(Clustering_state& state, const std::vector<Triangle>& triangles, const std::vector<Vector>& positions,
+void report_placement(Coarsening_report& report, const std::vector<Triangle>& triangles, const std::vector<Vector>& positions,
                       const Repair_counts& counts, std::size_t clusterings = 1);
 
 } // namespace internal

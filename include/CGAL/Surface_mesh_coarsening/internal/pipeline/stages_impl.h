@@ -291,10 +291,9 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place(const Clustering_state& st
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE void
-report_placement(Clustering_state& state, const std::vector<Triangle>& triangles, const std::vector<Vector>& positions,
+report_placement(Coarsening_report& report, const std::vector<Triangle>& triangles, const std::vector<Vector>& positions,
                  const Repair_counts& counts, std::size_t clusterings)
 {
-  Coarsening_report& report = state.report;
   report.intersections_found = counts.intersections_found;
   report.intersections_left = counts.intersections_left.size();
   report.intersecting_faces.assign(counts.intersections_left.begin(), counts.intersections_left.end());

@@ -87,9 +87,12 @@ public:
 
   // Returns whether faces of the clusters of two coarse triangles intersect. Faces with a common vertex are not tested, because
   // they are many and rarely have more points in common. If very many coarse triangles intersect beside huge faces, only the first
-  // pairs of clusters are tested, and the others count as not intersecting.
+  // pairs of clusters are tested, and the others count as not intersecting. Intersections of an approximation of the input say
+  // nothing about the input, which is then assumed to have none.
   bool intersects_itself(const Triangle& t, const Triangle& u)
   {
+    if (surface_.is_approximate())
+      return false;
     for (const Index x : t)
       for (const Index y : u)
         if (clusters_intersect((std::min)(x, y), (std::max)(x, y)))
