@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -246,11 +247,31 @@ BOOST_AUTO_TEST_CASE(angles_stay_large)
     }
 }
 
+// Requires that each stage ends before the next one begins.
+struct Stage_visitor : SMC::Coarsening_visitor_base
+{
+  void stage_begins(SMC::Coarsening_stage stage)
+  {
+    BOOST_TEST(!current->has_value());
+    *current = stage;
+  }
+  void stage_ends(SMC::Coarsening_stage stage)
+  {
+    BOOST_TEST((*current == stage));
+    current->reset();
+  }
+
+  std::optional<SMC::Coarsening_stage>* current;
+};
+
 // Around a vertex of high valence, the searches for closest points visit so many faces that the rounds end early.
 BOOST_AUTO_TEST_CASE(no_exchange_where_searches_take_long)
 {
   const Mesh input = test::to_mesh(generated::fan(10000));
-  const Outcome outcome = coarsened(input, 1000, parameters(7));
+  std::optional<SMC::Coarsening_stage> stage;
+  Stage_visitor visitor;
+  visitor.current = &stage;
+  const Outcome outcome = coarsened(input, 1000, parameters(7).visitor(visitor));
   check_kept(input, outcome, 1000);
   BOOST_TEST(outcome.report.exchanged_vertices == 0u);
   BOOST_TEST(are_equal(outcome.mesh, coarsened(input, 1000, parameters(0)).mesh));

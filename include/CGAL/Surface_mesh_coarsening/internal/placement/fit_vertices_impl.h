@@ -199,9 +199,11 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Plain_fit fit_vertices(const Clustered_faces
   }
   run_plain_rounds(*fit, rounds, surface.cancellation());
   triangles = fit->triangles();
-  if (relocation.rounds == 0 || fit->is_expensive())
+  if (relocation.rounds == 0)
     return Plain_fit();
   relocation.begins();
+  if (fit->is_expensive())
+    return Plain_fit();
   // The errors at the samples of the fit decide only if they differ much, because the vertices have been fitted to these samples.
   constexpr double much_less = 0.9;
   Plain_fit plain{fit->mesh()};

@@ -29,8 +29,8 @@ namespace internal {
 // away from the surface that they approximate. For each fault, the repair tries many small changes: it moves vertices towards the
 // centroids of their clusters or towards their neighbors, vertices on feature lines towards the middle of their part of the line,
 // moves vertices along the normal of the surface, and flips edges. It makes the change that increases the distance least for each
-// fault that it removes. If there are many times more faults than triangles, it changes
-// nothing, because local changes would not remove them.
+// fault that it removes. If there are many times more faults than triangles, it changes nothing, because local changes would not
+// remove them.
 class Placement_repair
 {
 public:
