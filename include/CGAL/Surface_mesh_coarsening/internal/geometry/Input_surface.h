@@ -34,7 +34,6 @@ public:
   {
     Input_point point;
     double squared_distance;
-    Index visited; // the number of faces that the search has visited
   };
 
   explicit Input_surface(const Flat_mesh& mesh) : mesh_(mesh)
@@ -103,17 +102,13 @@ public:
   {
     Candidate candidate;
     improve(p, f, candidate);
-    Index visited = 1;
     for (int i = 0; i < steps; ++i) {
       const Candidate before = candidate;
-      for_each_near(before, [&](Index g) {
-        ++visited;
-        improve(p, g, candidate);
-      });
+      for_each_near(before, [&](Index g) { improve(p, g, candidate); });
       if (candidate.face == before.face)
         break;
     }
-    return {point_of(candidate), candidate.foot.squared_distance, visited};
+    return closest(candidate);
   }
 
 private:
@@ -221,11 +216,12 @@ private:
     return 0.5 * std::sqrt(dot(n, n));
   }
 
-  Input_point point_of(const Candidate& c) const
+  Closest closest(const Candidate& c) const
   {
     const Fan corners = fan(c.face);
     const Vector& x = c.foot.barycentric;
-    return {x[0] * corners.point(0) + x[1] * corners.point(c.last - 1) + x[2] * corners.point(c.last), c.face};
+    return {{x[0] * corners.point(0) + x[1] * corners.point(c.last - 1) + x[2] * corners.point(c.last), c.face},
+            c.foot.squared_distance};
   }
 
   void improve(const Vector& p, Index f, Candidate& candidate) const

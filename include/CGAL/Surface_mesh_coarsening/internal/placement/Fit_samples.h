@@ -43,7 +43,6 @@ public:
     Input_point foot{{{0, 0, 0}}, NONE};
     double weight = 0;
     double squared_distance = 0;
-    Index visited = 0; // the number of faces that the search for the foot has visited
   };
   typedef std::array<Back_sample, 6> Back_samples;
 
@@ -89,13 +88,7 @@ public:
                          back_[t] = feet_of(triangles[t], starts_around(Index(t)));
                      });
     }
-    for (const Back_samples& samples : back_)
-      for (const Back_sample& s : samples)
-        visited_ += s.visited;
   }
-
-  // Returns the number of faces of the input that `find_feet()` has visited so far.
-  std::size_t visited() const { return visited_; }
 
   // Calls `visit(sample)` for each sample of the input whose foot lies on a triangle.
   template <class Visit>
@@ -364,7 +357,6 @@ private:
     const Input_surface::Closest closest = input_.closest_from(p, start, max_steps);
     s.foot = closest.point;
     s.squared_distance = closest.squared_distance;
-    s.visited = closest.visited;
     s.weight = area * part[i / 3];
     return s;
   }
@@ -382,7 +374,7 @@ private:
   const Flippable_triangulation& coarse_;
   const std::vector<Vector>& positions_;
   const double area_;
-  std::size_t step_ = 1, visited_ = 0;
+  std::size_t step_ = 1;
   std::vector<Sample> samples_;
   std::vector<Prepared_triangle> prepared_;
   std::vector<Index> first_on_, next_on_; // the samples whose foot lies on each triangle, as linked lists

@@ -14,7 +14,6 @@
 
 #include <CGAL/number_type_config.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -69,15 +68,6 @@ public:
     Angle_worth worth = flips_.worth();
     worth.narrow_rate *= 2;
     angles_.run(worth);
-  }
-
-  // Returns whether the searches for closest points have visited so many faces that further rounds would take too long. This
-  // happens where long triangles share vertices of very high valence, and on very large polygons. Other meshes need less than half
-  // of these visits for all rounds without exchange.
-  bool is_expensive() const
-  {
-    constexpr std::size_t visits_per_face = 200, min_faces = 2000;
-    return fit_.samples().visited() > visits_per_face * (std::max)(surface_.input().mesh.number_of_faces(), min_faces);
   }
 
   // Returns the current mesh. The feet of the samples must be up to date.
@@ -165,7 +155,7 @@ inline void run_plain_rounds(Vertex_fit& fit, std::size_t rounds, const Cancella
 {
   // Before the last rounds, every `step_before`-th sample is sufficient.
   constexpr std::size_t rounds_with_all = 3, step_before = 4;
-  for (std::size_t left = rounds; left > 0 && !fit.is_expensive(); --left) {
+  for (std::size_t left = rounds; left > 0; --left) {
     fit.find_feet(left > rounds_with_all ? step_before : 1);
     fit.advance(false);
     cancellation.step_done(Coarsening_stage::PLACEMENT, rounds + 1 - left, rounds);
@@ -202,8 +192,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Plain_fit fit_vertices(const Clustered_faces
   if (relocation.rounds == 0)
     return Plain_fit();
   relocation.begins();
-  if (fit->is_expensive())
-    return Plain_fit();
   // The errors at the samples of the fit decide only if they differ much, because the vertices have been fitted to these samples.
   constexpr double much_less = 0.9;
   Plain_fit plain{fit->mesh()};
