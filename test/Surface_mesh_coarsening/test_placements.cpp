@@ -324,13 +324,13 @@ BOOST_AUTO_TEST_CASE(reclusters_where_triangles_intersect)
 // A removed component remains removed, with the result of a mesh without it.
 BOOST_AUTO_TEST_CASE(clusters_without_dropped_components_are_recomputed)
 {
-  const Mesh plate = test::to_mesh(generated::thin_plate(30, 0.008));
+  const Mesh plate = test::to_mesh(generated::thin_plate(30, 0.004));
   Mesh both = plate;
   CGAL::make_tetrahedron(Mesh::Point(0, 0, 0.1), Mesh::Point(0.01, 0, 0.1), Mesh::Point(0, 0.01, 0.1), Mesh::Point(0, 0, 0.11),
                          both);
   const CGAL::Constant_property_map<Mesh::Face_index, double> ones(1);
   std::size_t most = 0;
-  for (const std::size_t n : {40, 50}) {
+  for (const std::size_t n : {30, 40, 50, 60}) {
     Mesh expected, output;
     const auto np = SMC::parameters::cluster_weight(SMC::Maximum_density_weight())
                       .vertex_placement(SMC::Quadric_placement())

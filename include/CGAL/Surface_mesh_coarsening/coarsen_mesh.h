@@ -183,7 +183,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///                           their number. The relocation is undone if the result is not closer to the input than the fit without
 ///                           these rounds, or has more intersections. With 0, the densities alone distribute the vertices.}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{`Coarsening_defaults::error_feedback`, which is `7`; `0` if `face_density_map` is given}
+///     \cgalParamDefault{`Coarsening_defaults::error_feedback`, which is `8`; `0` if `face_density_map` is given}
 ///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, or if clusters are given, edited or
 ///                     frozen. Clusters on features and borders are not split.}
 ///   \cgalParamNEnd

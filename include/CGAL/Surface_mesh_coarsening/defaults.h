@@ -17,7 +17,7 @@ struct Coarsening_defaults
   /// of parameter `maximum_density`
   static constexpr double maximum_density = 10;
   /// of parameter `error_feedback`
-  static constexpr std::size_t error_feedback = 7;
+  static constexpr std::size_t error_feedback = 8;
   /// of parameter `local_repairs`
   static constexpr std::size_t local_repairs = 5;
   /// of parameter `number_of_iterations`: the tolerance ends the minimization much earlier

@@ -90,7 +90,7 @@ def _coarsen(
     options.maximum_density = maximum_density
     options.feature_angle = 180.0 if features is None else features
     # Given densities determine the distribution of vertices.
-    options.error_feedback = error_feedback if error_feedback is not None else 7 if density is None else 0
+    options.error_feedback = error_feedback if error_feedback is not None else 8 if density is None else 0
     options.minimum_component_area = minimum_component_area
     options.subdivide, options.repair = subdivide, repair
     options.iterations, options.convergence_tolerance = iterations, convergence_tolerance
@@ -138,7 +138,7 @@ def coarsen(
     placement: "centroid", "closest-vertex", "quadric" or "fitted", the default
     maximum_density: densities run from 1 on flat parts to this, 10 by default, on the sharpest
     density: densities of the faces, in [1e-20, 1e20], instead of computed ones
-    error_feedback: with the placement "fitted", rounds that relocate vertices to places of large distance; 7 by
+    error_feedback: with the placement "fitted", rounds that relocate vertices to places of large distance; 8 by
         default, 0 with `density`
     minimum_component_area: removes connected components of smaller area
     subdivide: whether to subdivide faces internally until there are 20 for each vertex of the result

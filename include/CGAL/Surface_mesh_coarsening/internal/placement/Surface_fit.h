@@ -47,8 +47,9 @@ public:
   const Fit_samples& samples() const { return samples_; }
 
   // Moves the vertices, except on the border and at corners, to the minimum of the sum of squared distances as estimated from
-  // the closest points. A vertex that is free to slide moves towards the mean of its neighbors.
-  void move_vertices()
+  // the closest points. A vertex that is free to slide moves towards the mean of its neighbors. `tolerance` is the part of the
+  // residual at which the solution is accepted.
+  void move_vertices(double tolerance)
   {
     const std::vector<Triangle>& triangles = coarse_.triangles();
     const double area = samples_.area();
@@ -70,7 +71,7 @@ public:
       equations.add_vertex(v, d, shape * holds[v].weight);
       equations.add_force(v, free_part(holds[v].normals.matrix(), d), damping * holds[v].squared_weight);
     });
-    std::vector<Vector> moves = equations.solve(100, 1e-3);
+    std::vector<Vector> moves = equations.solve(100, tolerance);
     for (Vector& move : moves)
       move = over_relaxation * move;
     move_by(std::move(moves));

@@ -54,7 +54,7 @@ public:
       correct_reserve();
     flips_.run((mean_angle_ + reserve_) / degrees_per_radian, is_steady_);
     const std::size_t exchanged = exchanges ? exchange_.run(flips_.worth()) : 0;
-    fit_.move_vertices();
+    fit_.move_vertices(exchanges ? coarse_tolerance : fine_tolerance);
     for (std::size_t x = 0; x < positions_.size(); ++x)
       positions_[x] = within_bounds(Index(x), positions_[x]);
     return exchanged;
@@ -75,6 +75,8 @@ public:
 
 private:
   static constexpr double degrees_per_radian = 180 / CGAL_PI;
+  // Exchanges change the equations of the next round more than an inexact solution does.
+  static constexpr double coarse_tolerance = 1e-2, fine_tolerance = 1e-3;
 
   double current_angle() const
   {
@@ -128,8 +130,8 @@ inline void place_by_quadrics(const Clustered_faces& surface, const Border_arcs&
 inline std::optional<Fitted_mesh> fit_after_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, std::size_t rounds,
                                                       double mean_angle, const Cancellation_point& cancellation)
 {
-  // The number of rounds after the last exchange.
-  constexpr std::size_t last_rounds = 2;
+  // The number of rounds after the last exchange, and of further rounds while only the angles are not good enough.
+  constexpr std::size_t last_rounds = 2, max_corrections = 3;
   fit.keep_rate();
   std::size_t exchanged = 1;
   for (std::size_t i = 0; i < rounds && exchanged > 0; ++i) {
@@ -145,6 +147,11 @@ inline std::optional<Fitted_mesh> fit_after_exchanges(Vertex_fit& fit, const Fit
   }
   fit.settle();
   Fitted_mesh mesh = fit.mesh();
+  for (std::size_t i = 0; i < max_corrections && mesh.error < plain.error && !mesh.improves(plain, mean_angle); ++i) {
+    fit.advance(false);
+    fit.settle();
+    mesh = fit.mesh();
+  }
   if (!mesh.improves(plain, mean_angle))
     return std::nullopt;
   return mesh;

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Input_oracle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Placement_faults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_counts.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_proposals.h>
@@ -29,7 +30,7 @@ namespace internal {
 // away from the surface that they approximate. For each fault, the repair tries many small changes: it moves vertices towards the
 // centroids of their clusters or towards their neighbors, vertices on feature lines towards the middle of their part of the line,
 // moves vertices along the normal of the surface, and flips edges. It makes the change that increases the distance least for each
-// fault that it removes. If there are many times more faults than triangles, it changes nothing, because local changes would not
+// fault that it removes; new triangles with small angles count as distance. If there are many times more faults than triangles, it changes nothing, because local changes would not
 // remove them.
 class Placement_repair
 {
@@ -71,6 +72,8 @@ public:
 private:
   static constexpr std::size_t max_rounds = 20, max_faults_of_triangle = 8;
   static constexpr std::size_t comparisons_of_test = 48; // bounds of distances that take as long as an exact test
+  // The increase of the distance that a triangle without area is worth, as a part of the distance around the fault.
+  static constexpr double harm_of_narrowness = 1;
 
   // The number of faults that a change removes, and the increase of the squared distance from the input.
   struct Effect
@@ -164,11 +167,12 @@ private:
     const std::vector<Index> altered = altered_by({{{v, from}}, NONE, 0});
     faults_.look_around({v});
     const long before = faults_.number_of(altered);
+    last_narrowness_ = narrowness_of(altered);
     budget_.spend(distance_.take_comparisons() / comparisons_of_test);
     for (const double part : {1., 0.5, 0.25}) {
       const Vector to = surface_.within_bounds(v, without_last_digits(from + part * (wanted - from)));
       make({{{v, to}}, NONE, 0});
-      if (distance_.changed(altered, distance_.current()) < distance_.current() &&
+      if (distance_.changed(altered, distance_.current()) + harm_of_narrowing(altered) < distance_.current() &&
           faults_.number_after_change(altered, before + 1) <= before) {
         faults_.update(altered);
         return;
@@ -225,7 +229,8 @@ private:
       const long least_gain = prefers_gain_ ? (std::max)(1l, other.gain) : 1;
       effect.gain = (std::max)(0l, before - faults_.number_after_change(altered, before - least_gain + 1));
       if (effect.gain > 0)
-        effect.harm = distance_.changed(altered, distance_.current() + max_harm(effect.gain, other)) - distance_.current();
+        effect.harm = distance_.changed(altered, distance_.current() + max_harm(effect.gain, other)) - distance_.current() +
+                      harm_of_narrowing(altered);
     };
     if (change.flipped == NONE) {
       std::vector<Vertex_move> back;
@@ -254,11 +259,27 @@ private:
     return other.harm > 0 ? 1.000001 * other.harm * double(gain) / double(other.gain) : infinite;
   }
 
+  // Returns the harm done to the angles of triangles since their faults were counted.
+  double harm_of_narrowing(const std::vector<Index>& altered) const
+  {
+    return harm_of_narrowness * distance_.current() * (std::max)(0., narrowness_of(altered) - last_narrowness_);
+  }
+
+  // Returns the sum of the parts by which the smallest angles of triangles fall below the least angle that flips create.
+  double narrowness_of(const std::vector<Index>& triangles) const
+  {
+    double sum = 0;
+    for (const Index t : triangles)
+      sum += (std::max)(0., 1 - smallest_angle(positions_, coarse_.triangles()[t]) / min_angle);
+    return sum;
+  }
+
   // Returns the current number of faults of triangles. Changes of the same vertex alter the same triangles.
   long faults_before(const std::vector<Index>& altered)
   {
     if (altered != last_altered_) {
       last_faults_ = faults_.number_of(altered);
+      last_narrowness_ = narrowness_of(altered);
       last_altered_ = altered;
     }
     return last_faults_;
@@ -320,6 +341,7 @@ private:
   Cancellation_point cancellation_;
   std::vector<Index> last_altered_; // the triangles whose faults were counted last before a change
   long last_faults_ = 0;
+  double last_narrowness_ = 0;
   bool prefers_gain_ = false, at_input_vertices_ = false;
 };
 
