@@ -488,7 +488,7 @@ BOOST_AUTO_TEST_CASE(defaults)
   SMC::coarsen_mesh(mesh, 100, by_default);
   SMC::coarsen_mesh(mesh, 100, explicitly,
                     SMC::parameters::cluster_weight(SMC::Weighted_area_weight()).maximum_density(10.).border_densities(true)
-                      .vertex_placement(SMC::Fitted_placement()).error_feedback(7).repair_output(true)
+                      .vertex_placement(SMC::Fitted_placement()).error_feedback(8).repair_output(true)
                       .number_of_iterations(1000).convergence_tolerance(1e-3).feature_angle(180.));
   BOOST_CHECK(same_mesh(by_default, explicitly));
   SMC::Mwcvd_clustering<Mesh> clustering(mesh);
