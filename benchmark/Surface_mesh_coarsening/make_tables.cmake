@@ -4,7 +4,7 @@
 #   cmake -D BIN=build/release/bin -D MESHES=CGAL_DATA/meshes -D "MODELS=DIRECTORY;..." [-D "NAMES=borders distance"] -D OUT=DIRECTORY
 #     [-D PUBLISH=DIRECTORY] [-D README=FILE [-D SPEED=FILE]] [-D SHORT=ON] -P make_tables.cmake
 # MODELS hold bunny.off, horse.off and dragon_vrip.ply. With PUBLISH, each table is copied to this directory as soon as it is
-# finished, and no table loses rows because a model or a compared package is missing. OUT/work keeps the output of each command
+# finished, and no table loses rows because a model or a compared package is missing. OUT/unfinished keeps the output of each command
 # until all tables are finished: an interrupted measurement continues with the first command that has no output. If the program
 # is newer than the output, the command is run again. With SHORT, slow rows are omitted: the test `manual` compares the others
 # with the tables of the manual.
@@ -545,7 +545,7 @@ endforeach()
 list(JOIN NAMES " " names)
 message(STATUS "Tables in this order: ${names}. They take about ${sum} s in all.")
 foreach(name IN LISTS NAMES)
-  set(work ${OUT}/work/${name})
+  set(work ${OUT}/unfinished/${name})
   file(MAKE_DIRECTORY ${work})
   message(STATUS "${name}: about ${seconds_of_${name}} s")
   string(TIMESTAMP begin %s)
@@ -555,5 +555,5 @@ foreach(name IN LISTS NAMES)
   message(STATUS "${name}: done in ${seconds} s")
 endforeach()
 foreach(name IN LISTS NAMES)
-  file(REMOVE_RECURSE ${OUT}/work/${name})
+  file(REMOVE_RECURSE ${OUT}/unfinished/${name})
 endforeach()

@@ -324,14 +324,15 @@ BOOST_AUTO_TEST_CASE(reclusters_where_triangles_intersect)
 // A removed component remains removed, with the result of a mesh without it.
 BOOST_AUTO_TEST_CASE(clusters_without_dropped_components_are_recomputed)
 {
-  const Mesh plate = test::to_mesh(generated::thin_plate(30, 0.004));
-  Mesh both = plate;
-  CGAL::make_tetrahedron(Mesh::Point(0, 0, 0.1), Mesh::Point(0.01, 0, 0.1), Mesh::Point(0, 0.01, 0.1), Mesh::Point(0, 0, 0.11),
-                         both);
   const CGAL::Constant_property_map<Mesh::Face_index, double> ones(1);
   std::size_t most = 0;
-  for (const std::size_t n : {30, 40, 50, 60}) {
-    Mesh expected, output;
+  for (const auto& [thickness, n] : {std::make_pair(0.008, std::size_t(40)), std::make_pair(0.008, std::size_t(50)),
+                                     std::make_pair(0.004, std::size_t(30)), std::make_pair(0.004, std::size_t(40)),
+                                     std::make_pair(0.004, std::size_t(50)), std::make_pair(0.004, std::size_t(60))}) {
+    const Mesh plate = test::to_mesh(generated::thin_plate(30, thickness));
+    Mesh both = plate, expected, output;
+    CGAL::make_tetrahedron(Mesh::Point(0, 0, 0.1), Mesh::Point(0.01, 0, 0.1), Mesh::Point(0, 0.01, 0.1),
+                           Mesh::Point(0, 0, 0.11), both);
     const auto np = SMC::parameters::cluster_weight(SMC::Maximum_density_weight())
                       .vertex_placement(SMC::Quadric_placement())
                       .face_density_map(ones);

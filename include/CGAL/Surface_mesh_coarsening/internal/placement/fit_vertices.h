@@ -39,8 +39,8 @@ struct Plain_fit : Fitted_mesh
 
 // Fits all vertices together, starting from quadrics; see `Fitted_placement`. `mean_angle` is in degrees. After `rounds` rounds,
 // `relocation` determines the number of rounds that exchange vertices; they end early when there are no profitable exchanges.
-// Two rounds without exchange follow. The plain fit is the result unless the last mesh is closer and its angles are no worse. The
-// plain fit is returned if `relocation` has rounds.
+// Two rounds without exchange follow, and further ones if only the angles are not good enough. The plain fit is the result unless
+// the last mesh is closer and its angles are no worse. The plain fit is returned if `relocation` has rounds.
 Plain_fit fit_vertices(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
                        std::vector<Triangle>& triangles, std::vector<Vector>& positions,
                        const Vertex_relocation& relocation = Vertex_relocation());

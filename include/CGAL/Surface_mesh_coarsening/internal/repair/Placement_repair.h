@@ -5,8 +5,8 @@
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
-#include <CGAL/Surface_mesh_coarsening/internal/repair/Input_oracle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
+#include <CGAL/Surface_mesh_coarsening/internal/repair/Input_oracle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Placement_faults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_counts.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_proposals.h>
@@ -30,8 +30,8 @@ namespace internal {
 // away from the surface that they approximate. For each fault, the repair tries many small changes: it moves vertices towards the
 // centroids of their clusters or towards their neighbors, vertices on feature lines towards the middle of their part of the line,
 // moves vertices along the normal of the surface, and flips edges. It makes the change that increases the distance least for each
-// fault that it removes; new triangles with small angles count as distance. If there are many times more faults than triangles, it changes nothing, because local changes would not
-// remove them.
+// fault that it removes; new triangles with small angles count as distance. If there are many times more faults than triangles,
+// it changes nothing, because local changes would not remove them.
 class Placement_repair
 {
 public:
@@ -75,7 +75,8 @@ private:
   // The increase of the distance that a triangle without area is worth, as a part of the distance around the fault.
   static constexpr double harm_of_narrowness = 1;
 
-  // The number of faults that a change removes, and the increase of the squared distance from the input.
+  // The number of faults that a change removes, and the increase of the squared distance from the input, with the harm done to
+  // the angles.
   struct Effect
   {
     long gain = 0;
