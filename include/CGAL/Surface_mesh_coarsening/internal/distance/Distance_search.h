@@ -329,16 +329,15 @@ private:
   {
     constexpr int max_steps = 3;
     constexpr double max_ratio = 2;
-    const std::unique_ptr<Clustered_faces> surface = clustered_faces(state_, dual);
+    const std::unique_ptr<Bordered_surface> surface = bordered_surface(state_, dual);
     const Distance_bound bound_of(state_.base_input().mesh, clusters, dual.positions.size(), state_.cancellation());
-    const Border_arcs border(*surface, state_.places_on_borders);
     for (int i = 0;; ++i) {
       std::vector<Far_point> far;
       const double bound =
         bound_after_rounding(bound_of, dual.positions, dual.triangles, permitted_error(), local_distance_, &far);
       if (dual.number_left() > 0 || bound <= local_distance_ || bound > max_ratio * local_distance_ || i == max_steps)
         return bound;
-      approach_far_points(far, local_distance_, *surface, border, dual.triangles, dual.positions);
+      approach_far_points(far, local_distance_, *surface->faces, surface->border, dual.triangles, dual.positions);
       dual.counts = repair_exchanged(state_, *surface, placement_, output_coordinates_, dual, budget);
     }
   }

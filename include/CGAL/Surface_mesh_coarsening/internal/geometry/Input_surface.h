@@ -101,10 +101,15 @@ public:
   Closest closest_from(const Vector& p, Index f, int steps) const
   {
     Candidate candidate;
+    Recent_faces recent;
+    recent.add(f);
     improve(p, f, candidate);
     for (int i = 0; i < steps; ++i) {
       const Candidate before = candidate;
-      for_each_near(before, [&](Index g) { improve(p, g, candidate); });
+      for_each_near(before, [&](Index g) {
+        if (recent.add(g))
+          improve(p, g, candidate);
+      });
       if (candidate.face == before.face)
         break;
     }
@@ -130,6 +135,21 @@ private:
   {
     Index face = NONE, last = 0;
     Foot_point foot{{{1, 0, 0}}, (std::numeric_limits<double>::infinity)()};
+  };
+
+  // Some of the faces that a search has visited. Visiting them again would not improve the closest point.
+  class Recent_faces
+  {
+  public:
+    Recent_faces() { face_.fill(NONE); }
+
+    // Returns whether the face was not among them.
+    bool add(Index f) { return std::exchange(face_[f % number], f) != f; }
+
+  private:
+    static constexpr Index number = 64;
+
+    std::array<Index, number> face_;
   };
 
   // The corners of a face, beginning at its smallest vertex.

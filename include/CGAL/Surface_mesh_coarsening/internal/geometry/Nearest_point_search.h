@@ -165,11 +165,18 @@ private:
           improve(mesh_, p, order_[i], nearest);
         continue;
       }
-      const bool is_first_nearer =
-        squared_distance_from_box(p, node_[n.first].box) < squared_distance_from_box(p, node_[n.second].box);
+      const bool is_first_nearer = is_nearer(p, node_[n.first], node_[n.second]);
       stack.push_back(is_first_nearer ? n.second : n.first);
       stack.push_back(is_first_nearer ? n.first : n.second);
     }
+  }
+
+  bool is_nearer(const Vector& p, const Node& n, const Node& than) const
+  {
+    const double square = squared_distance_from_box(p, n.box), other = squared_distance_from_box(p, than.box);
+    return square != other || n.turned == NONE || than.turned == NONE
+             ? square < other
+             : turned_[n.turned].squared_distance(p) < turned_[than.turned].squared_distance(p);
   }
 
   bool is_beyond_turned_box(const Vector& p, const Node& n, double limit) const

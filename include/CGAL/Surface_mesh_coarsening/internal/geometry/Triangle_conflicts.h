@@ -58,6 +58,9 @@ public:
     if (common == 1) {
       const int j = in_u[shared];
       const Index a = u[(j + 1) % 3], b = u[(j + 2) % 3], c = t[(shared + 1) % 3], d = t[(shared + 2) % 3];
+      // Around a vertex of high valence, all boxes of triangles overlap, but few of them contain an opposite edge.
+      if (!do_overlap(box(a, b), box(t)) && !do_overlap(box(c, d), box(u)))
+        return false;
       if (are_apart(t[shared], a, b, c, d))
         return false;
       // In most cases, all corners of one triangle except the common corner lie on one side of the plane of the other triangle.
@@ -82,6 +85,8 @@ public:
   }
 
 private:
+  Bbox_3 box(Index a, Index b) const { return points_[a].bbox() + points_[b].bbox(); }
+
   static Index third(const Triangle& t, Index a, Index b)
   {
     for (const Index v : t)

@@ -211,12 +211,14 @@ private:
         continue;
       prefetch(&state_.input.density[f]);
       prefetch(&state_.input.area[f]);
+      if (!state_.input.item_centroid.empty())
+        prefetch(&state_.input.item_centroid[f]);
       prefetch(&mesh_.corner_vertex[mesh_.first_corner[f]]);
     }
   }
   BOOST_FORCEINLINE void prefetch_points(const Boundary_edge& e) const
   {
-    if (e.terms != NONE)
+    if (e.terms != NONE || !state_.input.item_centroid.empty())
       return;
     for (const Index f : e.face)
       for (const Index c : mesh_.corners(f))

@@ -30,6 +30,23 @@ inline std::unique_ptr<Clustered_faces> clustered_faces(const Clustering_state& 
                                              state.execution, dual.pieces->features(), state.cancellation());
 }
 
+// The surface with its current clusters, and the positions of vertices on its border and features.
+struct Bordered_surface
+{
+  Bordered_surface(std::unique_ptr<Clustered_faces> surface, bool places_on_borders)
+    : faces(std::move(surface)),
+      border(*faces, places_on_borders)
+  {}
+
+  std::unique_ptr<Clustered_faces> faces;
+  Border_arcs border;
+};
+
+inline std::unique_ptr<Bordered_surface> bordered_surface(const Clustering_state& state, Placed_dual& dual)
+{
+  return std::make_unique<Bordered_surface>(clustered_faces(state, dual), state.places_on_borders);
+}
+
 inline Repair_budget repair_budget(const Clustering_state& state)
 {
   return Repair_budget(state.base_input().mesh.number_of_faces());
@@ -67,13 +84,13 @@ inline Vertex_relocation vertex_relocation(const Clustering_state& state, const 
 }
 
 // Repairs a placement if the output is to be repaired.
-inline Repair_counts repaired(const Clustering_state& state, const Clustered_faces& surface, const Placement_model& placement,
+inline Repair_counts repaired(const Clustering_state& state, const Bordered_surface& surface, const Placement_model& placement,
                               const Output_coordinates& output_coordinates, Placed_dual& dual, Repair_budget& budget)
 {
   if (!state.repairs_output)
     return Repair_counts();
-  return repair_placement(surface, Border_arcs(surface, state.places_on_borders), placement, output_coordinates,
-                          dual.triangles, dual.positions, budget, state.cancellation());
+  return repair_placement(*surface.faces, surface.border, placement, output_coordinates, dual.triangles, dual.positions, budget,
+                          state.cancellation());
 }
 
 // Places the vertices and repairs the placement.
@@ -82,41 +99,40 @@ inline Placed_dual place(const Clustering_state& state, const Placement_model& p
 {
   state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
   Placed_dual dual;
-  const std::unique_ptr<Clustered_faces> surface = clustered_faces(state, dual);
+  const std::unique_ptr<Bordered_surface> surface = bordered_surface(state, dual);
   dual.triangles = dual_triangles(labels(state), state.cancellation(), state.execution);
   state.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
-  dual.positions = place_vertices(*surface, Border_arcs(*surface, state.places_on_borders), placement, dual.triangles,
-                                  state.cancellation());
+  dual.positions = place_vertices(*surface->faces, surface->border, placement, dual.triangles, state.cancellation());
   dual.counts = repaired(state, *surface, placement, output_coordinates, dual, budget);
   state.visitor.throw_if_cancelled();
   return dual;
 }
 
 // Moves the vertices into their bounds and repairs the placement.
-inline Repair_counts repair_exchanged(const Clustering_state& state, const Clustered_faces& surface,
+inline Repair_counts repair_exchanged(const Clustering_state& state, const Bordered_surface& surface,
                                       const Placement_model& placement, const Output_coordinates& output_coordinates,
                                       Placed_dual& dual, Repair_budget& budget)
 {
   for (std::size_t x = 0; x < dual.positions.size(); ++x)
-    dual.positions[x] = surface.within_bounds(x, dual.positions[x]);
+    dual.positions[x] = surface.faces->within_bounds(x, dual.positions[x]);
   return repaired(state, surface, placement, output_coordinates, dual, budget);
 }
 
 // Relocates a vertex from elsewhere to each of some triangles, and repeats the repair of the placement.
 inline Placed_dual with_vertices_at(const std::vector<Index>& triangles, Clustering_state& state,
                                     const Placement_model& placement, const Output_coordinates& output_coordinates,
-                                    Cluster_relocation& clusters, std::unique_ptr<Clustered_faces>& surface,
+                                    Cluster_relocation& clusters, std::unique_ptr<Bordered_surface>& surface,
                                     const Placed_dual& dual, Repair_budget& budget)
 {
   Placed_dual next;
   next.triangles = dual.triangles;
   next.positions = dual.positions;
-  Vertex_relocation relocation = vertex_relocation(state, *surface, clusters);
+  Vertex_relocation relocation = vertex_relocation(state, *surface->faces, clusters);
   relocation.destinations = triangles;
   state.visitor.stage_begins(Coarsening_stage::FEEDBACK);
-  placement.exchanging(*surface, Border_arcs(*surface, state.places_on_borders), next.triangles, next.positions, relocation);
+  placement.exchanging(*surface->faces, surface->border, next.triangles, next.positions, relocation);
   state.visitor.stage_ends(Coarsening_stage::FEEDBACK);
-  surface = clustered_faces(state, next);
+  surface = bordered_surface(state, next);
   next.counts = repair_exchanged(state, *surface, placement, output_coordinates, next, budget);
   next.counts.intersections_found = dual.counts.intersections_found;
   next.counts.reversals_found = dual.counts.reversals_found;
@@ -126,7 +142,7 @@ inline Placed_dual with_vertices_at(const std::vector<Index>& triangles, Cluster
 // Relocates vertices to the triangles that still intersect. Returns whether fewer pairs remain; otherwise nothing changes.
 inline bool repair_by_exchange(Clustering_state& state, const Placement_model& placement,
                                const Output_coordinates& output_coordinates, Cluster_relocation& clusters,
-                               std::unique_ptr<Clustered_faces>& surface, Placed_dual& dual, Repair_budget& budget)
+                               std::unique_ptr<Bordered_surface>& surface, Placed_dual& dual, Repair_budget& budget)
 {
   budget.spend(placement_tests * dual.triangles.size());
   const std::vector<Index> old_labels = labels(state).labels();
@@ -140,7 +156,7 @@ inline bool repair_by_exchange(Clustering_state& state, const Placement_model& p
     dual = std::move(next);
   } else {
     clusters.take_labels(old_labels);
-    surface = clustered_faces(state, dual);
+    surface = bordered_surface(state, dual);
   }
   return is_better;
 }
@@ -164,17 +180,17 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
 {
   state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
   Placed_dual dual;
-  std::unique_ptr<Clustered_faces> surface = clustered_faces(state, dual);
+  std::unique_ptr<Bordered_surface> surface = bordered_surface(state, dual);
   dual.triangles = dual_triangles(labels(state), state.cancellation(), state.execution);
   state.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
   state.visitor.stage_begins(Coarsening_stage::PLACEMENT);
   dual.positions.resize(state.number_of_clusters());
-  const Border_arcs border(*surface, state.places_on_borders);
-  border.place(dual.positions);
-  plain = placement.exchanging(*surface, border, dual.triangles, dual.positions, vertex_relocation(state, *surface, clusters));
+  surface->border.place(dual.positions);
+  plain = placement.exchanging(*surface->faces, surface->border, dual.triangles, dual.positions,
+                               vertex_relocation(state, *surface->faces, clusters));
   state.visitor.stage_ends(Coarsening_stage::FEEDBACK);
   if (clusters.number() > 0)
-    surface = clustered_faces(state, dual);
+    surface = bordered_surface(state, dual);
   const std::vector<Vector> fitted = dual.positions;
   dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual, budget);
   bool is_better = true;

@@ -53,8 +53,8 @@ public:
 
   // Returns whether a coarse triangle faces away from the surface at the closest point of its clusters. The point is computed
   // only if the mean normals are not decisive. If the point lies on an edge, or if several points are equally close, all faces
-  // there count, so the result does not depend on rounding errors. Adds the number of faces whose distances it
-  // computes to `visited`, and a fraction of the number of boxes.
+  // there count, so the result does not depend on rounding errors. Adds the number of triangles in the fans of the faces whose
+  // distances it computes to `visited`, and a fraction of the number of boxes.
   bool is_against(const Triangle& t, const std::vector<Vector>& positions, std::size_t& visited) const
   {
     const Vector n = normal_of(positions, t), mean = normals_[t[0]] + normals_[t[1]] + normals_[t[2]];
@@ -69,8 +69,8 @@ public:
       boxes += boxes_.for_each_near(
         middle, x, [&](double squared_distance) { return squared_distance > same_as(nearest, size); },
         [&](double, const Face_range& block) {
-          visited += block.size();
           for (const Index f : block) {
+            visited += number_of_triangles(f);
             const double squared_distance = squared_distance_from_face(middle, f, 1.000001 * same_as(nearest, size));
             if (squared_distance <= same_as(nearest, size))
               faces.emplace_back(squared_distance, f);
@@ -127,6 +127,8 @@ private:
     return area > rounding * squared_diagonal(boxes_.box(cluster)) ? (1 / area) * sum : Vector{{0, 0, 0}};
   }
 
+  std::size_t number_of_triangles(Index f) const { return surface_.input().mesh.degree(f) - 2; }
+
   // Returns the squared distance from a face; infinity if it is known to exceed `limit`. Due to rounding, a face may be nearer
   // than its box.
   double squared_distance_from_face(const Vector& p, Index f, double limit) const
@@ -136,8 +138,8 @@ private:
              : input_.squared_distance_from_face(p, f, limit);
   }
 
-  // Returns the squared distance from the faces of the block whose box is nearest. Adds the number of faces and a fraction of the
-  // number of boxes that it compares to `visited`.
+  // Returns the squared distance from the faces of the block whose box is nearest. Adds the number of triangles in the fans of
+  // the faces and a fraction of the number of boxes that it compares to `visited`.
   double squared_distance_from_nearest_block(const Vector& p, const Triangle& t, std::size_t& visited) const
   {
     double from_box = std::numeric_limits<double>::infinity(), nearest = from_box;
@@ -150,9 +152,11 @@ private:
           from_box = squared_distance;
           block = faces;
         });
-    visited += block.size() + boxes / boxes_of_face;
-    for (const Index f : block)
+    visited += boxes / boxes_of_face;
+    for (const Index f : block) {
+      visited += number_of_triangles(f);
       nearest = (std::min)(nearest, squared_distance_from_face(p, f, nearest));
+    }
     return nearest;
   }
 
