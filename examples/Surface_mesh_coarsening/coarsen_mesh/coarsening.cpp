@@ -188,7 +188,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
   }
   Clustering clustering(input, np);
   if (options.vertices)
-    clustering.seed(*options.vertices);
+    clustering.seed_faces_or_cells(*options.vertices);
   else if (options.vertex_ratio)
     clustering.seed_from_ratio(*options.vertex_ratio);
   else

@@ -87,6 +87,10 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 /// component of the output has the genus, the number of border loops and the orientation of its component of the input. The
 /// input is not modified. The same input and parameters give the same output.
 ///
+/// If `number_of_vertices` exceeds 0.3 times the number of vertices of the input, the dual cells of vertices are clustered instead
+/// of faces (see `Mwcvd_clustering::seed_faces_or_cells()`). With the number of all vertices, the output is the surface of the
+/// input, triangulated.
+///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`. `Parallel_tag`
 /// needs oneTBB. The result depends neither on the tag nor on the number of threads. In parallel, several threads read `input` at
 /// a time, and one thread reads property maps
@@ -338,7 +342,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
   internal::accept_parameters<NamedParametersIn, internal::Coarsening_parameters, internal::Coarsen_mesh_parameters>();
   internal::accept_parameters<NamedParametersOut, internal::Output_parameters>();
   return internal::coarsen_mesh<ConcurrencyTag>(input, output, np_in, np_out, number_of_vertices,
-                                                [&](auto& clustering) { clustering.seed(number_of_vertices); });
+                                                [&](auto& clustering) { clustering.seed_faces_or_cells(number_of_vertices); });
 }
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
