@@ -14,6 +14,11 @@ namespace coarsening_python {
 
 Mesh to_mesh(const Number_array& points, const Index_array& sizes, const Index_array& indices)
 {
+  std::uint64_t corners = 0; // cannot wrap: sizes have 32 bits
+  for (py::ssize_t f = 0; f < sizes.size(); ++f)
+    corners += sizes.data()[f];
+  if (corners != std::uint64_t(indices.size()) || points.ndim() != 2 || points.shape(1) != 3)
+    throw std::invalid_argument("the arrays of points, sizes and indices do not match");
   Soup soup;
   soup.points.reserve(std::size_t(points.shape(0)));
   const auto p = points.unchecked<2>();

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence,
 import numpy as np
 
 from . import _core
-from .arrays import Arrays, Faces, integers, mesh_arrays
+from .arrays import Faces, labels, mesh_arrays, numbers, per_face
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -30,15 +30,6 @@ class Coarsening:
     faces: np.ndarray
     labels: np.ndarray
     report: Dict[str, Any]
-
-
-def _per_face(values: Any, dtype: type, name: str, mesh: Arrays) -> Optional[np.ndarray]:
-    if values is None:
-        return None
-    array = np.ascontiguousarray(values, dtype=dtype)
-    if array.shape != mesh.sizes.shape:
-        raise ValueError(f"{name} have shape {array.shape}, but there are {mesh.sizes.size} faces")
-    return array
 
 
 class Settings(TypedDict, total=False):
@@ -95,13 +86,11 @@ def _coarsen(
     options.subdivide, options.repair = subdivide, repair
     options.iterations, options.convergence_tolerance = iterations, convergence_tolerance
     options.threads = threads or 0
-    if patches is not None:
-        patches = integers(patches, "patches")
     results = _core.coarsen(
         *mesh,
         options,
-        _per_face(density, np.float64, "densities", mesh),
-        _per_face(patches, np.int64, "patches", mesh),
+        per_face(None if density is None else numbers(density, "densities"), "densities", mesh),
+        per_face(None if patches is None else labels(patches, "patches"), "patches", mesh),
         progress,
     )
     return [Coarsening(*result) for result in results]

@@ -9,7 +9,7 @@ from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
 import numpy as np
 
 from . import _core
-from .arrays import Arrays, Faces, mesh_arrays
+from .arrays import Arrays, Faces, labels, mesh_arrays
 from .coarsening import Coarsening
 
 _POLICIES = ("interpolated", "conservative", "majority")
@@ -46,10 +46,34 @@ def _as_numbers(rows: np.ndarray, element: Any, policy: str) -> Tuple[Any, Calla
     return _core.Values(element, getattr(_core.TransferPolicy, policy), flat), back
 
 
-def _as_labels(rows: np.ndarray, element: Any) -> Tuple[Any, Callable[[np.ndarray], np.ndarray]]:
-    """Numbers values of any type in their order."""
-    distinct, labels = np.unique(rows, axis=0, return_inverse=True)
-    return _core.Values(element, labels.reshape(-1).astype(np.int64)), lambda result: distinct[result]
+def _distinct(rows: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    """Returns the distinct rows in their order, and their number for each row. Objects need only be equal or not, and have a hash:
+    they are numbered as they appear."""
+    if rows.dtype != object:
+        return np.unique(rows, axis=0, return_inverse=True)
+    first: Dict[Any, int] = {}
+    numbers = [first.setdefault(row if rows.ndim == 1 else tuple(row.flat), len(first)) for row in rows]
+    at = {number: i for i, number in reversed(list(enumerate(numbers)))}
+    return rows[[at[number] for number in range(len(first))]], np.asarray(numbers)
+
+
+def _as_labels(rows: np.ndarray, element: Any, name: str) -> Tuple[Any, Callable[[np.ndarray], np.ndarray]]:
+    """Numbers values of any type."""
+    try:
+        distinct, numbers = _distinct(rows)
+    except TypeError as e:
+        raise TypeError(f"the values '{name}' cannot be compared: {e}") from e
+    return _core.Values(element, numbers.reshape(-1).astype(np.int64)), lambda result: distinct[result]
+
+
+def _clusters(coarsening: Coarsening, mesh: Arrays) -> np.ndarray:
+    clusters, vertices = labels(coarsening.labels, "labels"), len(coarsening.points)
+    if clusters.shape != mesh.sizes.shape:
+        raise ValueError(f"the coarsening is of {clusters.size} faces, the mesh has {mesh.sizes.size}")
+    for face in (int(np.argmin(clusters)), int(np.argmax(clusters))) if clusters.size else ():
+        if not 0 <= clusters[face] <= vertices:
+            raise ValueError(f"face {face} has label {clusters[face]} in a coarsening of {vertices} vertices")
+    return clusters
 
 
 def _check_policies(policy: Mapping[str, str], names: List[str]) -> None:
@@ -83,9 +107,7 @@ def transfer(
     The results have the types of the given arrays; integers are rounded.
     """
     mesh = mesh_arrays(points, faces)
-    labels = np.ascontiguousarray(coarsening.labels, dtype=np.int64)
-    if labels.shape != mesh.sizes.shape:
-        raise ValueError(f"the coarsening is of {labels.size} faces, the mesh has {mesh.sizes.size}")
+    clusters = _clusters(coarsening, mesh)
     given = [(e, n, v) for e, all_of in (("vertex", vertex), ("face", face), ("corner", corner)) for n, v in (all_of or {}).items()]
     policy = policy or {}
     _check_policies(policy, [name for _, name, _ in given])
@@ -96,10 +118,10 @@ def transfer(
         if how != "majority" and not (np.issubdtype(rows.dtype, np.floating) or np.issubdtype(rows.dtype, np.integer)):
             raise TypeError(f"the values '{name}' are of type {rows.dtype}, which has no means")
         kind = getattr(_core.Element, element)
-        value, back = _as_labels(rows, kind) if how == "majority" else _as_numbers(rows, kind, how)
+        value, back = _as_labels(rows, kind, name) if how == "majority" else _as_numbers(rows, kind, how)
         values.append(value)
         backs.append(back)
-    results = _core.transfer(*mesh, labels, *mesh_arrays(coarsening.points, coarsening.faces), values)
+    results = _core.transfer(*mesh, clusters, *mesh_arrays(coarsening.points, coarsening.faces), values)
     transferred = Transferred({}, {}, {})
     for (element, name, _), back, result in zip(given, backs, results):
         array = back(result)

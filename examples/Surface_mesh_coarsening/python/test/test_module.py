@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 import inspect
+import multiprocessing
 import os
+import pickle
 import signal
 import threading
 import time
@@ -296,3 +298,88 @@ def test_unknown_arguments_are_refused():
     for function in (smc.coarsen, smc.coarsen_levels):
         with pytest.raises(TypeError, match="'wieght'"):
             function(*torus(), [50] if function is smc.coarsen_levels else 50, wieght="area")
+
+
+@pytest.mark.parametrize(
+    "sizes",
+    [
+        np.array([3, 3, 2**64 - 1, 7], dtype=np.uint64),  # 12 modulo 2**64
+        np.array([2**62] * 4, dtype=np.int64),
+        np.array([2**63 + 6, 2**63 + 6], dtype=np.uint64),
+        np.array([-1, 13]),
+        np.array([13]),
+        np.array([2**32 + 12]),
+        [3, 3, 3, 2],
+    ],
+)
+def test_sizes_that_do_not_fit_are_refused(sizes):
+    tetrahedron = np.array([0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0])
+    points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
+    for call in (
+        lambda: smc.coarsen(points, (sizes, tetrahedron), 4),
+        lambda: smc.measure(points, tetrahedron.reshape(-1, 3), points, (sizes, tetrahedron)),
+    ):
+        with pytest.raises(ValueError, match="corners, but there are 12 indices|add up to 11"):
+            call()
+
+
+def test_labels_that_do_not_fit_are_refused():
+    points, faces = folded_sheet()
+    result = smc.coarsen(points, faces, 60)
+    for label in (-1, 61, 2**40):
+        wrong = smc.Coarsening(result.points, result.faces, with_entry(result.labels, 5, label), {})
+        with pytest.raises(ValueError, match=f"face 5 has label {label}"):
+            smc.transfer(points, faces, wrong, face={"one": np.ones(len(faces))})
+
+
+def test_types_are_refused_by_name():
+    points, faces = torus()
+    with pytest.raises(TypeError, match="points are of type <U"):
+        smc.coarsen(points.astype(str), faces, 100)
+    with pytest.raises(TypeError, match="points are of type complex"):
+        smc.coarsen(points + 0j, faces, 100)
+    with pytest.raises(TypeError, match="densities are of type <U"):
+        smc.coarsen(points, faces, 100, density=np.full(len(faces), "1"))
+    with pytest.raises(ValueError, match="faces have rows of several lengths"):
+        smc.coarsen(points, faces.tolist()[:-1] + [[0, 1, 2]], 100)
+    with pytest.raises(ValueError, match="patches have the value 18446744073709551615 at entry 0"):
+        smc.coarsen(points, faces, 100, patches=np.full(len(faces), 2**64 - 1, dtype=np.uint64))
+
+
+def test_objects_are_transferred():
+    points, faces = folded_sheet()
+    result = smc.coarsen(points, faces, 60)
+    left = points[faces].mean(axis=1)[:, 0] < 0.5
+    values = np.empty(len(faces), dtype=object)  # which have no order
+    values[left], values[~left] = None, "right"
+    names = smc.transfer(points, faces, result, face={"name": np.where(left, "left", "right"), "object": values})
+    assert names.face["object"].dtype == object
+    assert [v is None for v in names.face["object"]] == [v == "left" for v in names.face["name"]]
+    values[0] = []
+    with pytest.raises(TypeError, match="'object' cannot be compared"):
+        smc.transfer(points, faces, result, face={"object": values})
+
+
+def coarsened_in_a_pool(arguments):
+    return smc.coarsen(*torus(), **arguments)
+
+
+def test_results_and_exceptions_pass_between_processes():
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        result = pool.apply_async(coarsened_in_a_pool, ({"n": 100},)).get(60)
+        assert np.array_equal(result.points, smc.coarsen(*torus(), 100).points)
+        with pytest.raises(smc.UnreachableNumberOfVertices) as e:
+            pool.apply_async(coarsened_in_a_pool, ({"n": 3},)).get(60)
+        assert e.value.nearest == 7
+    for error in (smc.UnreachableNumberOfVertices("no", 7), smc.UnreachableDistance("no", 0.13471)):
+        copy = pickle.loads(pickle.dumps(error))
+        assert type(copy) is type(error) and copy.nearest == error.nearest and str(copy) == str(error)
+    assert str(smc.UnreachableDistance("no", 0.13471)) == "no (nearest distance found: 0.1348)"  # not less
+
+
+def test_results_are_pickled():
+    points, faces = folded_sheet()
+    result = smc.coarsen(points, faces, 60)
+    carried = smc.transfer(points, faces, result, vertex={"xyz": points})
+    assert np.array_equal(pickle.loads(pickle.dumps(result)).labels, result.labels)
+    assert np.array_equal(pickle.loads(pickle.dumps(carried)).vertex["xyz"], carried.vertex["xyz"])
