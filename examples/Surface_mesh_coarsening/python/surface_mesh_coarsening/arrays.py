@@ -60,13 +60,25 @@ def per_face(array: Optional[np.ndarray], name: str, mesh: Arrays) -> Optional[n
     return array
 
 
-def mesh_arrays(points: Any, faces: Faces, prefix: str = "") -> Arrays:
+def take_mesh(*arguments: Any) -> Tuple[Any, ...]:
+    """Returns points, faces and the other arguments that are not None. A mesh of trimesh or PyVista, or a result of this module, may
+    stand for points and faces: any object with `faces` and `vertices` or `points`."""
+    first, others = arguments[0], tuple(a for a in arguments[1:] if a is not None)
+    for name in ("vertices", "points"):
+        if hasattr(first, "faces") and hasattr(first, name):
+            return (getattr(first, name), first.faces) + others
+    return (first,) + others
+
+
+def mesh_arrays(points: Any, faces: Faces, prefix: str = "", *, finite: bool = True) -> Arrays:
     """`prefix` begins the names of the arguments in messages."""
     vertices = numbers(points, prefix + "points")
     if vertices.ndim != 2 or vertices.shape[1] != 3:
         raise ValueError(f"{prefix}points have shape {vertices.shape}, not (n, 3)")
     sizes, indices = _sizes_and_indices(faces, prefix)
     _check_indices(sizes, indices, len(vertices))
+    if finite:
+        _check_finite(vertices, indices, prefix)
     return Arrays(vertices, np.ascontiguousarray(sizes, dtype=np.uint32), np.ascontiguousarray(indices, dtype=np.uint32))
 
 
@@ -76,6 +88,46 @@ def _check_indices(sizes: np.ndarray, indices: np.ndarray, vertices: int) -> Non
         if not 0 <= int(indices[corner]) < vertices:
             face = int(np.searchsorted(np.cumsum(sizes), corner, side="right"))
             raise ValueError(f"face {face} has vertex {int(indices[corner])} of {vertices}")
+
+
+def _check_finite(vertices: np.ndarray, indices: np.ndarray, prefix: str) -> None:
+    """Points that no face uses may be anything."""
+    is_wrong = ~np.isfinite(vertices).all(axis=1)
+    if is_wrong.any():
+        wrong = indices[is_wrong[indices]]
+        if wrong.size:
+            point = ", ".join(map(str, vertices[wrong[0]]))
+            raise ValueError(f"{prefix}points have ({point}) in row {int(wrong[0])}, which is not finite")
+
+
+def diagonal(mesh: Arrays) -> float:
+    used = mesh.points[np.unique(mesh.indices)]
+    return float(np.linalg.norm(np.ptp(used, axis=0))) if len(used) else 0.0
+
+
+def vertex_marks(values: Any, name: str, mesh: Arrays) -> np.ndarray:
+    """Returns 0 or 1 for each vertex, of a mask or of the numbers of vertices."""
+    array, number = _array(values, name), len(mesh.points)
+    if array.dtype == bool:
+        if array.shape != (number,):
+            raise ValueError(f"{name} have shape {array.shape}, but there are {number} points")
+        return array.astype(np.int64)
+    chosen = integers(array, name).ravel()
+    for i in (int(np.argmin(chosen)), int(np.argmax(chosen))) if chosen.size else ():
+        if not 0 <= int(chosen[i]) < number:
+            raise ValueError(f"{name} have vertex {int(chosen[i])} of {number} at entry {i}")
+    marks = np.zeros(number, dtype=np.int64)
+    marks[chosen.astype(np.int64)] = 1
+    return marks
+
+
+def edge_ends(values: Any, name: str) -> np.ndarray:
+    array = labels(values, name)
+    if array.size == 0:
+        return np.zeros((0, 2), dtype=np.int64)
+    if array.ndim != 2 or array.shape[1] != 2:
+        raise ValueError(f"{name} have shape {array.shape}, not (k, 2)")
+    return array
 
 
 def _check_sizes(sizes: np.ndarray, indices: int) -> np.ndarray:
