@@ -119,10 +119,11 @@ def test_distance():
     assert 0 < quality["rms_distance"] <= quality["maximum_distance"] <= 0.2
     relative = smc.coarsen(points, faces, maximum_distance=0.2 / quality["diagonal"])
     assert np.array_equal(relative.points, result.points)
+    small = torus(8, 12)
     with pytest.raises(smc.UnreachableDistance) as e:
-        smc.coarsen(points, faces, maximum_distance=1e-7)
-    assert 1e-7 < e.value.nearest < 0.1
-    smc.coarsen(points, faces, maximum_distance=e.value.nearest)
+        smc.coarsen(*small, maximum_distance=1e-9)
+    assert 1e-9 < e.value.nearest < 1
+    smc.coarsen(*small, maximum_distance=e.value.nearest)
 
 
 def test_measure_of_a_mesh_itself():
