@@ -37,7 +37,7 @@ Mesh checked_mesh(const Soup& soup);
 Mesh_arrays to_arrays(const Soup& soup);
 Soup to_soup(const Mesh& mesh);
 
-// Returns for each edge of the mesh whether a row of the array has its ends. Throws std::invalid_argument for rows that are no edges.
+// Returns for each edge of the mesh whether a row of the array has its ends. Throws std::invalid_argument for other rows.
 std::vector<bool> marked_edges(const Mesh& mesh, const Integer_array& ends);
 
 Number_array points_of(const Mesh& mesh);

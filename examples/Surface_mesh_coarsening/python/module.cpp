@@ -37,9 +37,11 @@ using namespace py::literals;
 py::dict described(const Coarsening& result)
 {
   const SMC::Coarsening_report& r = result.report;
-  return py::dict("level"_a = r.level, "seeds"_a = r.seeds, "splits"_a = r.splits, "merges"_a = r.merges, "clusterings"_a = r.clusterings,
+  return py::dict("level"_a = r.level, "seeds"_a = r.seeds, "splits"_a = r.splits, "merges"_a = r.merges,
                   "refused_by_boundary_counts"_a = r.refused_by_boundary_counts,
-                  "refused_by_guarantee"_a = r.refused_by_guarantee, "clusters"_a = r.clusters, "rounds"_a = r.rounds, "moves"_a = r.moves, "initial_energy"_a = r.initial_energy,
+                  "refused_by_guarantee"_a = r.refused_by_guarantee, "clusterings"_a = r.clusterings,
+                  "clusters"_a = r.clusters, "rounds"_a = r.rounds, "moves"_a = r.moves,
+                  "initial_energy"_a = r.initial_energy,
                   "final_energy"_a = r.final_energy, "converged"_a = r.converged,
                   "subdivided_components"_a = r.subdivided_components, "dropped_components"_a = r.dropped_components,
                   "exchanged_vertices"_a = r.exchanged_vertices, "intersections_found"_a = r.intersections_found,
@@ -205,7 +207,7 @@ py::list transfer_arrays(const Number_array& points, const Index_array& sizes, c
   return results;
 }
 
-// Returns the face of the source of each vertex of the coarse mesh, and its coordinates there, in rows as long as the largest face.
+// Returns the face of the source of each vertex of the coarse mesh, and coordinates in rows as long as the largest face.
 py::tuple sources_of_arrays(const Number_array& points, const Index_array& sizes, const Index_array& indices,
                             const Integer_array& labels, const Number_array& coarse_points, const Index_array& coarse_sizes,
                             const Index_array& coarse_indices)

@@ -43,7 +43,8 @@ def labels(values: Any, name: str) -> np.ndarray:
     """Returns integers of 64 bits with sign."""
     array = integers(values, name)
     if array.size and array.max() > np.iinfo(np.int64).max:
-        raise ValueError(f"{name} have the value {array.max()} at entry {int(np.argmax(array))}, which exceeds 64 bits with sign")
+        at = int(np.argmax(array))
+        raise ValueError(f"{name} have the value {array.max()} at entry {at}, which exceeds 64 bits with sign")
     return np.ascontiguousarray(array, dtype=np.int64)
 
 
@@ -61,8 +62,8 @@ def per_face(array: Optional[np.ndarray], name: str, mesh: Arrays) -> Optional[n
 
 
 def take_mesh(*arguments: Any) -> Tuple[Any, ...]:
-    """Returns points, faces and the other arguments that are not None. A mesh of trimesh or PyVista, or a result of this module, may
-    stand for points and faces: any object with `faces` and `vertices` or `points`."""
+    """Returns points, faces and the other arguments that are not None. A mesh of trimesh or PyVista, or a result of this module,
+    may stand for points and faces: any object with `faces` and `vertices` or `points`."""
     first, others = arguments[0], tuple(a for a in arguments[1:] if a is not None)
     for name in ("vertices", "points"):
         if hasattr(first, "faces") and hasattr(first, name):

@@ -103,7 +103,8 @@ def _with_settings(function: Callable[..., Any]) -> Callable[..., Any]:
     """Lists the settings with their defaults in the signature, instead of `**settings`, and binds calls to it."""
     own = list(inspect.signature(function).parameters.values())[:-1]
     types = Settings.__annotations__
-    listed = [inspect.Parameter(n, inspect.Parameter.KEYWORD_ONLY, default=d, annotation=types[n]) for n, d in _DEFAULTS.items()]
+    kind = inspect.Parameter.KEYWORD_ONLY
+    listed = [inspect.Parameter(n, kind, default=d, annotation=types[n]) for n, d in _DEFAULTS.items()]
     signature = inspect.signature(function).replace(parameters=own + listed)
 
     @functools.wraps(function)

@@ -28,8 +28,8 @@ class Repaired:
 
 
 def repair(points: Any, faces: Faces = None, *, fill_holes: float = 0) -> Repaired:
-    """Repairs a mesh to an oriented 2-manifold, as option --repair of the tool does: merges coincident points, removes repeated and
-    degenerate faces, orients faces, and separates what is not a manifold.
+    """Repairs a mesh to an oriented 2-manifold, as option --repair of the tool does: merges coincident points, removes
+    repeated and degenerate faces, orients faces, and separates what is not a manifold.
 
     points, faces: as in `coarsen()`
     fill_holes: fills holes whose border is at most as long as this, in the unit of length of the mesh; `math.inf` fills all

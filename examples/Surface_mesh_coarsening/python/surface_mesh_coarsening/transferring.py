@@ -76,7 +76,9 @@ def _clusters(coarsening: Coarsening, mesh: Arrays) -> np.ndarray:
     return clusters
 
 
-def _mesh_and_clusters(function: str, points: Any, faces: Faces, coarsening: Any) -> Tuple[Arrays, np.ndarray, Coarsening]:
+def _mesh_and_clusters(
+    function: str, points: Any, faces: Faces, coarsening: Any
+) -> Tuple[Arrays, np.ndarray, Coarsening]:
     points, faces, *rest = take_mesh(points, faces, coarsening)
     if len(rest) != 1 or not isinstance(rest[0], Coarsening):
         raise TypeError(f"{function}() takes a mesh, or points and faces, and a Coarsening")
