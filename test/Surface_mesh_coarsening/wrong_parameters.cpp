@@ -28,5 +28,6 @@ void call(const Mesh& input, Mesh& output, Mesh::Property_map<Mesh::Vertex_index
   SMC::coarsen_mesh(input, 9, output, p::cluster_weight(SMC::Weighted_area_weight()).cluster_energy(SMC::Quadric_energy()));
   SMC::Mwcvd_clustering<Mesh> of_weight(input, p::cluster_energy(SMC::Quadric_energy()));
   SMC::coarsen_mesh(input, output);
+  SMC::coarsen_mesh(input, output, 100);
   SMC::coarsen_mesh(input, output, p::neighborhood_level(3).vertex_ratio(0.1));
 }

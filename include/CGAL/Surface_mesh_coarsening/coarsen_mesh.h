@@ -369,7 +369,8 @@ template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFa
           class NamedParametersIn = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , std::enable_if_t<!std::is_integral<OutputFaceGraph>::value>* = nullptr // an `int` is a number of vertices
+          , std::enable_if_t<!std::is_integral<OutputFaceGraph>::value && // an `int` is a number of vertices
+                             !std::is_arithmetic<NamedParametersIn>::value>* = nullptr
 #endif
           >
 Coarsening_report coarsen_mesh(const FaceGraph& input, OutputFaceGraph& output,
@@ -395,6 +396,18 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, OutputFaceGraph& output,
       throw Invalid_input("start_from_face_clusters is false, and there is no number of vertices");
   });
 }
+
+#ifndef DOXYGEN_RUNNING
+// The arguments in the order of other functions of CGAL, which gets one sentence instead of the errors of both functions above.
+template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph, class Number, class... NamedParameters,
+          std::enable_if_t<!std::is_integral<OutputFaceGraph>::value && std::is_arithmetic<Number>::value>* = nullptr>
+Coarsening_report coarsen_mesh(const FaceGraph&, OutputFaceGraph&, const Number&, const NamedParameters&...)
+{
+  static_assert(std::is_void<Number>::value,
+                "the number of vertices precedes the output: coarsen_mesh(input, number_of_vertices, output)");
+  return Coarsening_report();
+}
+#endif
 
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL
