@@ -36,8 +36,8 @@ typedef Parameter_list<internal_np::start_from_face_clusters_t, internal_np::ver
 // Calls `seed` and grows the clusters, unless the caller passes clusters: then their number must be `number`, or may be any
 // number if `number` is 0.
 template <class ConcurrencyTag, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
-Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
-                               std::size_t number, const Seed& seed)
+Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
+                                            std::size_t number, const Seed& seed)
 {
   typedef Energy_choice<NPIn> Energy;
   typedef Parameter_type<internal_np::vertex_placement_t, NPIn, Fitted_placement> Placement;
@@ -75,6 +75,16 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
     });
   sources.write(output);
   return clustering.report();
+}
+
+template <class ConcurrencyTag, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
+Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
+                               std::size_t number, const Seed& seed)
+{
+  if constexpr (!fits_maps_of_clusters<FaceGraph, NPIn>()) // the errors that would follow hide the sentence
+    return Coarsening_report();
+  else
+    return coarsen_with_fitting_maps<ConcurrencyTag>(input, output, np_in, np_out, number, seed);
 }
 
 } // namespace internal
