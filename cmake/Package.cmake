@@ -70,4 +70,7 @@ if(TARGET coarsen_mesh AND NOT SURFACE_MESH_COARSENING_STATIC_TOOL)
       -D CONFIG=${PROJECT_BINARY_DIR}/CPackConfig.cmake -P ${PROJECT_SOURCE_DIR}/cmake/make_packages.cmake
     USES_TERMINAL VERBATIM COMMENT "Making the packages")
   add_dependencies(packages coarsen_mesh)
+  if(TARGET surface_mesh_coarsening_python)
+    add_dependencies(packages surface_mesh_coarsening_python)
+  endif()
 endif()
