@@ -61,3 +61,16 @@ if(DPKG_SHLIBDEPS AND FILE_COMMAND)
 endif()
 
 include(CPack)
+
+# All that is published of this version, with checksums, in packages/ of the build tree. The static tool has a build tree of its own.
+if(TARGET coarsen_mesh AND NOT SURFACE_MESH_COARSENING_STATIC_TOOL)
+  cmake_path(GET CMAKE_COMMAND PARENT_PATH cmake_bin)
+  add_custom_target(packages
+    COMMAND ${CMAKE_COMMAND} -D PACKAGES=${PROJECT_BINARY_DIR}/packages -D SOURCES=${PROJECT_SOURCE_DIR} -D CPACK=${cmake_bin}/cpack
+      -D CONFIG=${PROJECT_BINARY_DIR}/CPackConfig.cmake -P ${PROJECT_SOURCE_DIR}/cmake/make_packages.cmake
+    USES_TERMINAL VERBATIM COMMENT "Making the packages")
+  add_dependencies(packages coarsen_mesh)
+  if(TARGET surface_mesh_coarsening_python)
+    add_dependencies(packages surface_mesh_coarsening_python)
+  endif()
+endif()

@@ -36,8 +36,8 @@ typedef Parameter_list<internal_np::start_from_face_clusters_t, internal_np::ver
 // Calls `seed` and grows the clusters, unless the caller passes clusters: then their number must be `number`, or may be any
 // number if `number` is 0.
 template <class ConcurrencyTag, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
-Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
-                               std::size_t number, const Seed& seed)
+Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
+                                            std::size_t number, const Seed& seed)
 {
   typedef Energy_choice<NPIn> Energy;
   typedef Parameter_type<internal_np::vertex_placement_t, NPIn, Fitted_placement> Placement;
@@ -75,6 +75,16 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
     });
   sources.write(output);
   return clustering.report();
+}
+
+template <class ConcurrencyTag, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
+Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
+                               std::size_t number, const Seed& seed)
+{
+  if constexpr (!fits_maps_of_clusters<FaceGraph, NPIn>()) // the errors that would follow hide the sentence
+    return Coarsening_report();
+  else
+    return coarsen_with_fitting_maps<ConcurrencyTag>(input, output, np_in, np_out, number, seed);
 }
 
 } // namespace internal
@@ -373,7 +383,8 @@ template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFa
           class NamedParametersIn = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , std::enable_if_t<!std::is_integral<OutputFaceGraph>::value>* = nullptr // an `int` is a number of vertices
+          , std::enable_if_t<!std::is_integral<OutputFaceGraph>::value && // an `int` is a number of vertices
+                             !std::is_arithmetic<NamedParametersIn>::value>* = nullptr
 #endif
           >
 Coarsening_report coarsen_mesh(const FaceGraph& input, OutputFaceGraph& output,
@@ -399,6 +410,18 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, OutputFaceGraph& output,
       throw Invalid_input("start_from_face_clusters is false, and there is no number of vertices");
   });
 }
+
+#ifndef DOXYGEN_RUNNING
+// The arguments in the order of other functions of CGAL, which gets one sentence instead of the errors of both functions above.
+template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph, class Number, class... NamedParameters,
+          std::enable_if_t<!std::is_integral<OutputFaceGraph>::value && std::is_arithmetic<Number>::value>* = nullptr>
+Coarsening_report coarsen_mesh(const FaceGraph&, OutputFaceGraph&, const Number&, const NamedParameters&...)
+{
+  static_assert(std::is_void<Number>::value,
+                "the number of vertices precedes the output: coarsen_mesh(input, number_of_vertices, output)");
+  return Coarsening_report();
+}
+#endif
 
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL
