@@ -9,12 +9,14 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <map>
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_tool_properties)
@@ -48,6 +50,57 @@ std::string colored_ply()
     os << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << int(10 * p[0]) << ' ' << p[1] / 20 << '\n';
   for (const auto& p : soup.polygons)
     os << "4 " << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[3] << ' ' << (soup.points[p[0]][0] < 10 ? -7 : 3) << '\n';
+  return os.str();
+}
+
+typedef std::array<double, 3> Place;
+
+// The edges of one face only whose ends are at `x`, as pairs of places.
+std::set<std::pair<Place, Place> > border_edges_at(double x, const Soup& soup)
+{
+  std::map<std::pair<Place, Place>, int> faces;
+  for (const auto& polygon : soup.polygons)
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const auto &a = soup.points[polygon[i]], &b = soup.points[polygon[(i + 1) % polygon.size()]];
+      if (a.x() == x && b.x() == x)
+        ++faces[std::minmax(Place{a.x(), a.y(), a.z()}, Place{b.x(), b.y(), b.z()})];
+    }
+  std::set<std::pair<Place, Place> > result;
+  for (const auto& edge : faces)
+    if (edge.second == 1)
+      result.insert(edge.first);
+  return result;
+}
+
+// A part of a hilly surface that begins at `x`.
+std::string tile(double x)
+{
+  generated::Soup soup = generated::grid(20, 20);
+  for (auto& p : soup.points) {
+    p[0] += x;
+    p[2] = 2 * std::sin(0.5 * p[1]) * std::cos(0.3 * p[0]);
+  }
+  return mesh_files::off(soup);
+}
+
+// A square of 10 x 10 faces whose vertices with x = 5, or faces beside them, are marked.
+std::string marked_ply(bool faces)
+{
+  const generated::Soup soup = generated::grid(10, 10);
+  std::ostringstream os;
+  os << "ply\nformat ascii 1.0\nelement vertex " << soup.points.size()
+     << "\nproperty float x\nproperty float y\nproperty float z\n"
+     << (faces ? "" : "property uchar mark\n") << "element face " << soup.polygons.size()
+     << "\nproperty list uchar int vertex_indices\n"
+     << (faces ? "property uchar mark\n" : "") << "end_header\n";
+  for (const auto& p : soup.points)
+    os << p[0] << ' ' << p[1] << ' ' << p[2] << (faces ? "" : p[0] == 5 ? " 1" : " 0") << '\n';
+  for (const auto& p : soup.polygons)
+    os << "4 " << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[3]
+       << (!faces                      ? ""
+           : soup.points[p[0]][0] == 5 ? " 1"
+                                       : " 0")
+       << '\n';
   return os.str();
 }
 
@@ -436,6 +489,43 @@ BOOST_AUTO_TEST_CASE(distances_take_the_place_of_numbers)
   // Relative distances are reported as relative.
   BOOST_CHECK(shop.run("in.off out.off --maximum-distance 1e-9").names("no result within 1e-09 of the diagonal ("));
   BOOST_CHECK(shop.run("in.off out.off --maximum-distance 0.02").out.find(" of the diagonal (") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(neighboring_tiles_fit)
+{
+  const Tool_directory shop;
+  shop.write("left.off", tile(0));
+  shop.write("right.off", tile(20));
+  for (const std::string name : {"left", "right"})
+    check_done(shop.run(name + ".off " + name + "_out.off -n 130 --keep-borders"));
+  const auto edges = [&](const std::string& file) {
+    return border_edges_at(20, parse_soup(test::content_of(shop / file), "off"));
+  };
+  BOOST_CHECK_EQUAL(edges("left.off").size(), 20u);
+  BOOST_CHECK(edges("left_out.off") == edges("left.off"));
+  BOOST_CHECK(edges("right_out.off") == edges("left.off"));
+  for (const char* other : {"--levels 1", "--maximum-distance 0.1"})
+    BOOST_CHECK_EQUAL(shop.run(std::string("left.off out.off --keep-borders ") + other).status, 2);
+}
+
+BOOST_AUTO_TEST_CASE(marked_vertices_are_kept)
+{
+  const Tool_directory shop;
+  for (const bool faces : {false, true}) {
+    shop.write("in.ply", marked_ply(faces));
+    check_done(shop.run("in.ply out.ply -n 60 --keep mark"));
+    const Soup soup = parse_soup(test::content_of(shop / "out.ply"), "ply");
+    std::set<std::pair<double, double> > places;
+    for (const auto& p : soup.points)
+      places.emplace(p.x(), p.y());
+    for (int y = 0; y <= 10; ++y)
+      for (int x = 5; x <= 5 + faces; ++x)
+        BOOST_CHECK(places.count({x, y}) == 1);
+  }
+  const Tool_outcome outcome = shop.run("in.ply out.ply -n 60 --keep seam");
+  BOOST_CHECK_EQUAL(outcome.status, 1);
+  BOOST_CHECK(outcome.names("has no numbers 'seam' of vertices or faces"));
+  BOOST_CHECK(shop.run("--range in.ply --keep mark").out.find("22 to 121") == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -4,6 +4,7 @@
 
 #include "io/Failure.h"
 #include "io/Number_property.h"
+#include "kept_vertices.h"
 #include "patches.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Normal_deviation_energy.h>
@@ -166,6 +167,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
   typedef SMC::Mwcvd_clustering<Mesh, Energy, CGAL::Parallel_if_available_tag> Clustering;
   const std::size_t rounds = options.rounds.value_or(Defaults::number_of_iterations);
   const std::vector<std::int64_t> patch_of = wanted_patches(input, options);
+  const std::vector<char> is_kept = kept_vertices(input, options);
   const auto np = SMC::parameters::maximum_density(options.maximum_density)
                     .cluster_energy(Energy())
                     .minimum_component_area(options.minimum_component_area)
@@ -179,6 +181,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
                     .local_repairs(options.local_repairs)
                     .feature_angle(options.features.value_or(Defaults::feature_angle))
                     .face_patch_map(boost::make_function_property_map<Face>([&](Face f) { return patch_of[f]; }))
+                    .vertex_is_constrained_map(boost::make_function_property_map<Vertex>([&](Vertex v) { return is_kept[v] != 0; }))
                     .visitor(std::ref(visitor));
   if (options.maximum_distance) {
     coarsen_to_distance(input, options,
@@ -317,9 +320,15 @@ std::string level_file(const std::string& output, std::size_t level)
 
 SMC::Vertex_number_range range_of(const Mesh& input, const Options& options, Tool_visitor& visitor)
 {
+  const std::vector<std::int64_t> patch_of = wanted_patches(input, options);
+  const std::vector<char> is_kept = kept_vertices(input, options);
+  const auto patches = boost::make_function_property_map<Face>([&](Face f) { return patch_of[f]; });
+  const auto kept = boost::make_function_property_map<Vertex>([&](Vertex v) { return is_kept[v] != 0; });
   return SMC::vertex_number_range(input, SMC::parameters::minimum_component_area(options.minimum_component_area)
                                            .subdivide_input(options.subdivide)
                                            .feature_angle(options.features.value_or(Defaults::feature_angle))
+                                           .face_patch_map(patches)
+                                           .vertex_is_constrained_map(kept)
                                            .visitor(std::ref(visitor)));
 }
 

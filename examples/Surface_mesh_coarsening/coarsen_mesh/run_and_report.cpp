@@ -155,7 +155,7 @@ std::string summary(const Options& options, const Input& input, const Coarsening
   std::string remarks;
   if (findings.holes)
     remarks += holes_text(options, input.mesh, *findings.holes);
-  if (options.features || !options.patches.empty())
+  if (options.features || !options.patches.empty() || !options.keep.empty() || options.keep_borders)
     remarks += counted(report.feature_lines, "feature line") + " and " + counted(report.feature_corners, "corner") + " kept by " +
                counted_vertices(result.vertices_on_features) + ", ";
   if (result.distance_bound)
