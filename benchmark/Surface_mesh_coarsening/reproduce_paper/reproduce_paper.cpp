@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs table 1 of the paper on the models that are found, with the method as printed, and draws the figures 1 to 7. Each cell has
+// Runs table 1 of the paper on the models that are found, with the method of the paper, and draws the figures 1 to 7. Each cell has
 // the number of the paper before the number measured here.
 
 #include "check/certificate.h"
@@ -111,6 +111,8 @@ void print_table(const std::vector<Column>& columns)
   });
   print_row("  number of components", columns,
             [](const Column& c) { return formatted("%zu", c.components_with_clusters_beyond_seeds); });
+  print_row("splits", columns, [](const Column& c) { return formatted("%zu", c.runs[AREA].report.splits); });
+  print_row("merges", columns, [](const Column& c) { return formatted("%zu", c.runs[AREA].report.merges); });
   for (const Paper_weight w : paper_weights) {
     print_row(std::string(weight_names[w]) + ": rounds", columns,
               [&](const Column& c) { return formatted("%zu", c.runs[w].report.rounds); });
