@@ -111,8 +111,6 @@ void print_table(const std::vector<Column>& columns)
   });
   print_row("  number of components", columns,
             [](const Column& c) { return formatted("%zu", c.components_with_clusters_beyond_seeds); });
-  print_row("splits", columns, [](const Column& c) { return formatted("%zu", c.runs[AREA].report.splits); });
-  print_row("merges", columns, [](const Column& c) { return formatted("%zu", c.runs[AREA].report.merges); });
   for (const Paper_weight w : paper_weights) {
     print_row(std::string(weight_names[w]) + ": rounds", columns,
               [&](const Column& c) { return formatted("%zu", c.runs[w].report.rounds); });
