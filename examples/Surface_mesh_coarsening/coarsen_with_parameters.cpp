@@ -68,7 +68,7 @@ int main(int argc, char* argv[])
   //! [range]
 
   //! [paper]
-  // The method of the paper to the letter, with its largest density for this model.
+  // The method of the paper, with its largest density for this model.
   SMC::coarsen_mesh(input, output, SMC::parameters::paper(SMC::Maximum_density_weight(), 50).neighborhood_level(3));
   //! [paper]
 

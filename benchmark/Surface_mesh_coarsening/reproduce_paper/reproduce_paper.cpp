@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs table 1 of the paper on the models that are found, with the method as printed, and draws the figures 1 to 7. Each cell has
+// Runs table 1 of the paper on the models that are found, with the method of the paper, and draws the figures 1 to 7. Each cell has
 // the number of the paper before the number measured here.
 
 #include "check/certificate.h"

@@ -23,7 +23,7 @@ struct Clustering_run
   Stage_times times;
 };
 
-// Runs the steps of the paper one after the other, as printed. Without rounds of minimization, the dual is that of seeds and
+// Runs the steps of the paper one after the other. Without rounds of minimization, the dual is that of seeds and
 // growth.
 Clustering_run run_clustering(const Mesh& mesh, unsigned level, Paper_weight weight, double maximum_density,
                               bool with_minimization = true);

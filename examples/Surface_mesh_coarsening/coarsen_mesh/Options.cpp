@@ -188,9 +188,9 @@ po::options_description described_options()
     ("local-repairs", text()->value_name("R")->default_value(std::to_string(Defaults::local_repairs)),
      "relocate vertices to triangles that still intersect after the repair up to R times, before the mesh is reclustered")
     ("paper",
-     "run the method as printed in the article: densities up to 50 (variance: 3) and none for borders, merging by area, "
-     "the check by boundary-edge counts, the end when a round changes nothing, vertices at centroids, no feedback and no "
-     "repair; options beside it take precedence")
+     "follow the article as closely as the guarantee permits: densities up to 50 (variance: 3) and none for borders, merging "
+     "by area, the check by boundary-edge counts, rounds over the whole mesh, the end when a round changes nothing, vertices at "
+     "centroids, no feedback and no repair; options beside it take precedence")
     ("features", text()->value_name("ANGLE")->implicit_value(default_feature_angle),
      "keep sharp edges, whose normals differ by ANGLE degrees or more: they become lines of edges, and their corners keep "
      "their positions")

@@ -188,7 +188,7 @@ public:
 
   /// runs rounds until a round lowers the energy by at most the relative amount `convergence_tolerance` or changes nothing, or
   /// until `number_of_iterations` rounds have been run. If there are many clusters, several rounds are run together in blocks of
-  /// clusters. Then the energies are compared, and the visitor is notified, after these rounds only.
+  /// clusters, unless \smcParam{boundary_count_check} is set. Then the energies are compared, and the visitor is notified, after these rounds only.
   /// \throws Invalid_input if the tolerance is negative or not a number.
   void minimize(std::size_t number_of_iterations = Coarsening_defaults::number_of_iterations,
                 double convergence_tolerance = Coarsening_defaults::convergence_tolerance)

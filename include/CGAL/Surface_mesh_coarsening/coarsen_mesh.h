@@ -179,8 +179,9 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{boundary_count_check}
 ///     \cgalParamDescription{whether moves in the minimization must also pass the check of section 7 of the paper, which is
-///                           defined for triangle meshes. The report counts the moves that fail this check, and the moves that
-///                           pass it but fail the check of this package.}
+///                           defined for triangle meshes. The rounds then run over the whole mesh. The report counts the tests
+///                           of moves that fail this check, and of moves that pass it but fail the check of this package.}
+///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{repair_output}

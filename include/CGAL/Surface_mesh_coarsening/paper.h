@@ -37,10 +37,10 @@ auto paper_clustering(const ClusterWeight& weight, double maximum_density = maxi
   //! [paper]
 }
 
-/// begins a chain with the parameters that run `coarsen_mesh()` as printed in the paper: its densities, its reduction to a fixed
-/// number by area, its check of boundary-edge counts, its end when a round changes nothing, vertices at centroids, also on
-/// borders, and no repair. Only the guarantee of this package is added: `Coarsening_report::refused_by_guarantee` counts the
-/// moves that the paper allows, but after which the dual would not be a surface.
+/// begins a chain with the parameters that run `coarsen_mesh()` as in the paper, as closely as the guarantee of this package
+/// permits: its densities, its reduction to a fixed number by area, its check of boundary-edge counts in rounds over the whole
+/// mesh, its end when a round changes nothing, vertices at centroids, also on borders, and no repair. Page \ref smc_paper lists
+/// what the package adds: discs during the growth, splits and merges, current sums, and the check of each move.
 ///
 /// \param weight a weight of the paper: `Weighted_area_weight`, `Maximum_density_weight` or `Density_variance_weight`
 /// \param maximum_density the paper's \f$ \rho_{new} \f$: 3 for the variance and 50 for the other weights, except for the area

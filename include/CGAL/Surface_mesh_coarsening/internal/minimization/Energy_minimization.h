@@ -35,7 +35,8 @@ namespace internal {
 //
 // If there are many clusters, they are divided into blocks, each of which runs several rounds independently, in parallel. An edge
 // whose face could not move because of another block belongs to a block of a second division next. The few edges that are
-// postponed again are processed in order. The two divisions alternate.
+// postponed again are processed in order. The two divisions alternate. With the paper's check, the rounds run over the whole
+// mesh, as in the paper.
 template <class Energy>
 class Energy_minimization : public Minimization
 {
@@ -57,7 +58,7 @@ public:
       state_.rules = &*rules_;
     }
     add_up(cancellation_);
-    if (number_of_clusters >= 2 * clusters_per_block)
+    if (number_of_clusters >= 2 * clusters_per_block && !checks_boundary_counts)
       divide(number_of_clusters / clusters_per_block);
   }
 
