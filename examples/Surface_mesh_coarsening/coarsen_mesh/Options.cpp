@@ -195,8 +195,8 @@ po::options_description described_options()
      "keep sharp edges, whose normals differ by ANGLE degrees or more: they become lines of edges, and their corners keep "
      "their positions")
     ("patches", text()->value_name("FIELD"),
-     "keep the lines between faces that differ in FIELD: material or group, or the name of whole numbers that a PLY "
-     "file has for faces")
+     "keep the lines between faces that differ in FIELD: material, group, object or solid, or the name of whole numbers "
+     "that a PLY file has for faces")
     ("clusters", text()->value_name("FILE"), "write the input with a color and a label for each face (.ply)")
     ("picture", text()->value_name("FILE"),
       "write a picture of the input with its clusters, the result, and the distance between them (.png)")

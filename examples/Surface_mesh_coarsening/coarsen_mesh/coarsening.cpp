@@ -128,7 +128,8 @@ std::vector<std::int64_t> wanted_patches(const Mesh& input, const Options& optio
   auto result = patches(input, options.patches);
   if (!result)
     throw Failure(options.input, "has no " +
-                                   (options.patches == "material" || options.patches == "group"
+                                   (options.patches == "material" || options.patches == "group" || options.patches == "solid" ||
+                                        options.patches == "object"
                                       ? options.patches + "s"
                                       : "whole numbers '" + options.patches + "'") +
                                    " of faces, which --patches names");
