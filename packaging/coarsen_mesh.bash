@@ -18,7 +18,7 @@ _coarsen_mesh()
     --energy) values="weighted quadric normals" ;;
     --fill-holes) values=all ;;
     --format) values="off obj ply stl" ;;
-    --patches) values="material group" ;;
+    --patches) values="material group object solid" ;;
     --placement) values="centroid closest-vertex quadric fitted" ;;
     --clusters) endings=ply ;;
     --picture) endings=png ;;

@@ -337,6 +337,67 @@ BOOST_AUTO_TEST_CASE(names_of_obj)
                std::set<std::string>{"old stone", "old wood"}));
 }
 
+// The solids of a text STL are groups, and their borders are kept on request.
+BOOST_AUTO_TEST_CASE(solids_of_stl)
+{
+  const generated::Soup soup = generated::grid(20, 20);
+  std::ostringstream os;
+  for (const bool is_left : {true, false}) {
+    os << "solid " << (is_left ? "left part #1" : "right") << '\n';
+    for (const auto& p : soup.polygons)
+      for (std::size_t i = 2; i < p.size(); ++i)
+        if ((soup.points[p[0]][0] < 10) == is_left) {
+          os << "facet normal 0 0 1\nouter loop\n";
+          for (const std::size_t v : {p[0], p[i - 1], p[i]})
+            os << "vertex " << soup.points[v][0] << ' ' << soup.points[v][1] << ' ' << soup.points[v][2] << '\n';
+          os << "endloop\nendfacet\n";
+        }
+    os << "endsolid\n";
+  }
+  const Tool_directory shop;
+  shop.write("in.stl", os.str());
+  const Tool_outcome outcome = shop.run("in.stl out.obj -n 40 --patches solid");
+  check_done(outcome);
+  BOOST_CHECK_EQUAL(outcome.err, "");
+  const Soup result = parse_soup(test::content_of(shop / "out.obj"), "obj");
+  BOOST_REQUIRE_EQUAL(result.groups.size(), result.polygons.size());
+  for (std::size_t f = 0; f < result.polygons.size(); ++f)
+    for (const std::size_t v : result.polygons[f])
+      BOOST_CHECK_GE((result.points[v].x() - 10) * (result.groups[f] == "left part _1" ? -1 : 1), -0.05);
+  BOOST_CHECK(shop.run("in.stl out.ply -n 40").names("the groups of faces are left out"));
+  shop.write("plain.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n");
+  BOOST_CHECK(parse_soup(test::content_of(shop / "plain.stl"), "stl").groups.empty());
+  BOOST_CHECK(shop.run("plain.stl out.obj -n 3 --patches solid").names("has no solids of faces"));
+}
+
+BOOST_AUTO_TEST_CASE(objects_of_obj)
+{
+  const Tool_directory shop;
+  std::string text = textured_obj();
+  for (std::size_t at = text.find("g part"); at != std::string::npos; at = text.find("g part", at + 1))
+    text.replace(at, 1, "o");
+  shop.write("in.obj", text);
+  check_done(shop.run("in.obj out.obj -n 40 --patches object --repair"));
+  const Soup soup = parse_soup(test::content_of(shop / "out.obj"), "obj");
+  BOOST_CHECK(std::set<std::string>(soup.objects.begin(), soup.objects.end()) ==
+              (std::set<std::string>{"part_of_granite", "part_of_marble"}));
+  BOOST_CHECK(soup.groups.empty());
+  BOOST_CHECK(shop.run("in.obj out.off -n 40").names("the names of objects are left out, the format OFF cannot hold them"));
+}
+
+BOOST_AUTO_TEST_CASE(losses_of_reading_are_named)
+{
+  const std::string faces = "v 1 0 0 0 0 0\nv 0 1 0 1 1 1\nf 1 2 3\n";
+  const std::vector<std::string> loss = {"the digits of colors beyond 8 bits"};
+  BOOST_CHECK(parse_soup("v 0 0 0 0.2 0.502 0\n" + faces, "obj").left_out.empty());
+  BOOST_CHECK(parse_soup("v 0 0 0 0.0019 0 0\n" + faces, "obj").left_out == loss);
+  std::string stl = mesh_files::binary_stl(generated::octahedron());
+  BOOST_CHECK(parse_soup(stl, "stl").left_out.empty());
+  stl[84 + 48] = '\x1f';
+  stl[84 + 49] = '\x80';
+  BOOST_CHECK(parse_soup(stl, "stl").left_out == std::vector<std::string>{"the attributes of triangles (often colors)"});
+}
+
 // Two strips of a square of four triangles around its middle, one with a vertex that is repeated.
 BOOST_AUTO_TEST_CASE(strips_of_triangles)
 {

@@ -195,8 +195,8 @@ po::options_description described_options()
      "keep sharp edges, whose normals differ by ANGLE degrees or more: they become lines of edges, and their corners keep "
      "their positions")
     ("patches", text()->value_name("FIELD"),
-     "keep the lines between faces that differ in FIELD: material or group, or the name of whole numbers that a PLY "
-     "file has for faces")
+     "keep the lines between faces that differ in FIELD: material, group, object or solid, or the name of whole numbers "
+     "that a PLY file has for faces")
     ("keep-borders",
      "keep vertices and edges of borders as they are, so that neighboring tiles still fit")
     ("keep", text()->value_name("FIELD"),
