@@ -41,6 +41,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libsurface-mesh-coarsening-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev (>= 3.3)")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libtbb-dev") # applications without it have one thread
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Coarse triangle meshes of fine polygon meshes: headers for use with CGAL")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME coarsen-mesh)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION graphics)

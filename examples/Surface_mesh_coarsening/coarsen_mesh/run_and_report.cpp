@@ -162,9 +162,12 @@ void flush_output()
     throw Failure("standard output", "cannot be written: " + std::generic_category().message(errno ? errno : EIO));
 }
 
-// One for each field of the input or the result that the output does not have.
+// One for threads that cannot be had, and for each field of the input or the result that the output does not have.
 void add_warnings(const Options& options, const Input& input, const Mesh& result, std::vector<std::string>& warnings)
 {
+  if (options.threads && *options.threads > max_threads())
+    warnings.push_back("--threads " + std::to_string(*options.threads) + ": there is " + counted(max_threads(), "thread") +
+                       " only, as the program is built without oneTBB");
   for (const std::string& field : input.left_out)
     warnings.push_back(options.input + ": " + field + " are not read");
   const std::string type = type_of(options, options.output);
