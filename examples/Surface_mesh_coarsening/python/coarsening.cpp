@@ -126,7 +126,7 @@ void make_clusters(Clustering& clustering, const Options& options, const Fields&
   else if (options.level)
     clustering.seed_from_level(*options.level);
   else
-    clustering.seed(options.vertices.front());
+    clustering.seed_faces_or_cells(options.vertices.front());
   clustering.grow();
 }
 
