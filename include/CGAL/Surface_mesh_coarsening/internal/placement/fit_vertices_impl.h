@@ -124,10 +124,10 @@ inline void place_by_quadrics(const Clustered_faces& surface, const Border_arcs&
     for (std::size_t x = begin; x < end; ++x) {
       if (surface.execution() == Execution::SEQUENTIAL)
         surface.cancellation().poll(surface.faces(x).size());
-      if (border.is_on_border(x))
-        continue;
-      const Index v = surface.single_vertex(x);
-      positions[x] = v == NONE ? quadric_position(surface, x, pull) : surface.point(v);
+      if (const Index v = surface.single_vertex(x); v != NONE)
+        positions[x] = surface.point(v);
+      else if (!border.is_on_border(x))
+        positions[x] = quadric_position(surface, x, pull);
     }
   });
 }
