@@ -412,7 +412,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, OutputFaceGraph& output,
   });
 }
 
-#ifndef DOXYGEN_RUNNING
+/// \cond SKIP_IN_MANUAL
 // The arguments in the order of other functions of CGAL, which gets one sentence instead of the errors of both functions above.
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph, class Number, class... NamedParameters,
           std::enable_if_t<!std::is_integral<OutputFaceGraph>::value && std::is_arithmetic<Number>::value>* = nullptr>
@@ -422,7 +422,7 @@ Coarsening_report coarsen_mesh(const FaceGraph&, OutputFaceGraph&, const Number&
                 "the number of vertices precedes the output: coarsen_mesh(input, number_of_vertices, output)");
   return Coarsening_report();
 }
-#endif
+/// \endcond
 
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL
