@@ -223,6 +223,7 @@ private:
     std::vector<Index> all = around;
     all.insert(all.end(), {x.t, x.u});
     const double max_cost = cost_of(all) + max_growth;
+    const bool is_one_component = samples_.component(around) == samples_.component({x.t, x.u});
     const Vector place = std::exchange(positions_[r.into], r.place), place_of_v = std::exchange(positions_[v], x.place);
     coarse_.replace(changed, now);
     const std::vector<Index> collapsed = coarse_.around(r.into);
@@ -235,9 +236,12 @@ private:
       positions_[r.into] = place;
       positions_[v] = place_of_v;
       coarse_.replace(changed, before);
-      // The two regions may be close to each other, on two components even, so each receives its own samples.
-      samples_.redistribute(split, {x.t, x.u});
-      samples_.redistribute(collapsed, around);
+      if (is_one_component) {
+        samples_.redistribute(all, all);
+      } else { // the components may be close to each other, so each receives its own samples
+        samples_.redistribute(split, {x.t, x.u});
+        samples_.redistribute(collapsed, around);
+      }
     }
     return outcome;
   }
