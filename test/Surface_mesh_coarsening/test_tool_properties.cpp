@@ -543,12 +543,16 @@ BOOST_AUTO_TEST_CASE(distances_take_the_place_of_numbers)
                             "--maximum-distance 0.1 -n 20", "--maximum-distance 0.1 --maximum-distance-absolute 1",
                             "--maximum-distance 0.1 --levels 2"})
     BOOST_CHECK_EQUAL(shop.run(std::string("in.off out.off ") + wrong).status, 2);
-  const Tool_outcome outcome = shop.run("in.off out.off --maximum-distance-absolute 1e-9");
+  // The input itself is within any distance that exceeds rounding errors.
+  check_done(shop.run("in.off out.off --maximum-distance-absolute 1e-9"));
+  BOOST_CHECK_EQUAL(parse_soup(test::content_of(shop / "out.off"), "off").points.size(),
+                    generated::triangle_sphere(4).points.size());
+  const Tool_outcome outcome = shop.run("in.off out.off --maximum-distance-absolute 1e-30");
   BOOST_CHECK_EQUAL(outcome.status, 1);
-  BOOST_CHECK(outcome.names("within a distance of 1e-09"));
+  BOOST_CHECK(outcome.names("within a distance of 1e-30"));
   BOOST_CHECK(outcome.names("--subdivide"));
   // Relative distances are reported as relative.
-  BOOST_CHECK(shop.run("in.off out.off --maximum-distance 1e-9").names("no result within 1e-09 of the diagonal ("));
+  BOOST_CHECK(shop.run("in.off out.off --maximum-distance 1e-30").names("no result within 1e-30 of the diagonal ("));
   BOOST_CHECK(shop.run("in.off out.off --maximum-distance 0.02").out.find(" of the diagonal (") != std::string::npos);
 }
 

@@ -64,7 +64,10 @@ void read_binary_stl(const std::string& content, std::vector<std::array<double, 
       const double x = bytes.read<float>(triangle), y = bytes.read<float>(triangle), z = bytes.read<float>(triangle);
       corners.push_back({x, y, z});
     }
-    if (bytes.read<std::uint16_t>(triangle) != 0)
+    // CGAL and others write two blanks.
+    constexpr std::uint16_t blanks = 0x2020;
+    const auto attribute = bytes.read<std::uint16_t>(triangle);
+    if (attribute != 0 && attribute != blanks)
       soup.leave_out("the attributes of triangles (often colors)");
   }
   bytes.expect_end("the " + std::to_string(triangles) + " triangles announced");
