@@ -51,6 +51,8 @@ Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& outp
       throw Invalid_input("the face_cluster_map has " + std::to_string(clustering.number_of_clusters()) +
                           " clusters, but " + std::to_string(number) + " vertices were asked for");
   } else {
+    // Other placements do not return the vertices of single cells.
+    clustering.state().may_cluster_cells = clustering.state().may_cluster_cells && exchanges_vertices<Placement>;
     seed(clustering);
     clustering.grow();
   }
