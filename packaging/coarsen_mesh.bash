@@ -25,11 +25,11 @@ _coarsen_mesh()
     --report) endings=json ;;
     -n | --vertices | -k | --neighborhood-level | --maximum-distance | --maximum-distance-absolute | --levels | \
     --rounds | --convergence-tolerance | --maximum-density | --error-feedback | --local-repairs | --view | --up | \
-    --minimum-component-area | --threads | --keep) return ;;
+    --minimum-component-area | --threads | --keep | --weld) return ;;
     *)
       if [[ $word == -* ]]; then
         values="--vertices --range --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --energy --weight --maximum-density --placement --error-feedback --local-repairs --paper --features --patches --keep-borders --keep --clusters --picture
-          --view --up --report --format --repair --fill-holes --minimum-component-area --subdivide --measure --distances --threads --quiet
+          --view --up --report --format --repair --weld --fill-holes --minimum-component-area --subdivide --measure --distances --threads --force --quiet
           --version --help -n -k -w -h"
       else
         endings="off obj ply stl glb gltf dae"

@@ -496,7 +496,19 @@ BOOST_AUTO_TEST_CASE(obj_files_keep_textures_and_materials)
 {
   const Tool_directory shop;
   shop.write("in.obj", textured_obj());
-  check_done(shop.run("in.obj out.obj -n 40"));
+  const Tool_outcome outcome = shop.run("in.obj out.obj -n 40");
+  check_done(outcome);
+  BOOST_CHECK(outcome.names("out.obj: the lines between materials are not kept (--patches material keeps them)"));
+  BOOST_CHECK(!shop.run("in.obj kept.obj -n 40 --patches material").names("--patches"));
+  BOOST_CHECK(!shop.run("in.obj out.off -n 40").names("--patches"));
+  // Faces are grouped by material.
+  for (const std::string file : {"out.obj", "kept.obj"}) {
+    const std::string text = test::content_of(shop / file);
+    std::size_t runs = 0;
+    for (std::size_t at = text.find("usemtl "); at != std::string::npos; at = text.find("usemtl ", at + 1))
+      ++runs;
+    BOOST_CHECK_EQUAL(runs, 2u);
+  }
   const Soup soup = parse_soup(test::content_of(shop / "out.obj"), "obj");
   BOOST_REQUIRE_EQUAL(soup.points.size(), 40u);
   BOOST_CHECK(soup.notes.material_libraries == std::vector<std::string>{"stones.mtl"});
@@ -551,6 +563,17 @@ BOOST_AUTO_TEST_CASE(distances_take_the_place_of_numbers)
   BOOST_CHECK_EQUAL(outcome.status, 1);
   BOOST_CHECK(outcome.names("within a distance of 1e-30"));
   BOOST_CHECK(outcome.names("--subdivide"));
+  // The nearest distance can be asked for.
+  for (const double size : {1., 1.11, 1.9}) {
+    shop.write("small.off", mesh_files::off(generated::scaled(generated::triangle_sphere(2), size)));
+    for (const std::string option : {"--maximum-distance", "--maximum-distance-absolute"}) {
+      const std::string arguments = "small.off out.off --placement quadric " + option + " ", lead = "nearest distance found: ";
+      const Tool_outcome refused = shop.run(arguments + "1e-30");
+      BOOST_REQUIRE(refused.names(lead));
+      const std::string rest = refused.err.substr(refused.err.find(lead) + lead.size());
+      check_done(shop.run(arguments + rest.substr(0, rest.find_first_of(" ;)"))));
+    }
+  }
   // Relative distances are reported as relative.
   BOOST_CHECK(shop.run("in.off out.off --maximum-distance 1e-30").names("no result within 1e-30 of the diagonal ("));
   BOOST_CHECK(shop.run("in.off out.off --maximum-distance 0.02").out.find(" of the diagonal (") != std::string::npos);

@@ -116,6 +116,24 @@ std::size_t smallest_number(const Mesh& mesh, const std::string& what)
   return nearest;
 }
 
+// All numbers from the smallest one on work, and no smaller one.
+void check_range_of_subdivided(const Soup& soup)
+{
+  const Mesh mesh = test::to_mesh(soup);
+  const auto np = SMC::parameters::subdivide_input(true);
+  const std::size_t least = SMC::vertex_number_range(mesh, np).least;
+  for (std::size_t n = 1; n < least + 4; ++n) {
+    Mesh output;
+    bool works = true;
+    try {
+      SMC::coarsen_mesh(mesh, n, output, np);
+    } catch (const SMC::Unreachable_number_of_vertices&) {
+      works = false;
+    }
+    BOOST_CHECK_MESSAGE(works == (n >= least), n << " vertices, where " << least << " is the smallest number");
+  }
+}
+
 // `expected_minimum`: the smallest number that the topology allows, if the method is known to reach it.
 void check_surface(const std::string& what, const Soup& soup, std::size_t expected_minimum = 0)
 {
@@ -186,8 +204,7 @@ BOOST_AUTO_TEST_CASE(components)
                 joined(with_noise(triangle_sphere(4), 0.02), translated(scaled(triangle_sphere(3), 1e-6), 3, 0, 0)), 8);
   check_surface("components without area",
                 joined(with_noise(triangle_sphere(3), 0.02), joined(scaled(triangle_sphere(2), 0), tetrahedron())), 12);
-  check_surface("of all kinds",
-                joined(joined(triangulated(torus(12, 8)), grid(8, 8)), joined(tube(12, 4), tetrahedron())));
+  check_surface("of all kinds", joined(joined(triangulated(torus(12, 8)), grid(8, 8)), joined(tube(12, 4), tetrahedron())));
 }
 
 BOOST_AUTO_TEST_CASE(handles)
@@ -217,6 +234,19 @@ BOOST_AUTO_TEST_CASE(borders)
   check_surface("tube", with_noise(triangulated(tube(20, 20)), 0.02), 6);
   check_surface("torus with holes", with_holes(triangulated(torus(30, 20)), 10));
   check_surface("genus 5 with holes", with_holes(triangulated(plate_with_windows(5, 3)), 7));
+}
+
+BOOST_AUTO_TEST_CASE(ranges_of_subdivided_meshes)
+{
+  const Soup torus = generated::torus(3, 3);
+  for (const std::vector<std::size_t>& faces :
+       std::vector<std::vector<std::size_t> >{{0, 1, 2, 3, 6}, {1, 2, 5, 6, 7, 8}, {0, 1, 2, 3, 5, 6, 8}, {4}}) {
+    Soup part = torus;
+    part.polygons.clear();
+    for (const std::size_t f : faces)
+      part.polygons.push_back(torus.polygons[f]);
+    check_range_of_subdivided(generated::without_isolated_vertices(part));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_thousand_holes)

@@ -7,6 +7,7 @@
 #include "io/file_type.h"
 #include "io/same_file.h"
 #include "coarsening.h"
+#include "described_options.h"
 
 #include <CGAL/Surface_mesh_coarsening/version.h>
 
@@ -36,8 +37,8 @@ std::size_t to_count(const std::string& option, const std::string& text, std::si
   const auto read = std::from_chars(text.data(), end, value);
   if (read.ec != std::errc() || read.ptr != end || value < least || value > most)
     throw Wrong_usage("--" + option + " takes a whole number from " + std::to_string(least) +
-                      (most < (std::numeric_limits<unsigned>::max)() ? " to " + std::to_string(most) : " on") +
-                      ", not '" + text + "'");
+                      (most < (std::numeric_limits<unsigned>::max)() ? " to " + std::to_string(most) : " on") + ", not '" + text +
+                      "'");
   return value;
 }
 
@@ -55,6 +56,14 @@ double to_size(const std::string& option, const std::string& text)
   const double value = to_number(text).value_or(-1);
   if (!(value >= 0))
     throw Wrong_usage("--" + option + " takes a number from 0 on, not '" + text + "'");
+  return value;
+}
+
+double to_positive(const std::string& option, const std::string& text)
+{
+  const double value = to_size(option, text);
+  if (!(value > 0))
+    throw Wrong_usage("--" + option + " takes a number greater than 0, not '" + text + "'");
   return value;
 }
 
@@ -81,14 +90,6 @@ Vector to_direction(const std::string& option, const std::string& text)
       return Vector(coordinates[0] / largest, coordinates[1] / largest, coordinates[2] / largest);
   }
   throw Wrong_usage("--" + option + " takes a direction X,Y,Z that is not zero, not '" + text + "'");
-}
-
-std::string joined(const std::vector<std::string>& names)
-{
-  std::string result;
-  for (const std::string& name : names)
-    result += (result.empty() ? "" : ", ") + name;
-  return result;
 }
 
 void check_choice(const std::string& option, const std::string& value, const std::vector<std::string>& names)
@@ -144,118 +145,6 @@ Vector default_view(const Vector& up)
   return cosine * view + CGAL::cross_product(axis, view) + (axis * view) / (1 + cosine) * axis;
 }
 
-std::string number_text(double x)
-{
-  std::ostringstream text;
-  text << x;
-  return text.str();
-}
-
-constexpr const char* default_feature_angle = "30";
-
-po::options_description described_options()
-{
-  const auto text = [] { return po::value<std::string>(); };
-  po::options_description result("Options");
-  // clang-format off
-  result.add_options()
-    ("vertices,n", text()->value_name("N"), "number of vertices of the result, or a part of the input's, such as 10%")
-    ("range", "instead of writing OUTPUT, print the smallest and the largest number that --vertices can take for INPUT")
-    ("neighborhood-level,k", text()->value_name("K"),
-     "instead of --vertices: one vertex for every seed whose neighborhood of K layers of faces is free")
-    ("maximum-distance", text()->value_name("D"),
-     "instead of --vertices: as few vertices as keep the result within this distance of the input, both ways, in parts of the "
-     "diagonal of the input's bounding box (0.01 is one percent); the distance is bounded, not sampled")
-    ("maximum-distance-absolute", text()->value_name("D"), "the same in the mesh's unit of length")
-    ("levels", text()->value_name("L")->default_value("0"),
-     "beside OUTPUT, write L coarser levels of it, each with half the vertices of the previous one: OUTPUT with .1, .2 and so on "
-     "before its ending")
-    ("rounds", text()->value_name("R"),
-     "stop after R rounds of minimization; 0 shows seeds and growth alone (default: up to --convergence-tolerance, at most 1000)")
-    ("convergence-tolerance", text()->value_name("T")->default_value(number_text(Defaults::convergence_tolerance)),
-     "stop after the round of minimization that lowers the energy by no more than this part of it; 0: after a round without "
-     "changes")
-    ("energy", text()->value_name("E")->default_value(default_energy()),
-     (joined(energy_names()) + ": what the minimization lowers, the weighted inertia of the clusters, the residuals of their "
-                               "quadrics, or the deviation of their normals").c_str())
-    ("weight,w", text()->value_name("W")->default_value(default_weight()), joined(weight_names()).c_str())
-    ("maximum-density", text()->value_name("R")->default_value(number_text(Defaults::maximum_density)),
-     "densities run from 1 on flat parts to R on the sharpest ones, and to 4 R on borders; the weight variance does well with 3")
-    ("placement", text()->value_name("P")->default_value(default_placement()), joined(placement_names()).c_str())
-    ("error-feedback", text()->value_name("R")->default_value(std::to_string(Defaults::error_feedback)),
-     "with the placement fitted: in R rounds, relocate vertices to places of large distance; with 0, the densities alone "
-     "distribute the vertices")
-    ("local-repairs", text()->value_name("R")->default_value(std::to_string(Defaults::local_repairs)),
-     "relocate vertices to triangles that still intersect after the repair up to R times, before the mesh is reclustered")
-    ("paper",
-     "follow the article as closely as the guarantee permits: densities up to 50 (variance: 3) and none for borders, merging "
-     "by area, the check by boundary-edge counts, rounds over the whole mesh, the end when a round changes nothing, vertices at "
-     "centroids, no feedback and no repair; options beside it take precedence")
-    ("features", text()->value_name("ANGLE")->implicit_value(default_feature_angle),
-     "keep sharp edges, whose normals differ by ANGLE degrees or more: they become lines of edges, and their corners keep "
-     "their positions")
-    ("patches", text()->value_name("FIELD"),
-     "keep the lines between faces that differ in FIELD: material, group, object or solid, or the name of whole numbers "
-     "that a PLY file has for faces")
-    ("keep-borders",
-     "keep vertices and edges of borders as they are, so that neighboring tiles still fit")
-    ("keep", text()->value_name("FIELD"),
-     "keep the vertices whose number FIELD in a PLY file is not zero, and the vertices of faces whose number is not zero")
-    ("clusters", text()->value_name("FILE"), "write the input with a color and a label for each face (.ply)")
-    ("picture", text()->value_name("FILE"),
-      "write a picture of the input with its clusters, the result, and the distance between them (.png)")
-    ("view", text()->value_name("X,Y,Z"), "direction from which the picture is taken (default 1,0.5,0.8, rotated with --up)")
-    ("up", text()->value_name("X,Y,Z"), "direction that points up in the picture (default 0,1,0)")
-    ("report", text()->value_name("FILE"), "write parameters, counts, topology and times (JSON)")
-    ("format", text()->value_name("F"),
-      "the format, off, obj, ply, stl or the ending of another one, of INPUT or OUTPUT where they are -, standard input "
-      "and output")
-    ("repair",
-     "repair the input first: merge coincident points, remove useless faces, orient, duplicate non-manifold vertices, "
-     "stitch borders, remove degenerate triangles and unused points")
-    ("fill-holes", text()->value_name("LENGTH"),
-     "first fill the holes whose border is at most LENGTH long, in the mesh's unit of length, or in percent of the "
-     "diagonal of its "
-     "bounding box, such as 10%, or all; --report lists the holes with their lengths, and whether they were filled")
-    ("minimum-component-area", text()->value_name("A"),
-     "remove connected components of an area below A, in the square of the mesh's unit of length (a cube of side 2 "
-     "has area 24); --report lists them")
-    ("subdivide",
-     "subdivide faces of a copy until there are 20 for each vertex of the result: clusters are rounder if the input is "
-     "hardly finer than the result, and --vertices may exceed the input's")
-    ("measure",
-     "measure the result and print, and put into --report: distance from the input both ways (RMS, mean, maximum) and of the "
-     "borders, in % of the diagonal of the input's bounding box; deviation of normals; smallest angles of the triangles; "
-     "self-intersections")
-    ("distances",
-     "give each vertex of OUTPUT the number 'distance' (.ply): the largest distance from the result of the faces that it "
-     "stands for, in the mesh's unit of length")
-    ("threads", text()->value_name("T"),
-     "upper bound for the number of threads, as many as there are processors by default; the result does not depend on it. "
-     "More than one need oneTBB")
-    ("quiet", "print nothing but errors")
-    ("version", "print the version")
-    ("help,h", "print this text");
-  // clang-format on
-  return result;
-}
-
-void print_help(const po::options_description& described)
-{
-  std::cout << "Usage: coarsen_mesh [options] INPUT... OUTPUT\n"
-               "       coarsen_mesh --range [options] INPUT\n\n"
-               "Coarsens a polygon mesh to a triangle mesh with few vertices that keeps the features of the surface,\n"
-               "by multiplicatively weighted centroidal Voronoi diagrams. INPUT is an oriented 2-manifold mesh; INPUT\n"
-               "and OUTPUT are .off, .obj, .ply or .stl files, or - with --format; where the program is built with the library\n"
-               "Assimp, .glb, .gltf, .3mf, .dae and other files, too. With several inputs, OUTPUT is a directory\n"
-               "or a pattern such as coarse/%.ply, in which % is the input's name without its ending (%% is a %).\n"
-               "Messages number faces and vertices from 0.\n\n"
-            << described
-            << "\nExit status: 0 done, 1 could not (one line on standard error says why), 2 wrong usage; 128 + the number\n"
-               "of the signal when SIGINT (130), SIGTERM (143) or SIGHUP (129) ended it. The files of an input appear only if\n"
-               "all went well with it; with several, the status is 1 if one could not be done.\n";
-}
-
 void check_types(const Options& options)
 {
   for (const std::string& file : {options.input, options.output}) {
@@ -266,9 +155,8 @@ void check_types(const Options& options)
       throw Wrong_usage(place + " is -, which needs --format");
     const std::string type = type_of(options, file);
     if (!is_own_file_type(type) && !(place == "INPUT" ? assimp_reads(type) : assimp_writes(type)))
-      throw Wrong_usage((file == standard_stream
-                           ? "--format is one of off, obj, ply, stl, not '" + options.format + "'"
-                           : place + " must be an .off, .obj, .ply or .stl file, not '" + file + "'") +
+      throw Wrong_usage((file == standard_stream ? "--format is one of off, obj, ply, stl, not '" + options.format + "'"
+                                                 : place + " must be an .off, .obj, .ply or .stl file, not '" + file + "'") +
                         assimp_hint(type));
   }
   if (!options.clusters.empty() && file_type(options.clusters) != "ply")
@@ -295,12 +183,20 @@ void check_that_files_differ(const std::string& one, const std::string& other)
     throw Wrong_usage("'" + one + "'" + (one == other ? " is named twice" : " and '" + other + "' are one file"));
 }
 
-// OUTPUT may take the place of its own input, which is what a user who names the same file twice asks for.
+// OUTPUT replaces its own input only on request.
+void check_that_input_stays(const Options& options)
+{
+  if (!options.force && !options.asks_range && options.input != standard_stream && options.output != standard_stream &&
+      is_same_file(options.input, options.output))
+    throw Wrong_usage("OUTPUT '" + options.output + "' is INPUT, which is replaced only with --force");
+}
+
 void check_files(const std::vector<Options>& all)
 {
   std::vector<std::string> inputs, written;
   for (const Options& options : all) {
     check_types(options);
+    check_that_input_stays(options);
     for (const std::string& file : files_beside_output(options)) {
       for (const std::string& other : written)
         check_that_files_differ(file, other);
@@ -341,12 +237,9 @@ std::optional<std::string> given(const po::variables_map& values, const std::str
   return found == values.end() ? std::nullopt : std::optional<std::string>(found->second.as<std::string>());
 }
 
-Options checked_options(const po::variables_map& values)
+void read_size(const po::variables_map& values, Options& options)
 {
-  Options options;
-  const std::size_t any = (std::numeric_limits<std::size_t>::max)();
   options.asks_range = values.count("range") > 0;
-  options.format = lower_case(given(values, "format").value_or(""));
   if (const auto text = given(values, "vertices"))
     read_vertices(*text, options);
   if (const auto text = given(values, "neighborhood-level"))
@@ -355,14 +248,18 @@ Options checked_options(const po::variables_map& values)
     if (const auto text = given(values, option)) {
       if (options.vertices || options.vertex_ratio || options.neighborhood_level || options.maximum_distance)
         throw Wrong_usage(std::string("--") + option + " excludes --vertices, --neighborhood-level and the other distance");
-      options.maximum_distance = to_size(option, *text);
-      if (!(*options.maximum_distance > 0))
-        throw Wrong_usage(std::string("--") + option + " takes a number greater than 0, not '" + *text + "'");
+      options.maximum_distance = to_positive(option, *text);
       options.distance_is_relative = option == std::string("maximum-distance");
     }
   options.levels = to_count("levels", *given(values, "levels"), 0, 30);
   if (options.levels > 0 && options.maximum_distance)
     throw Wrong_usage("--levels needs a number of vertices, and no maximum distance");
+  options.subdivide = values.count("subdivide") > 0;
+}
+
+void read_method(const po::variables_map& values, Options& options)
+{
+  const std::size_t any = (std::numeric_limits<std::size_t>::max)();
   if (const auto text = given(values, "rounds"))
     options.rounds = to_count("rounds", *text, 0, any);
   options.convergence_tolerance = to_size("convergence-tolerance", *given(values, "convergence-tolerance"));
@@ -378,16 +275,41 @@ Options checked_options(const po::variables_map& values)
   options.maximum_density = to_density("maximum-density", *given(values, "maximum-density"));
   options.error_feedback = to_count("error-feedback", *given(values, "error-feedback"), 0, any);
   options.local_repairs = to_count("local-repairs", *given(values, "local-repairs"), 0, any);
+  if (options.paper)
+    choose_as_in_paper(values, options);
+  if (const auto text = given(values, "threads"))
+    options.threads = static_cast<unsigned>(to_count("threads", *text, 1, 1000000));
+}
+
+void read_kept(const po::variables_map& values, Options& options)
+{
   if (const auto text = given(values, "features")) {
     options.features = to_number(*text);
     if (!options.features || !(*options.features >= 0 && *options.features <= 180))
       throw Wrong_usage("--features takes an angle from 0 to 180 degrees, not '" + *text + "'");
   }
-  if (options.paper)
-    choose_as_in_paper(values, options);
   options.patches = given(values, "patches").value_or("");
   options.keep = given(values, "keep").value_or("");
   options.keep_borders = values.count("keep-borders") > 0;
+  for (const char* option : {"features", "patches", "keep", "keep-borders"})
+    if (values.count(option) && (options.levels > 0 || options.maximum_distance))
+      throw Wrong_usage("--" + std::string(option) + " goes with a number of vertices or a level, and without --levels");
+}
+
+void read_preparation(const po::variables_map& values, Options& options)
+{
+  if (const auto text = given(values, "weld"))
+    options.weld = to_positive("weld", *text);
+  options.repair = values.count("repair") > 0 || options.weld > 0;
+  if (const auto text = given(values, "fill-holes"))
+    read_hole_length(*text, options);
+  if (const auto text = given(values, "minimum-component-area"))
+    options.minimum_component_area = to_size("minimum-component-area", *text);
+}
+
+void read_output(const po::variables_map& values, Options& options)
+{
+  options.format = lower_case(given(values, "format").value_or(""));
   options.clusters = given(values, "clusters").value_or("");
   options.picture = given(values, "picture").value_or("");
   options.report = given(values, "report").value_or("");
@@ -395,21 +317,21 @@ Options checked_options(const po::variables_map& values)
     options.up = to_direction("up", *text);
   const auto view = given(values, "view");
   options.view = view ? to_direction("view", *view) : default_view(options.up);
-  options.repair = values.count("repair") > 0;
-  if (const auto text = given(values, "fill-holes"))
-    read_hole_length(*text, options);
-  if (const auto text = given(values, "minimum-component-area"))
-    options.minimum_component_area = to_size("minimum-component-area", *text);
-  options.subdivide = values.count("subdivide") > 0;
   options.measure = values.count("measure") > 0;
-  options.quiet = values.count("quiet") > 0;
   options.distances = values.count("distances") > 0;
-  if (const auto text = given(values, "threads"))
-    options.threads = static_cast<unsigned>(to_count("threads", *text, 1, 1000000));
-  for (const char* option : {"features", "patches", "keep", "keep-borders"})
-    if (values.count(option) && (options.levels > 0 || options.maximum_distance))
-      throw Wrong_usage("--" + std::string(option) + " goes with a number of vertices or a level, and without --levels");
-  check_number(options);
+  options.force = values.count("force") > 0;
+  options.quiet = values.count("quiet") > 0;
+}
+
+Options checked_options(const po::variables_map& values)
+{
+  Options options;
+  read_size(values, options);
+  read_method(values, options);
+  read_kept(values, options);
+  read_preparation(values, options);
+  read_output(values, options);
+  check_number(options); // last, as other faults are easier to understand
   return options;
 }
 
@@ -442,8 +364,8 @@ std::vector<Options> options_of_inputs(Options options, const std::vector<std::s
     throw Wrong_usage("INPUT and OUTPUT are needed");
   const std::string& output = files.back();
   std::error_code error;
-  const bool is_directory = std::filesystem::is_directory(output, error) && !is_own_file_type(file_type(output)) &&
-                            !assimp_writes(file_type(output));
+  const bool is_directory =
+    std::filesystem::is_directory(output, error) && !is_own_file_type(file_type(output)) && !assimp_writes(file_type(output));
   const auto has_room = [&](const std::string& pattern) { return matched(pattern, "a") != matched(pattern, "b"); };
   if (files.size() > 2 && !is_directory && !has_room(output))
     throw Wrong_usage("several inputs need a directory or a pattern such as coarse/%.ply for OUTPUT, not '" + output + "'");
@@ -498,6 +420,10 @@ std::vector<Options> read_options(int argc, char* argv[])
     po::store(po::command_line_parser(arguments(argc, argv)).options(all).positional(positional).style(style).run(), values);
   } catch (const po::error& e) {
     throw Wrong_usage(e.what());
+  }
+  if (values.count("-h")) {
+    print_short_help();
+    return {};
   }
   if (values.count("help")) {
     print_help(described);

@@ -52,7 +52,9 @@ struct Options
   double minimum_component_area = 0; // of the mesh's units squared; 0 keeps every component
   double fill_holes = 0;             // length of the border up to which holes are filled; 0 fills none, infinity all
   bool hole_length_is_relative = false; // to the diagonal
+  double weld = 0; // distance within which the repair merges points; 0 merges coincident ones
   bool repair = false, subdivide = false, measure = false, quiet = false;
+  bool force = false;     // OUTPUT may replace INPUT
   bool distances = false; // numbers of the result's vertices
   std::optional<unsigned> threads; // all if not given
 };

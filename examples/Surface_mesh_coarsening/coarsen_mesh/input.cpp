@@ -17,13 +17,13 @@
 namespace coarsen_mesh_tool {
 namespace {
 
-std::vector<Repair_step> try_repair(const std::string& file, Soup& soup)
+std::vector<Repair_step> try_repair(const Options& options, Soup& soup)
 {
   const Muted_streams muted; // one line on standard error is promised
   try {
-    return repair(soup);
+    return repair(soup, options.weld);
   } catch (const std::exception& e) {
-    throw Failure(file, "cannot be repaired: " + one_line(e.what()));
+    throw Failure(options.input, "cannot be repaired: " + one_line(e.what()));
   }
 }
 
@@ -40,7 +40,7 @@ Input read_input(const Options& options, Stage_times& times, Progress_line& prog
   if (options.repair) {
     times.begin("repair");
     progress.say("repairing");
-    result.repairs = try_repair(options.input, soup);
+    result.repairs = try_repair(options, soup);
     Interruption::throw_if_requested();
     times.begin("read");
   }

@@ -9,6 +9,7 @@
 #include "io/Output_files.h"
 #include "io/file_type.h"
 #include "io/write_mesh.h"
+#include "io/write_obj.h"
 #include "render/cluster_bytes.h"
 #include "render/face_distances.h"
 #include "render/picture.h"
@@ -21,7 +22,9 @@
 #include "Progress_line.h"
 #include "Tool_visitor.h"
 #include "coarsening.h"
+#include "counted.h"
 #include "input.h"
+#include "warnings.h"
 #include "written.h"
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
@@ -33,16 +36,23 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <new>
 #include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include <poll.h>
+#include <unistd.h>
 
 namespace coarsen_mesh_tool {
 namespace {
@@ -56,36 +66,50 @@ std::string shown(double x)
   return text;
 }
 
-// Formats a distance in the unit of the mesh, and before it in the requested unit if that is another.
-std::string length_text(const Options& options, const Mesh& mesh, double distance)
+// Rounds up: `unit` times the number that is read back is at least `distance`, which can be asked for.
+std::string shown_above(double distance, double unit)
 {
-  return options.distance_is_relative ? shown(distance / diagonal(mesh)) + " of the diagonal (" + shown(distance) + ")"
-                                      : shown(distance);
+  double x = distance / unit;
+  std::string text = shown(x);
+  while (std::strtod(text.c_str(), nullptr) * unit < distance) {
+    const double last_digit = std::pow(10, std::floor(std::log10(x)) - 3);
+    x = (std::max)(x + last_digit, std::nextafter(x, std::numeric_limits<double>::infinity()));
+    text = shown(x);
+  }
+  return text;
 }
 
-std::string distance_text(const Options& options, const Mesh& mesh, double distance)
+// A distance that holds, in the unit of the mesh, and before it in the requested unit if that is another.
+std::string length_text(const Options& options, const Mesh& mesh, double distance)
 {
-  return (options.distance_is_relative ? "within " : "within a distance of ") + length_text(options, mesh, distance);
+  return options.distance_is_relative
+           ? shown_above(distance, diagonal(mesh)) + " of the diagonal (" + shown_above(distance, 1) + ")"
+           : shown_above(distance, 1);
+}
+
+std::string distance_text(const Options& options, const std::string& length)
+{
+  return (options.distance_is_relative ? "within " : "within a distance of ") + length;
+}
+
+std::string requested_distance_text(const Options& options, const Mesh& mesh)
+{
+  const double asked = *options.maximum_distance;
+  return distance_text(options, options.distance_is_relative
+                                  ? shown(asked) + " of the diagonal (" + shown(asked * diagonal(mesh)) + ")"
+                                  : shown(asked));
 }
 
 // Why a distance was not reached.
 std::string unreachable_text(const Options& options, const Mesh& mesh, double nearest)
 {
-  const double unit = options.distance_is_relative ? diagonal(mesh) : 1;
   const std::string rounding = rounding_text(mesh, type_of(options, options.output), 0);
-  return "no result " + distance_text(options, mesh, *options.maximum_distance * unit) +
+  return "no result " + requested_distance_text(options, mesh) +
          " was found (nearest distance found: " + length_text(options, mesh, nearest) +
-         (!rounding.empty()    ? "): " + rounding
+         (!rounding.empty()   ? "): " + rounding
           : options.subdivide ? ")"
                               : "; smaller faces, which --subdivide makes, may come nearer)");
 }
-
-std::string counted(std::size_t number, const std::string& noun)
-{
-  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
-}
-
-std::string counted_vertices(std::size_t number) { return std::to_string(number) + (number == 1 ? " vertex" : " vertices"); }
 
 // Returns what `use` does with a visitor, or throws Failure with the reason why it could not.
 template <class Use>
@@ -102,8 +126,10 @@ auto explained(const Input& input, const Options& options, Stage_times& times, P
   } catch (const SMC::Unreachable_distance& e) {
     throw Failure(options.input, unreachable_text(options, input.mesh, e.nearest()));
   } catch (const SMC::Unreachable_number_of_vertices& e) {
-    throw Failure(options.input,
-                  one_line(e.what()) + " (nearest number that works: " + std::to_string(e.nearest()) + ")");
+    const double asked =
+      options.vertices ? double(*options.vertices) : options.vertex_ratio.value_or(0) * double(input.mesh.number_of_vertices());
+    throw Failure(options.input, one_line(e.what()) + " (nearest number that works: " + std::to_string(e.nearest()) + ")" +
+                                   (asked < double(e.nearest()) ? remedy_for_components(options, input.mesh) : ""));
   } catch (const SMC::Invalid_input& e) {
     throw Failure(options.input, one_line(e.what()));
   }
@@ -126,8 +152,18 @@ std::string holes_text(const Options& options, const Mesh& mesh, const Hole_fill
          (options.hole_length_is_relative ? "% of the diagonal" : "") + " left, ";
 }
 
-std::string summary(const Options& options, const Input& input, const Coarsening_result& result,
-                    const Findings& findings, const Stage_times& times)
+// Whose topology is kept, if it is not that of the file.
+std::string prepared_text(const Input& input, const Findings& findings)
+{
+  const bool has_new_faces = findings.holes && findings.holes->number(Hole_state::FILLED) > 0;
+  if (input.repairs.empty() && !has_new_faces)
+    return "";
+  return std::string(" (that of the ") + (input.repairs.empty() ? "" : "repaired ") + "input" +
+         (has_new_faces ? " with filled holes)" : ")");
+}
+
+std::string summary(const Options& options, const Input& input, const Coarsening_result& result, const Findings& findings,
+                    const Stage_times& times)
 {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.2f s", times.total());
@@ -142,7 +178,7 @@ std::string summary(const Options& options, const Input& input, const Coarsening
     remarks += counted(report.feature_lines, "feature line") + " and " + counted(report.feature_corners, "corner") + " kept by " +
                counted_vertices(result.vertices_on_features) + ", ";
   if (result.distance_bound)
-    remarks += distance_text(options, input.mesh, *result.distance_bound) + ", ";
+    remarks += distance_text(options, length_text(options, input.mesh, *result.distance_bound)) + ", ";
   if (!result.levels.empty())
     remarks += counted(result.levels.size(), "level") + ", ";
   if (report.dropped_components > 0)
@@ -150,31 +186,26 @@ std::string summary(const Options& options, const Input& input, const Coarsening
   const std::string dropped = input.unused_points > 0 ? ", " + counted(input.unused_points, "unused point") + " dropped" : "";
   return escaped_utf8(options.input) + " (" + sizes(input.mesh) + dropped + ") -> " + escaped_utf8(options.output) + " (" +
          sizes(result.mesh) + "), " + counted(report.rounds, "round") + ", " + remarks +
-         (findings.certificate.kept() ? "topology kept, " : "topology changed, ") + seconds +
+         (findings.certificate.kept() ? "topology kept" : "topology changed") + prepared_text(input, findings) + ", " + seconds +
          (findings.quality ? "\n" + quality_text(result.mesh, *findings.quality) : "");
 }
 
-// Throws Failure if standard output has not accepted all output.
+bool is_closed_pipe(int descriptor)
+{
+  pollfd polled = {descriptor, 0, 0};
+  return poll(&polled, 1, 0) > 0 && (polled.revents & POLLERR) != 0;
+}
+
+// Throws Failure if standard output has not accepted all output, unless its reader has had enough.
 void flush_output()
 {
   errno = 0;
-  if (!std::cout.flush())
-    throw Failure("standard output", "cannot be written: " + std::generic_category().message(errno ? errno : EIO));
-}
-
-// One for threads that cannot be had, and for each field of the input or the result that the output does not have.
-void add_warnings(const Options& options, const Input& input, const Mesh& result, std::vector<std::string>& warnings)
-{
-  if (options.threads && *options.threads > max_threads())
-    warnings.push_back("--threads " + std::to_string(*options.threads) + ": there is " + counted(max_threads(), "thread") +
-                       " only, as the program is built without oneTBB");
-  for (const std::string& field : input.left_out)
-    warnings.push_back(options.input + ": " + field + " are not read");
-  const std::string type = type_of(options, options.output);
-  const std::string reason = is_own_file_type(type) ? ", the format " + upper_case(type) + " cannot hold them"
-                                                    : ", Assimp does not write them as " + upper_case(type);
-  for (const std::string& field : fields_without_room(result, type, input.notes))
-    warnings.push_back(options.output + ": " + field + " are left out" + reason);
+  if (std::cout.flush())
+    return;
+  const int error = errno ? errno : EIO; // of an earlier write
+  if (!is_closed_pipe(STDOUT_FILENO))
+    throw Failure("standard output", "cannot be written: " + std::generic_category().message(error));
+  std::cout.clear(); // other inputs may follow
 }
 
 void warn(const std::vector<std::string>& warnings)
@@ -233,9 +264,9 @@ void check_result(const Options& options, const Input& input, const Coarsening_r
       findings.fault = triangle_mesh_fault(level.mesh);
   if (findings.fault)
     throw Failure(options.input, "the result is not a valid mesh and is not written: " + *findings.fault);
-  findings.certificate = certify(input.mesh, result.labels, result.mesh, result.report.dropped_components,
-                                result.report.subdivided_components == 0 && result.report.feature_lines == 0 &&
-                                  result.report.feature_corners == 0);
+  findings.certificate =
+    certify(input.mesh, result.labels, result.mesh, result.report.dropped_components,
+            result.report.subdivided_components == 0 && result.report.feature_lines == 0 && result.report.feature_corners == 0);
   if (options.measure) {
     times.begin("measuring");
     progress.say("measuring");
@@ -274,9 +305,51 @@ void round_to_files(const Options& options, const Mesh& input, Coarsening_result
   *result.distance_bound += moved;
   const double unit = options.distance_is_relative ? diagonal(input) : 1;
   if (*result.distance_bound > *options.maximum_distance * unit)
-    throw Failure(options.output, "cannot be written " + distance_text(options, input, *options.maximum_distance * unit) +
-                                    ": the numbers of the format " + upper_case(type) + " move vertices by up to " + shown(moved) +
-                                    " (use .ply, .off or .obj, which keep all digits)");
+    throw Failure(options.output, "cannot be written " + requested_distance_text(options, input) +
+                                    ": the numbers of the format " + upper_case(type) + " move vertices by up to " +
+                                    shown(moved) + " (use .ply, .off or .obj, which keep all digits)");
+}
+
+// The faces have other numbers in an OBJ file, which groups them by material.
+void number_faces_as_written(const Options& options, Coarsening_result& result)
+{
+  if (type_of(options, options.output) != "obj")
+    return;
+  std::vector<std::size_t> number(result.mesh.number_of_faces());
+  std::size_t next = 0;
+  for (const Face f : obj_face_order(result.mesh))
+    number[f] = next++;
+  for (auto& faces : result.report.intersecting_faces)
+    faces = std::minmax({number[faces.first], number[faces.second]});
+  for (std::size_t& f : result.report.narrow_faces)
+    f = number[f];
+}
+
+// The contents of all files but the report.
+Files files_of(const Options& options, const Input& input, const Coarsening_result& result, Stage_times& times,
+               Progress_line& progress)
+{
+  Files files;
+  if (!options.picture.empty()) {
+    times.begin("picture");
+    progress.say("rendering");
+    files.emplace_back(options.picture, picture_bytes(input.mesh, result.labels, result.mesh, options.view, options.up,
+                                                      Interruption::throw_if_requested));
+  }
+  Interruption::throw_if_requested();
+  times.begin("write");
+  progress.say("writing");
+  const auto add_mesh = [&](const std::string& file, const Mesh& mesh) {
+    const std::string type = type_of(options, file);
+    files.emplace_back(file, mesh_bytes(mesh, type, input.notes));
+    check_written(file, type, files.back().second, mesh);
+  };
+  add_mesh(options.output, result.mesh);
+  for (std::size_t i = 0; i < result.levels.size(); ++i)
+    add_mesh(level_file(options.output, i + 1), result.levels[i].mesh);
+  if (!options.clusters.empty())
+    files.emplace_back(options.clusters, cluster_bytes(input.mesh, result.labels));
+  return files;
 }
 
 // Computes everything, and only then commits the files.
@@ -304,8 +377,8 @@ void run(const Options& options)
     print_range(input, options, times, progress);
     return;
   }
-  Coarsening_result result = explained(
-    input, options, times, progress, [&](Tool_visitor& visitor) { return coarsen(input.mesh, options, visitor); });
+  Coarsening_result result =
+    explained(input, options, times, progress, [&](Tool_visitor& visitor) { return coarsen(input.mesh, options, visitor); });
 
   round_to_files(options, input.mesh, result, findings);
   check_result(options, input, result, times, progress, findings);
@@ -315,29 +388,11 @@ void run(const Options& options)
     add_distances(input.mesh, result);
   }
 
-  Files files;
-  if (!options.picture.empty()) {
-    times.begin("picture");
-    progress.say("rendering");
-    files.emplace_back(options.picture,
-                       picture_bytes(input.mesh, result.labels, result.mesh, options.view, options.up,
-                                     Interruption::throw_if_requested));
-  }
-  Interruption::throw_if_requested();
-  times.begin("write");
-  progress.say("writing");
-  const auto add_mesh = [&](const std::string& file, const Mesh& mesh) {
-    const std::string type = type_of(options, file);
-    files.emplace_back(file, mesh_bytes(mesh, type, input.notes));
-    check_written(file, type, files.back().second, mesh);
-  };
-  add_mesh(options.output, result.mesh);
-  for (std::size_t i = 0; i < result.levels.size(); ++i)
-    add_mesh(level_file(options.output, i + 1), result.levels[i].mesh);
-  if (!options.clusters.empty())
-    files.emplace_back(options.clusters, cluster_bytes(input.mesh, result.labels));
+  const Files files = files_of(options, input, result, times, progress);
   progress.end();
-  add_warnings(options, input, result.mesh, findings.warnings);
+  for (const std::string& warning : warnings_of(options, input, result))
+    findings.warnings.push_back(warning);
+  number_faces_as_written(options, result);
   write_files(
     options, files,
     [&] {
@@ -379,6 +434,8 @@ int run_and_report(int argc, char* argv[])
     return status;
   } catch (const Wrong_usage& e) {
     return complain(e.what(), 2);
+  } catch (const Closed_pipe&) {
+    return 128 + SIGPIPE;
   } catch (const Interrupted& e) {
     return complain(subject + ": " + e.what(), e.exit_status());
   } catch (const std::bad_alloc&) {

@@ -20,10 +20,10 @@ namespace {
 using coarsen_mesh_tool::Hole_state;
 typedef std::vector<coarsen_mesh_tool::Repair_step> Steps;
 
-std::pair<Soup, Steps> repaired(Soup soup)
+std::pair<Soup, Steps> repaired(Soup soup, double tolerance)
 {
-  return run_interruptibly<std::pair<Soup, Steps> >([soup = std::move(soup)]() mutable {
-    Steps steps = coarsen_mesh_tool::repair(soup);
+  return run_interruptibly<std::pair<Soup, Steps> >([soup = std::move(soup), tolerance]() mutable {
+    Steps steps = coarsen_mesh_tool::repair(soup, tolerance);
     return std::make_pair(std::move(soup), std::move(steps));
   });
 }
@@ -44,9 +44,10 @@ void fill(Soup& soup, double hole_length, py::dict& report)
 
 } // namespace
 
-py::tuple repair_arrays(const Number_array& points, const Index_array& sizes, const Index_array& indices, double hole_length)
+py::tuple repair_arrays(const Number_array& points, const Index_array& sizes, const Index_array& indices, double tolerance,
+                        double hole_length)
 {
-  auto [soup, steps] = repaired(to_soup({points, sizes, indices}));
+  auto [soup, steps] = repaired(to_soup({points, sizes, indices}), tolerance);
   py::dict report;
   for (const coarsen_mesh_tool::Repair_step& step : steps) {
     const py::str action(step.action);

@@ -7,9 +7,10 @@
 
 namespace coarsening_python {
 
-// Repairs a mesh as the tool does, and fills holes up to the given length of their border. Returns points, sizes, indices, and
-// the numbers of the repaired faults by description.
-py::tuple repair_arrays(const Number_array& points, const Index_array& sizes, const Index_array& indices, double hole_length);
+// Repairs a mesh as the tool does, merges points within the tolerance, and fills holes up to the given length of their border.
+// Returns points, sizes, indices, and the numbers of the repaired faults by description.
+py::tuple repair_arrays(const Number_array& points, const Index_array& sizes, const Index_array& indices, double tolerance,
+                        double hole_length);
 
 } // namespace coarsening_python
 

@@ -40,8 +40,7 @@ std::error_code write_bytes(const fs::path& file, int flags, const std::string& 
 // Returns an unused name in the folder of the target.
 fs::path hidden_name(const fs::path& target, const char* purpose, std::size_t index)
 {
-  return target.parent_path() /
-         (".coarsen_mesh." + std::to_string(getpid()) + "." + std::to_string(index) + "." + purpose);
+  return target.parent_path() / (".coarsen_mesh." + std::to_string(getpid()) + "." + std::to_string(index) + "." + purpose);
 }
 
 // Returns whether the name denotes something already open, possibly a file, that must not be replaced.
@@ -110,6 +109,8 @@ void Output_files::write_streams(const std::function<void()>& stop)
   for (const Entry& entry : entries)
     if (entry.temporary.empty()) {
       const std::error_code error = write_bytes(entry.target, 0, entry.bytes, stop);
+      if (error == std::errc::broken_pipe && entry.target == coarsening_support::standard_stream)
+        throw Closed_pipe();
       if (error)
         throw cannot_write(entry.name, error);
     }

@@ -3,12 +3,17 @@
 #ifndef COARSEN_MESH_OUTPUT_FILES_H
 #define COARSEN_MESH_OUTPUT_FILES_H
 
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace coarsen_mesh_tool {
+
+// The reader of standard output ended before all was written, as `head` does.
+struct Closed_pipe : std::exception
+{};
 
 // Writes several files such that each appears complete, and all of them or none.
 //
@@ -35,7 +40,8 @@ public:
   // Writes the content under a temporary name. Throws Failure if this is impossible.
   void stage(const std::string& file, const std::string& bytes);
 
-  // Writes to pipes and devices. Calls `stop` after a signal has interrupted this; it may throw to end the writing.
+  // Writes to pipes and devices. Calls `stop` after a signal has interrupted this; it may throw to end the writing. Throws
+  // Failure, and Closed_pipe for standard output.
   void write_streams(const std::function<void()>& stop);
 
   // Renames all staged files to their targets. If one fails, undoes all and throws Failure.

@@ -5,12 +5,15 @@
 #include "io/Corner_fields.h"
 #include "io/Text_writer.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace coarsen_mesh_tool {
 namespace {
@@ -74,7 +77,7 @@ void write_faces(const Mesh& mesh, Text_writer& text)
   const Found_property<Face, std::string> material(mesh, material_property), group(mesh, group_property),
     object(mesh, object_property);
   std::string last_material, last_group, last_object;
-  for (const Face f : mesh.faces()) {
+  for (const Face f : obj_face_order(mesh)) {
     if (object)
       write_name(text, "o", object.map[f], last_object);
     if (group)
@@ -94,6 +97,22 @@ void write_faces(const Mesh& mesh, Text_writer& text)
 }
 
 } // namespace
+
+std::vector<Face> obj_face_order(const Mesh& mesh)
+{
+  std::vector<Face> order(mesh.faces_begin(), mesh.faces_end());
+  for (const char* property : {material_property, group_property, object_property}) { // the last one is the outermost
+    const Found_property<Face, std::string> names(mesh, property);
+    if (!names)
+      continue;
+    std::map<std::string, std::size_t> places;
+    std::vector<std::size_t> place(mesh.number_of_faces());
+    for (const Face f : mesh.faces())
+      place[f] = places.emplace(names.map[f], places.size()).first->second;
+    std::stable_sort(order.begin(), order.end(), [&](Face f, Face g) { return place[f] < place[g]; });
+  }
+  return order;
+}
 
 std::string obj_bytes(const Mesh& mesh, const File_notes& notes)
 {

@@ -6,10 +6,14 @@
 #include "io/Mesh.h"
 
 #include <string>
+#include <vector>
 
 namespace coarsen_mesh_tool {
 
 using namespace coarsening_support;
+
+// The order in which faces are written: grouped by object, group and material, in the order in which the names occur first.
+std::vector<Face> obj_face_order(const Mesh& mesh);
 
 // With colors of vertices, normals, texture coordinates, materials and groups, where the mesh has them.
 std::string obj_bytes(const Mesh& mesh, const File_notes& notes);

@@ -71,6 +71,7 @@ Json parameters_of(const Options& options)
   result["keep"] = options.keep.empty() ? Json() : Json(options.keep);
   result["keep_borders"] = options.keep_borders;
   result["minimum_component_area"] = options.minimum_component_area;
+  result["weld"] = options.weld;
   result["fill_holes"] = std::isfinite(options.fill_holes) ? Json(options.fill_holes) : Json("all");
   result["hole_length_is_relative"] = options.hole_length_is_relative;
   result["subdivide"] = options.subdivide;

@@ -27,18 +27,26 @@ class Repaired:
     report: Dict[str, int]
 
 
-def repair(points: Any, faces: Faces = None, *, fill_holes: float = 0) -> Repaired:
+def _length(value: Any, name: str) -> float:
+    length = real(value, name)
+    if length < 0:
+        raise ValueError(f"{name} is {length}, and has to be at least 0")
+    return length
+
+
+def repair(points: Any, faces: Faces = None, *, weld: float = 0, fill_holes: float = 0) -> Repaired:
     """Repairs a mesh to an oriented 2-manifold, as option --repair of the tool does: merges coincident points, removes
     repeated and degenerate faces, orients faces, and separates what is not a manifold.
 
     points, faces: as in `coarsen()`
+    weld: merges points within this distance of each other, in the unit of length of the mesh; 0 merges coincident points
     fill_holes: fills holes whose border is at most as long as this, in the unit of length of the mesh; `math.inf` fills all
     """
-    length = real(fill_holes, "fill_holes")
-    if length < 0:
-        raise ValueError(f"fill_holes is {length}, and has to be at least 0")
+    tolerance, length = _length(weld, "weld"), _length(fill_holes, "fill_holes")
+    if tolerance == float("inf"):
+        raise ValueError("weld is inf, and has to be finite")
     mesh = mesh_arrays(*take_mesh(points, faces), finite=False)
-    new_points, sizes, indices, report = _core.repair(*mesh, length)
+    new_points, sizes, indices, report = _core.repair(*mesh, tolerance, length)
     if sizes.size and (sizes == sizes[0]).all():
         return Repaired(new_points, indices.astype(np.int64).reshape(-1, int(sizes[0])), report)
     return Repaired(new_points, (sizes.astype(np.int64), indices.astype(np.int64)), report)

@@ -535,6 +535,10 @@ def test_repair():
     assert repaired.points.shape == points.shape and repaired.faces.shape == faces.shape
     assert repaired.report["merged coincident points"] == faces.size - len(points)
     assert len(smc.coarsen(repaired, 60).points) == 60
+    torn = soup[0] + 1e-6 * (np.arange(len(soup[0])) % 2)[:, None], soup[1]  # corners nearly coincide
+    assert len(smc.repair(*torn).points) > len(points)
+    welded = smc.repair(*torn, weld=1e-5)
+    assert welded.points.shape == points.shape and len(smc.coarsen(welded, 60).points) == 60
     torus_with_hole = torus()[0], torus()[1][1:]
     filled = smc.repair(*torus_with_hole, fill_holes=np.inf)
     assert filled.report["filled holes"] == 1 and filled.report["holes left"] == 0
@@ -545,6 +549,8 @@ def test_repair():
     assert len(smc.repair(broken, faces).points) == len(points) - 1
     with pytest.raises(ValueError, match="fill_holes is NaN"):
         smc.repair(points, faces, fill_holes=float("nan"))
+    with pytest.raises(ValueError, match="weld is -1"):
+        smc.repair(points, faces, weld=-1)
 
 
 class LikeTrimesh:

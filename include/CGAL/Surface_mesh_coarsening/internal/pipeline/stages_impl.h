@@ -149,9 +149,23 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::pair<std::size_t, std::size_t> vertex_n
     has_vertex_cells(state.input)
       ? std::make_optional(with_items(state.input, Feature_cells::AT_FEATURES, state.cancellation()))
       : std::nullopt;
-  auto range = Initial_clustering(faces ? *faces : state.input, state.merges_by_area, unused, state.cancellation(), state.execution).range();
-  if (state.subdivides_input)
-    range.second = Initial_clustering::max_clusters_of_subdivided(faces_per_cluster);
+  const Featured_input& input = faces ? *faces : state.input;
+  const auto unclustered = [&] {
+    return Initial_clustering(input, state.merges_by_area, unused, state.cancellation(), state.execution);
+  };
+  auto range = unclustered().range();
+  if (!state.subdivides_input)
+    return range;
+  range.second = Initial_clustering::max_clusters_of_subdivided(faces_per_cluster);
+  // Pieces of faces may permit fewer clusters than the faces, but are only made for numbers that are too large for the faces.
+  std::size_t sufficient = input.items.mesh.number_of_faces() / faces_per_cluster; // clusters for the faces as they are
+  while (range.first > sufficient) {
+    Initial_clustering finer = unclustered();
+    finer.subdivide(sufficient + 1, faces_per_cluster);
+    const std::size_t least = sufficient + 1;
+    sufficient = finer.input().items.mesh.number_of_faces() / faces_per_cluster;
+    range.first = (std::max)(least, finer.range().first);
+  }
   return range;
 }
 
