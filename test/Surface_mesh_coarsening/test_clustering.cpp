@@ -8,6 +8,7 @@
 #include "models.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
@@ -22,6 +23,7 @@
 #include <boost/mpl/list.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -521,7 +523,7 @@ bool paper_allows(const Mesh& mesh, const Labels& labels, Mesh::Halfedge_index c
 
 } // namespace
 
-// The method to the letter: the check of boundary-edge counts, merging by area, centroids on borders as elsewhere.
+// The method of the paper: the check of boundary-edge counts, merging by area, centroids on borders as elsewhere.
 BOOST_AUTO_TEST_CASE(paper)
 {
   const Soup soup = generated::with_noise(generated::triangulated(generated::grid(30, 30)), 0.2);
@@ -589,6 +591,55 @@ BOOST_AUTO_TEST_CASE(merging_by_area)
   };
   BOOST_CHECK(labels_with(1, true) == labels_with(30, true));
   BOOST_CHECK(labels_with(1, false) != labels_with(30, false));
+}
+
+// Section 6 of the paper: seeds of a given level, merged to a number; the new seeds lie in their clusters.
+BOOST_AUTO_TEST_CASE(level_and_number)
+{
+  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(4), 0.02));
+  SMC::Mwcvd_clustering<Mesh> c(mesh, SMC::parameters::merge_by_area(true));
+  const std::size_t seeds = c.seed_from_level(2);
+  BOOST_CHECK_EQUAL(c.seed_from_level(2, 40), seeds);
+  std::vector<Mesh::Face_index> before, after;
+  c.seeds(std::back_inserter(before));
+  c.grow();
+  BOOST_CHECK_EQUAL(c.report().level, 2u);
+  BOOST_CHECK_EQUAL(c.number_of_clusters(), 40u);
+  BOOST_CHECK_EQUAL(c.report().merges, seeds + c.report().splits - 40);
+  c.seeds(std::back_inserter(after));
+  BOOST_REQUIRE_EQUAL(after.size(), 40u);
+  std::size_t moved = 0;
+  for (std::size_t x = 0; x < after.size(); ++x) {
+    BOOST_CHECK_EQUAL(c.cluster(after[x]), x);
+    moved += std::find(before.begin(), before.end(), after[x]) == before.end();
+  }
+  BOOST_CHECK_GT(moved, 20u); // most clusters are merged from three
+  Mesh output;
+  const auto report = SMC::coarsen_mesh(mesh, 40, output, SMC::parameters::neighborhood_level(2));
+  BOOST_CHECK_EQUAL(report.level, 2u);
+  BOOST_CHECK_EQUAL(report.seeds, seeds);
+  BOOST_CHECK_EQUAL(output.number_of_vertices(), 40u);
+  BOOST_CHECK_THROW(c.seed_from_level(2, seeds + 1), SMC::Unreachable_number_of_vertices);
+  BOOST_CHECK_THROW(c.seed_from_level(2, 0), SMC::Invalid_input);
+  BOOST_CHECK_THROW(c.seed_from_level(2, 3), SMC::Unreachable_number_of_vertices);
+}
+
+// With the paper's check, rounds run over the whole mesh, however many clusters there are: minimize() equals single rounds.
+BOOST_AUTO_TEST_CASE(rounds_of_the_paper)
+{
+  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangulated(generated::grid(90, 90)), 0.2));
+  const SMC::Uniform_weight weight;
+  SMC::Mwcvd_clustering<Mesh, SMC::Uniform_weight> at_once(mesh, SMC::parameters::paper_clustering(weight, 50)),
+    single(mesh, SMC::parameters::paper_clustering(weight, 50));
+  for (auto* c : {&at_once, &single}) {
+    c->seed(900);
+    c->grow();
+  }
+  at_once.minimize(SMC::Coarsening_defaults::number_of_iterations, 0);
+  while (single.minimize_round())
+    ;
+  BOOST_CHECK_EQUAL(at_once.report().rounds, single.report().rounds);
+  BOOST_CHECK(test::labels_in(at_once, mesh) == test::labels_in(single, mesh));
 }
 
 BOOST_AUTO_TEST_CASE(start_from_clusters)

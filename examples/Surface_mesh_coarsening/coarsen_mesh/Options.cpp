@@ -125,8 +125,8 @@ void read_vertices(const std::string& text, Options& options)
 void check_number(const Options& options)
 {
   const bool has_number = options.vertices || options.vertex_ratio;
-  if (has_number && options.neighborhood_level)
-    throw Wrong_usage("--vertices and --neighborhood-level exclude each other");
+  if (options.vertex_ratio && options.neighborhood_level)
+    throw Wrong_usage("--neighborhood-level goes with a whole number of --vertices, not with a part");
   if (!has_number && !options.neighborhood_level && !options.maximum_distance && !options.asks_range)
     throw Wrong_usage("how many vertices? Give --vertices N, --vertices P%, --maximum-distance D or --neighborhood-level K; "
                       "--range prints the possible numbers for INPUT");
@@ -162,7 +162,7 @@ po::options_description described_options()
     ("vertices,n", text()->value_name("N"), "number of vertices of the result, or a part of the input's, such as 10%")
     ("range", "instead of writing OUTPUT, print the smallest and the largest number that --vertices can take for INPUT")
     ("neighborhood-level,k", text()->value_name("K"),
-     "instead of --vertices: one vertex for every seed whose neighborhood of K layers of faces is free")
+     "one vertex for every seed whose neighborhood of K layers of faces is free; with --vertices N, these seeds are merged to N")
     ("maximum-distance", text()->value_name("D"),
      "instead of --vertices: as few vertices as keep the result within this distance of the input, both ways, in parts of the "
      "diagonal of the input's bounding box (0.01 is one percent); the distance is bounded, not sampled")

@@ -187,7 +187,9 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
     return result;
   }
   Clustering clustering(input, np);
-  if (options.vertices)
+  if (options.vertices && options.neighborhood_level)
+    clustering.seed_from_level(*options.neighborhood_level, *options.vertices);
+  else if (options.vertices)
     clustering.seed(*options.vertices);
   else if (options.vertex_ratio)
     clustering.seed_from_ratio(*options.vertex_ratio);

@@ -120,6 +120,19 @@ public:
     return state_.report.seeds;
   }
 
+  /// selects the seeds of a level, from which `grow()` merges exactly `number_of_clusters` clusters, as in section 6 of the paper.
+  /// A component whose topology does not permit this from the seeds of the level begins from other levels, as after `seed()`.
+  /// \return the number of seeds
+  /// \throws Unreachable_number_of_vertices if the level gives fewer seeds, or if the topology of the mesh needs more clusters.
+  /// \throws Invalid_input if the number is 0.
+  std::size_t seed_from_level(std::size_t level, std::size_t number_of_clusters)
+  {
+    if (number_of_clusters == 0)
+      throw Invalid_input("0 clusters were asked for");
+    internal::seed(state_, {internal::Seeding::AT_LEVEL, level, number_of_clusters});
+    return state_.report.seeds;
+  }
+
   /// grows the clusters from the seeds, one layer per round, until they cover the mesh.
   /// \pre `seed()` or `seed_from_level()` was called.
   /// \throws std::logic_error if neither was called.

@@ -336,10 +336,16 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
                                const NamedParametersIn& np_in = parameters::default_values(),
                                const NamedParametersOut& np_out = parameters::default_values())
 {
-  internal::accept_parameters<NamedParametersIn, internal::Coarsening_parameters, internal::Coarsen_mesh_parameters>();
-  internal::accept_parameters<NamedParametersOut, internal::Output_parameters>();
-  return internal::coarsen_mesh<ConcurrencyTag>(input, output, np_in, np_out, number_of_vertices,
-                                                [&](auto& clustering) { clustering.seed(number_of_vertices); });
+  using namespace internal;
+  accept_parameters<NamedParametersIn, Coarsening_parameters, Coarsen_mesh_parameters,
+                    Parameter_list<internal_np::neighborhood_level_t> >();
+  accept_parameters<NamedParametersOut, Output_parameters>();
+  return internal::coarsen_mesh<ConcurrencyTag>(input, output, np_in, np_out, number_of_vertices, [&](auto& clustering) {
+    if constexpr (has_parameter<internal_np::neighborhood_level_t, NamedParametersIn>)
+      clustering.seed_from_level(get_parameter(np_in, internal_np::neighborhood_level_p), number_of_vertices);
+    else
+      clustering.seed(number_of_vertices);
+  });
 }
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
@@ -358,7 +364,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
 ///   \cgalParamNBegin{neighborhood_level}
 ///     \cgalParamDescription{the level of the neighborhoods of the seeds. The number of vertices is the number of seeds whose
 ///                           neighborhoods of this many steps are disjoint (see `neighborhood_seeds()`), unless the topology of
-///                           the input needs more vertices.}
+///                           the input needs more vertices. In the overload with a number of vertices, the clusters of these
+///                           seeds are merged to the number.}
 ///     \cgalParamType{`std::size_t`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{start_from_face_clusters}

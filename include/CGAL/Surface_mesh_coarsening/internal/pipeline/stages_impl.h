@@ -89,7 +89,11 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void seed(Clustering_state& state, const See
                                                        state.execution);
   all_or_nothing(state, [&] {
     if (seeding.kind == Seeding::AT_LEVEL) {
-      state.initial->seed_from_level(Index((std::min)(seeding.value, std::size_t(NONE / 4))));
+      const Index level = Index((std::min)(seeding.value, std::size_t(NONE / 4)));
+      if (seeding.number == 0)
+        state.initial->seed_from_level(level);
+      else
+        state.initial->seed_from_level(level, seeding.number);
       return;
     }
     if (state.subdivides_input)

@@ -84,6 +84,15 @@ public:
 
   std::size_t number_of_clusters() const { return count_; }
 
+  // Appends a face at the common vertex of each merge of three clusters, the last merge first: the new seeds of the paper, after
+  // relabel().
+  void new_seeds(const Cluster_labels& labels, std::vector<Index>& faces) const
+  {
+    const Flat_mesh& m = labels.mesh();
+    for (auto v = common_vertices_.rbegin(); v != common_vertices_.rend(); ++v)
+      faces.push_back(m.star[m.first_in_star[*v]]);
+  }
+
   // Renumbers the clusters of the faces without gaps, in their previous order.
   template <class FaceRange>
   void relabel(Cluster_labels& labels, const FaceRange& faces)
@@ -116,6 +125,16 @@ private:
   // A merge is retried after one of its clusters has changed. Changes farther away may also enable it; such merges are considered
   // when the queue is empty.
   void merge_while_possible()
+  {
+    if (by_threes_ && by_area_) {
+      merges_whole_triples_ = true;
+      merge_from_queue();
+      merges_whole_triples_ = false;
+    }
+    merge_from_queue();
+  }
+
+  void merge_from_queue()
   {
     for (std::size_t last = count_ + 1; last != count_ && excess() > 0;) {
       last = count_;
@@ -205,17 +224,27 @@ private:
     const std::array<Index, 3> corners{{dual_.source(3 * t), dual_.source(3 * t + 1), dual_.source(3 * t + 2)}};
     const bool three = by_threes_ && excess() > 1;
     const Edge e = smallest_of({3 * t, 3 * t + 1, 3 * t + 2});
-    if (e == NONE)
+    if (e == NONE || (merges_whole_triples_ && three && !may_merge_all_of(t)))
       return;
     const Index third = corners[(e + 2) % 3];
     Index merged = merge(e);
     if (three && !dual_.is_cap(third) && may_be_third(merged, third)) {
       Edge to_third = NONE;
       dual_.for_each_edge_from(merged, [&](Edge f) { to_third = dual_.target(f) == third ? f : to_third; });
-      if (to_third != NONE && is_candidate(to_third) && dual_.may_contract(to_third))
+      if (to_third != NONE && is_candidate(to_third) && dual_.may_contract(to_third)) {
         merged = merge(to_third);
+        common_vertices_.push_back(dual_.vertex(t));
+      }
     }
     dual_.for_each_edge_from(merged, [&](Edge f) { enqueue(f / 3); });
+  }
+
+  bool may_merge_all_of(Index t)
+  {
+    for (Edge e = 3 * t; e != 3 * t + 3; ++e)
+      if (!is_candidate(e) || !dual_.may_contract(e))
+        return false;
+    return true;
   }
 
   // Returns the contractible edge whose clusters have the smallest total size; NONE if there is none.
@@ -247,7 +276,9 @@ private:
   Dual_surface dual_;
   std::optional<Feature_merging> features_;
   bool by_threes_, by_area_, may_join_at_vertices_, joins_at_vertices_ = false;
+  bool merges_whole_triples_ = false; // leaves three clusters of which only two may be merged for later
   std::size_t count_, wanted_ = 0;
+  std::vector<Index> common_vertices_; // of the merges of three clusters
   mutable std::vector<Index> merged_into_; // with path compression
   std::vector<Size> size_;
   double mass_of_all_ = 0;
