@@ -45,3 +45,19 @@ if(SURFACE_MESH_COARSENING_BUILD_EXAMPLES AND PROJECT_IS_TOP_LEVEL)
   install(FILES ${PROJECT_SOURCE_DIR}/packaging/coarsen_mesh.bash RENAME coarsen_mesh
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT Tools)
 endif()
+
+# For users without CMake: the headers alone, with the libraries that CGAL needs.
+configure_file(${CMAKE_CURRENT_LIST_DIR}/surface-mesh-coarsening.pc.in
+  ${PROJECT_BINARY_DIR}/cmake/surface-mesh-coarsening.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/cmake/surface-mesh-coarsening.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig
+  COMPONENT Development)
+
+# surface_mesh_coarsening_install_program(NAME COMPONENT): a program, if built, with its manual page. The programs that need MPI or Qt
+# are components of their own, so that the package of the tool depends on neither.
+function(surface_mesh_coarsening_install_program name component)
+  add_custom_command(TARGET ${name} POST_BUILD
+    COMMAND ${CMAKE_COMMAND} -E copy ${PROJECT_SOURCE_DIR}/packaging/${name}.1 ${PROJECT_BINARY_DIR}/bin/${name}.1)
+  install(PROGRAMS ${PROJECT_BINARY_DIR}/bin/${name}${CMAKE_EXECUTABLE_SUFFIX} DESTINATION ${CMAKE_INSTALL_BINDIR}
+    COMPONENT ${component} OPTIONAL)
+  install(FILES ${PROJECT_BINARY_DIR}/bin/${name}.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component} OPTIONAL)
+endfunction()

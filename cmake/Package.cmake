@@ -41,6 +41,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libsurface-mesh-coarsening-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev (>= 3.3)")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libtbb-dev") # applications without it have one thread
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Coarse triangle meshes of fine polygon meshes: headers for use with CGAL")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME coarsen-mesh)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION graphics)
@@ -61,3 +62,16 @@ if(DPKG_SHLIBDEPS AND FILE_COMMAND)
 endif()
 
 include(CPack)
+
+# All that is published of this version, with checksums, in packages/ of the build tree. The static tool has a build tree of its own.
+if(TARGET coarsen_mesh AND NOT SURFACE_MESH_COARSENING_STATIC_TOOL)
+  cmake_path(GET CMAKE_COMMAND PARENT_PATH cmake_bin)
+  add_custom_target(packages
+    COMMAND ${CMAKE_COMMAND} -D PACKAGES=${PROJECT_BINARY_DIR}/packages -D SOURCES=${PROJECT_SOURCE_DIR} -D CPACK=${cmake_bin}/cpack
+      -D CONFIG=${PROJECT_BINARY_DIR}/CPackConfig.cmake -P ${PROJECT_SOURCE_DIR}/cmake/make_packages.cmake
+    USES_TERMINAL VERBATIM COMMENT "Making the packages")
+  add_dependencies(packages coarsen_mesh)
+  if(TARGET surface_mesh_coarsening_python)
+    add_dependencies(packages surface_mesh_coarsening_python)
+  endif()
+endif()

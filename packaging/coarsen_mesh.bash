@@ -18,17 +18,17 @@ _coarsen_mesh()
     --energy) values="weighted quadric normals" ;;
     --fill-holes) values=all ;;
     --format) values="off obj ply stl" ;;
-    --patches) values="material group" ;;
+    --patches) values="material group object solid" ;;
     --placement) values="centroid closest-vertex quadric fitted" ;;
     --clusters) endings=ply ;;
     --picture) endings=png ;;
     --report) endings=json ;;
     -n | --vertices | -k | --neighborhood-level | --maximum-distance | --maximum-distance-absolute | --levels | \
     --rounds | --convergence-tolerance | --maximum-density | --error-feedback | --local-repairs | --view | --up | \
-    --minimum-component-area | --threads) return ;;
+    --minimum-component-area | --threads | --keep) return ;;
     *)
       if [[ $word == -* ]]; then
-        values="--vertices --range --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --energy --weight --maximum-density --placement --error-feedback --local-repairs --paper --features --patches --clusters --picture
+        values="--vertices --range --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --energy --weight --maximum-density --placement --error-feedback --local-repairs --paper --features --patches --keep-borders --keep --clusters --picture
           --view --up --report --format --repair --fill-holes --minimum-component-area --subdivide --measure --distances --threads --quiet
           --version --help -n -k -w -h"
       else

@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(fewer_vertices_with_error_feedback)
   Mesh mesh;
   BOOST_REQUIRE(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/eight.off"), mesh));
   const auto cluster = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:cluster").first;
-  const double distance = 0.01 * SMC::measure_coarsening(mesh, mesh, 10).diagonal;
+  const double distance = 0.03 * SMC::measure_coarsening(mesh, mesh, 10).diagonal; // with clusters of faces, not of cells
   const auto np = SMC::parameters::cluster_weight(SMC::Weighted_area_weight())
                     .vertex_placement(SMC::Fitted_placement())
                     .face_cluster_map(cluster);
@@ -134,15 +134,30 @@ BOOST_AUTO_TEST_CASE(distances_out_of_reach_are_refused)
   for (const double wrong : {0., -1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
     BOOST_CHECK_THROW(SMC::coarsen_mesh_to_distance(mesh, wrong, output), SMC::Invalid_input);
   try {
-    SMC::coarsen_mesh_to_distance(mesh, 1e-9, output);
+    SMC::coarsen_mesh_to_distance(mesh, 1e-30, output);
     BOOST_ERROR("no exception");
   } catch (const SMC::Unreachable_distance& e) {
-    BOOST_CHECK_GT(e.nearest(), 1e-9);
+    BOOST_CHECK_GT(e.nearest(), 1e-30);
     BOOST_CHECK_LT(e.nearest(), 0.1);
     Mesh nearest; // the nearest distance is a bound, and can be asked for
     BOOST_CHECK_LE(SMC::coarsen_mesh_to_distance(mesh, 1.04 * e.nearest(), nearest).distance_bound, 1.04 * e.nearest());
   }
   BOOST_CHECK_EQUAL(output.number_of_vertices(), 4u);
+}
+
+// The input meets every tolerance above rounding errors: with the number of all vertices, the result is its surface.
+BOOST_AUTO_TEST_CASE(tolerances_that_the_input_meets_are_met)
+{
+  for (const generated::Soup& soup : {generated::tetrahedron(), generated::octahedron(), generated::cube_grid(2),
+                                      generated::triangle_sphere(2), generated::with_holes(generated::triangle_sphere(2), 2)}) {
+    const Mesh mesh = test::to_mesh(generated::triangulated(soup));
+    Mesh all, within;
+    SMC::coarsen_mesh(mesh, mesh.number_of_vertices(), all);
+    BOOST_TEST(all.number_of_vertices() == mesh.number_of_vertices());
+    BOOST_CHECK_SMALL(SMC::measure_coarsening(mesh, all, 2000).maximum_distance, 1e-9);
+    BOOST_CHECK_LE(SMC::coarsen_mesh_to_distance(mesh, 1e-6, within).distance_bound, 1e-6);
+    BOOST_CHECK_SMALL(SMC::measure_coarsening(mesh, within, 2000).maximum_distance, 1.1e-6);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_surface_without_area_is_refused)

@@ -145,6 +145,12 @@ boost::test_tools::assertion_result has_tool(boost::unit_test::test_unit_id)
   return false;
 }
 
+#ifdef CGAL_LINKED_WITH_TBB
+const std::string threads = "4";
+#else
+const std::string threads = "1"; // more are warned of
+#endif
+
 const std::vector<std::string> weights = {"uniform", "area", "maximum", "exact-maximum", "variance"};
 
 } // namespace
@@ -257,6 +263,19 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
   BOOST_TEST(shop.run("in.off out.off").names("how many vertices?"));
 }
 
+// More threads than there are need a warning.
+BOOST_AUTO_TEST_CASE(threads_that_cannot_be_had)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::triangle_sphere(3));
+  shop.run_well("in.off out.off -n 50 --threads 1");
+  const Outcome outcome = shop.run("in.off out.off -n 50 --threads 4 --report r.json");
+  BOOST_TEST(outcome.status == 0);
+  const bool can_have_them = shop.report("r.json")["parameters"]["threads"]["used"] == 4;
+  BOOST_TEST(outcome.err.empty() == can_have_them);
+  BOOST_TEST(outcome.names("warning: --threads 4: there is 1 thread only") != can_have_them, outcome.err);
+}
+
 // The numbers can be asked for, and a part of the input's vertices be given.
 BOOST_AUTO_TEST_CASE(ranges_and_ratios)
 {
@@ -354,11 +373,11 @@ BOOST_AUTO_TEST_CASE(choices)
   shop.write("in.off", generated::with_noise(generated::triangle_sphere(3), 0.01));
   for (const std::string& weight : weights)
     for (const std::string placement : {"centroid", "closest-vertex", "quadric", "fitted"}) {
-      shop.run_well("in.off out.off -n 50 --threads 4 -w " + weight + " --placement " + placement + " --report r.json");
+      shop.run_well("in.off out.off -n 50 --threads " + threads + " -w " + weight + " --placement " + placement + " --report r.json");
       const Json report = shop.report("r.json");
       BOOST_TEST(report["parameters"]["weight"] == weight);
       BOOST_TEST(report["parameters"]["placement"] == placement);
-      BOOST_TEST(report["parameters"]["threads"]["allowed"] == 4);
+      BOOST_TEST(report["parameters"]["threads"]["allowed"] == std::stoi(threads));
       BOOST_TEST(report["parameters"]["maximum_density"] == 10.);
       BOOST_TEST(report["output"]["valid"] == true);
       BOOST_TEST(report["output"]["vertices"] == 50);

@@ -215,6 +215,41 @@ shop.write("sub/two.gltf", outside);
 BOOST_CHECK_EQUAL(shop.run("sub/two.gltf out.off -n 4").status, 1);
 }
 
+BOOST_AUTO_TEST_CASE(losses_of_gltf_are_named)
+{
+  const Tool_directory shop;
+  shop.write("in.obj", painted_obj());
+  BOOST_TEST_REQUIRE(shop.run("in.obj in.gltf -n 60").status == 0);
+  nlohmann::json gltf = nlohmann::json::parse(test::content_of(shop / "in.gltf"));
+  for (auto& primitive : gltf["meshes"][0]["primitives"])
+    primitive["attributes"]["_HEAT"] = primitive["attributes"]["POSITION"];
+  shop.write("heat.gltf", gltf.dump());
+  BOOST_CHECK(shop.run("heat.gltf out.off -n 20").names("warning: heat.gltf: the numbers '_HEAT' of vertices are not read"));
+  BOOST_CHECK(!shop.run("in.gltf out.off -n 20").names("_HEAT"));
+}
+
+// A format with six digits: the vertices are moved there before they are measured.
+BOOST_AUTO_TEST_CASE(formats_with_few_digits)
+{
+  const Tool_directory shop;
+  if (!assimp_reads("3mf") || !assimp_writes("3mf"))
+    return;
+  generated::Soup far = generated::triangle_sphere(2);
+  for (auto& p : far.points)
+    p[0] += 100000;
+  shop.write("far.off", mesh_files::off(far));
+  const auto distance = [&shop](const std::string& file) {
+    const Tool_outcome outcome = shop.run("far.off " + file + " -n 40 --measure");
+    BOOST_TEST_REQUIRE(outcome.status == 0, outcome.err);
+    BOOST_CHECK_EQUAL(outcome.names("the numbers of the format"), file != "out.off");
+    return std::stod(outcome.out.substr(outcome.out.find("RMS ") + 4));
+  };
+  const double all_digits = distance("out.off"), single = distance("out.glb"), six = distance("out.3mf");
+  BOOST_CHECK_LT(single, 1.2 * all_digits);
+  BOOST_CHECK_GT(six, 1.2 * all_digits);
+  BOOST_CHECK_EQUAL(parse_soup(test::content_of(shop / "out.3mf"), "3mf").points.size(), 40u);
+}
+
 BOOST_AUTO_TEST_CASE(standard_streams)
 {
   const Tool_directory shop;

@@ -9,6 +9,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <random>
@@ -327,6 +329,64 @@ BOOST_AUTO_TEST_CASE(numbers_of_formats)
   check_refused(shop, "large.off out.stl -n 200 --levels 2", {"out.stl: cannot be written: "});
   shop.write("near.off", mesh_files::off(sphere));
   check_done(shop, "near.off out.stl -n 200");
+}
+
+// What is measured is what the file holds: the coordinates are rounded before, and the repair sees them rounded.
+BOOST_AUTO_TEST_CASE(rounding_is_measured)
+{
+  const Tool_directory shop;
+  generated::Soup patch = generated::grid(40, 40);
+  for (auto& p : patch.points)
+    p = {6e6 + p[0] / 2, 4e5 + p[1] / 2, 100 + 3 * std::sin(p[0] / 3) * std::cos(p[1] / 5)};
+  shop.write("patch.off", mesh_files::off(patch));
+  const Tool_outcome outcome = shop.run("patch.off out.stl -n 200 --measure --report r.json");
+  BOOST_TEST(outcome.status == 0, outcome.err);
+  BOOST_TEST(outcome.names("warning: out.stl: the numbers of the format STL move vertices by up to 0.25"), outcome.err);
+  BOOST_TEST(outcome.names("move the mesh to the origin"));
+  BOOST_TEST(test::content_of(shop / "r.json").find("the numbers of the format STL move") != std::string::npos);
+  const auto soup = parse_soup(test::content_of(shop / "out.stl"), "stl");
+  BOOST_TEST(soup.points.size() == 200u);
+  for (const auto& p : soup.polygons) {
+    const auto &a = soup.points[p[0]], &b = soup.points[p[1]], &c = soup.points[p[2]];
+    BOOST_TEST(CGAL::cross_product(b - a, c - a).squared_length() > 0); // as they are in double precision
+  }
+  const auto distance = [&shop](const std::string& arguments) {
+    const std::string text = shop.run(arguments).out;
+    return std::stod(text.substr(text.find("RMS ") + 4));
+  };
+  BOOST_TEST(distance("patch.off out.stl -n 200 --measure") > 1.1 * distance("patch.off out.ply -n 200 --measure"));
+
+  // A distance is kept by what is written, or refused.
+  check_refused(shop, "patch.off out.stl --maximum-distance 0.001",
+                {"no result within 0.001", "the numbers of the format STL move vertices"});
+  BOOST_TEST(shop.run("patch.off out.ply -n 200").err == "");
+  shop.write("near.off", mesh_files::off(sphere()));
+  BOOST_TEST(shop.run("near.off out.stl -n 12").err == "");
+}
+
+// Two vertices at one point are told apart by numbers of vertices, which STL has not, and not by digits.
+BOOST_AUTO_TEST_CASE(twins_are_named)
+{
+  const Tool_directory shop;
+  generated::Soup bow = generated::octahedron();
+  const std::size_t n = bow.points.size();
+  const auto top = bow.points[0];
+  for (std::size_t v = 0; v < n; ++v) // mirrored at the first vertex, which is repeated
+    bow.points.push_back({2 * top[0] - bow.points[v][0], 2 * top[1] - bow.points[v][1], 2 * top[2] - bow.points[v][2]});
+  for (std::size_t f = 0, faces = bow.polygons.size(); f < faces; ++f) {
+    auto polygon = bow.polygons[f];
+    for (auto& v : polygon)
+      v += n;
+    std::reverse(polygon.begin(), polygon.end());
+    bow.polygons.push_back(polygon);
+  }
+  shop.write("bow.off", mesh_files::off(bow));
+  check_done(shop, "bow.off out.off -n 12 --repair --placement closest-vertex");
+  const Tool_outcome outcome = shop.run("bow.off out.stl -n 12 --repair --placement closest-vertex");
+  BOOST_TEST(outcome.status == 1);
+  BOOST_TEST(outcome.is_one_line_error(), outcome.err);
+  BOOST_TEST(outcome.names(" coincide (use .ply, .off or .obj, which keep all digits and tell vertices at one point apart)"),
+             outcome.err);
 }
 
 BOOST_AUTO_TEST_CASE(names_of_one_file)

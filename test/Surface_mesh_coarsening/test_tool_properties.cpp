@@ -9,12 +9,14 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <map>
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_tool_properties)
@@ -48,6 +50,57 @@ std::string colored_ply()
     os << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << int(10 * p[0]) << ' ' << p[1] / 20 << '\n';
   for (const auto& p : soup.polygons)
     os << "4 " << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[3] << ' ' << (soup.points[p[0]][0] < 10 ? -7 : 3) << '\n';
+  return os.str();
+}
+
+typedef std::array<double, 3> Place;
+
+// The edges of one face only whose ends are at `x`, as pairs of places.
+std::set<std::pair<Place, Place> > border_edges_at(double x, const Soup& soup)
+{
+  std::map<std::pair<Place, Place>, int> faces;
+  for (const auto& polygon : soup.polygons)
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const auto &a = soup.points[polygon[i]], &b = soup.points[polygon[(i + 1) % polygon.size()]];
+      if (a.x() == x && b.x() == x)
+        ++faces[std::minmax(Place{a.x(), a.y(), a.z()}, Place{b.x(), b.y(), b.z()})];
+    }
+  std::set<std::pair<Place, Place> > result;
+  for (const auto& edge : faces)
+    if (edge.second == 1)
+      result.insert(edge.first);
+  return result;
+}
+
+// A part of a hilly surface that begins at `x`.
+std::string tile(double x)
+{
+  generated::Soup soup = generated::grid(20, 20);
+  for (auto& p : soup.points) {
+    p[0] += x;
+    p[2] = 2 * std::sin(0.5 * p[1]) * std::cos(0.3 * p[0]);
+  }
+  return mesh_files::off(soup);
+}
+
+// A square of 10 x 10 faces whose vertices with x = 5, or faces beside them, are marked.
+std::string marked_ply(bool faces)
+{
+  const generated::Soup soup = generated::grid(10, 10);
+  std::ostringstream os;
+  os << "ply\nformat ascii 1.0\nelement vertex " << soup.points.size()
+     << "\nproperty float x\nproperty float y\nproperty float z\n"
+     << (faces ? "" : "property uchar mark\n") << "element face " << soup.polygons.size()
+     << "\nproperty list uchar int vertex_indices\n"
+     << (faces ? "property uchar mark\n" : "") << "end_header\n";
+  for (const auto& p : soup.points)
+    os << p[0] << ' ' << p[1] << ' ' << p[2] << (faces ? "" : p[0] == 5 ? " 1" : " 0") << '\n';
+  for (const auto& p : soup.polygons)
+    os << "4 " << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << p[3]
+       << (!faces                      ? ""
+           : soup.points[p[0]][0] == 5 ? " 1"
+                                       : " 0")
+       << '\n';
   return os.str();
 }
 
@@ -284,6 +337,67 @@ BOOST_AUTO_TEST_CASE(names_of_obj)
                std::set<std::string>{"old stone", "old wood"}));
 }
 
+// The solids of a text STL are groups, and their borders are kept on request.
+BOOST_AUTO_TEST_CASE(solids_of_stl)
+{
+  const generated::Soup soup = generated::grid(20, 20);
+  std::ostringstream os;
+  for (const bool is_left : {true, false}) {
+    os << "solid " << (is_left ? "left part #1" : "right") << '\n';
+    for (const auto& p : soup.polygons)
+      for (std::size_t i = 2; i < p.size(); ++i)
+        if ((soup.points[p[0]][0] < 10) == is_left) {
+          os << "facet normal 0 0 1\nouter loop\n";
+          for (const std::size_t v : {p[0], p[i - 1], p[i]})
+            os << "vertex " << soup.points[v][0] << ' ' << soup.points[v][1] << ' ' << soup.points[v][2] << '\n';
+          os << "endloop\nendfacet\n";
+        }
+    os << "endsolid\n";
+  }
+  const Tool_directory shop;
+  shop.write("in.stl", os.str());
+  const Tool_outcome outcome = shop.run("in.stl out.obj -n 40 --patches solid");
+  check_done(outcome);
+  BOOST_CHECK_EQUAL(outcome.err, "");
+  const Soup result = parse_soup(test::content_of(shop / "out.obj"), "obj");
+  BOOST_REQUIRE_EQUAL(result.groups.size(), result.polygons.size());
+  for (std::size_t f = 0; f < result.polygons.size(); ++f)
+    for (const std::size_t v : result.polygons[f])
+      BOOST_CHECK_GE((result.points[v].x() - 10) * (result.groups[f] == "left part _1" ? -1 : 1), -0.05);
+  BOOST_CHECK(shop.run("in.stl out.ply -n 40").names("the groups of faces are left out"));
+  shop.write("plain.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n");
+  BOOST_CHECK(parse_soup(test::content_of(shop / "plain.stl"), "stl").groups.empty());
+  BOOST_CHECK(shop.run("plain.stl out.obj -n 3 --patches solid").names("has no solids of faces"));
+}
+
+BOOST_AUTO_TEST_CASE(objects_of_obj)
+{
+  const Tool_directory shop;
+  std::string text = textured_obj();
+  for (std::size_t at = text.find("g part"); at != std::string::npos; at = text.find("g part", at + 1))
+    text.replace(at, 1, "o");
+  shop.write("in.obj", text);
+  check_done(shop.run("in.obj out.obj -n 40 --patches object --repair"));
+  const Soup soup = parse_soup(test::content_of(shop / "out.obj"), "obj");
+  BOOST_CHECK(std::set<std::string>(soup.objects.begin(), soup.objects.end()) ==
+              (std::set<std::string>{"part_of_granite", "part_of_marble"}));
+  BOOST_CHECK(soup.groups.empty());
+  BOOST_CHECK(shop.run("in.obj out.off -n 40").names("the names of objects are left out, the format OFF cannot hold them"));
+}
+
+BOOST_AUTO_TEST_CASE(losses_of_reading_are_named)
+{
+  const std::string faces = "v 1 0 0 0 0 0\nv 0 1 0 1 1 1\nf 1 2 3\n";
+  const std::vector<std::string> loss = {"the digits of colors beyond 8 bits"};
+  BOOST_CHECK(parse_soup("v 0 0 0 0.2 0.502 0\n" + faces, "obj").left_out.empty());
+  BOOST_CHECK(parse_soup("v 0 0 0 0.0019 0 0\n" + faces, "obj").left_out == loss);
+  std::string stl = mesh_files::binary_stl(generated::octahedron());
+  BOOST_CHECK(parse_soup(stl, "stl").left_out.empty());
+  stl[84 + 48] = '\x1f';
+  stl[84 + 49] = '\x80';
+  BOOST_CHECK(parse_soup(stl, "stl").left_out == std::vector<std::string>{"the attributes of triangles (often colors)"});
+}
+
 // Two strips of a square of four triangles around its middle, one with a vertex that is repeated.
 BOOST_AUTO_TEST_CASE(strips_of_triangles)
 {
@@ -429,13 +543,54 @@ BOOST_AUTO_TEST_CASE(distances_take_the_place_of_numbers)
                             "--maximum-distance 0.1 -n 20", "--maximum-distance 0.1 --maximum-distance-absolute 1",
                             "--maximum-distance 0.1 --levels 2"})
     BOOST_CHECK_EQUAL(shop.run(std::string("in.off out.off ") + wrong).status, 2);
-  const Tool_outcome outcome = shop.run("in.off out.off --maximum-distance-absolute 1e-9");
+  // The input itself is within any distance that exceeds rounding errors.
+  check_done(shop.run("in.off out.off --maximum-distance-absolute 1e-9"));
+  BOOST_CHECK_EQUAL(parse_soup(test::content_of(shop / "out.off"), "off").points.size(),
+                    generated::triangle_sphere(4).points.size());
+  const Tool_outcome outcome = shop.run("in.off out.off --maximum-distance-absolute 1e-30");
   BOOST_CHECK_EQUAL(outcome.status, 1);
-  BOOST_CHECK(outcome.names("within a distance of 1e-09"));
+  BOOST_CHECK(outcome.names("within a distance of 1e-30"));
   BOOST_CHECK(outcome.names("--subdivide"));
   // Relative distances are reported as relative.
-  BOOST_CHECK(shop.run("in.off out.off --maximum-distance 1e-9").names("no result within 1e-09 of the diagonal ("));
+  BOOST_CHECK(shop.run("in.off out.off --maximum-distance 1e-30").names("no result within 1e-30 of the diagonal ("));
   BOOST_CHECK(shop.run("in.off out.off --maximum-distance 0.02").out.find(" of the diagonal (") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(neighboring_tiles_fit)
+{
+  const Tool_directory shop;
+  shop.write("left.off", tile(0));
+  shop.write("right.off", tile(20));
+  for (const std::string name : {"left", "right"})
+    check_done(shop.run(name + ".off " + name + "_out.off -n 130 --keep-borders"));
+  const auto edges = [&](const std::string& file) {
+    return border_edges_at(20, parse_soup(test::content_of(shop / file), "off"));
+  };
+  BOOST_CHECK_EQUAL(edges("left.off").size(), 20u);
+  BOOST_CHECK(edges("left_out.off") == edges("left.off"));
+  BOOST_CHECK(edges("right_out.off") == edges("left.off"));
+  for (const char* other : {"--levels 1", "--maximum-distance 0.1"})
+    BOOST_CHECK_EQUAL(shop.run(std::string("left.off out.off --keep-borders ") + other).status, 2);
+}
+
+BOOST_AUTO_TEST_CASE(marked_vertices_are_kept)
+{
+  const Tool_directory shop;
+  for (const bool faces : {false, true}) {
+    shop.write("in.ply", marked_ply(faces));
+    check_done(shop.run("in.ply out.ply -n 60 --keep mark"));
+    const Soup soup = parse_soup(test::content_of(shop / "out.ply"), "ply");
+    std::set<std::pair<double, double> > places;
+    for (const auto& p : soup.points)
+      places.emplace(p.x(), p.y());
+    for (int y = 0; y <= 10; ++y)
+      for (int x = 5; x <= 5 + faces; ++x)
+        BOOST_CHECK(places.count({x, y}) == 1);
+  }
+  const Tool_outcome outcome = shop.run("in.ply out.ply -n 60 --keep seam");
+  BOOST_CHECK_EQUAL(outcome.status, 1);
+  BOOST_CHECK(outcome.names("has no numbers 'seam' of vertices or faces"));
+  BOOST_CHECK(shop.run("--range in.ply --keep mark").out.find("22 to 121") == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

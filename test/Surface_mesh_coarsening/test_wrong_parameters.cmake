@@ -11,6 +11,9 @@ if(status EQUAL 0)
 endif()
 foreach(text IN ITEMS "this named parameter cannot be used in this pack of this function"
     "how many vertices\\? Give a number"
+    "the number of vertices precedes the output: coarsen_mesh\\(input, number_of_vertices, output\\)"
+    "the property map of this named parameter has keys of another type"
+    "the property map of this named parameter has values of another type"
     "cluster_energy and cluster_weight cannot both be given"
     "the class has an energy where a cluster_weight is given, or a weight where a cluster_energy is given"
     "the parameters vertex_ratio and neighborhood_level exclude each other"

@@ -9,13 +9,16 @@
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh_to_distance.h>
 #include <CGAL/Surface_mesh_coarsening/compute_face_densities.h>
 
+#include <string>
+
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 namespace p = CGAL::Surface_mesh_coarsening::parameters;
 
 void call(const Mesh& input, Mesh& output, Mesh::Property_map<Mesh::Vertex_index, SMC::Surface_location<Mesh> > sources,
-          Mesh::Property_map<Mesh::Face_index, double> densities)
+          Mesh::Property_map<Mesh::Face_index, double> densities, Mesh::Property_map<Mesh::Vertex_index, double> counts,
+          Mesh::Property_map<Mesh::Face_index, std::string> names)
 {
   SMC::coarsen_mesh(input, 9, output, p::vertex_source_map(sources));
   SMC::coarsen_mesh(input, 9, output, p::maximum_density(3.).vertex_ratio(0.1));
@@ -28,5 +31,8 @@ void call(const Mesh& input, Mesh& output, Mesh::Property_map<Mesh::Vertex_index
   SMC::coarsen_mesh(input, 9, output, p::cluster_weight(SMC::Weighted_area_weight()).cluster_energy(SMC::Quadric_energy()));
   SMC::Mwcvd_clustering<Mesh> of_weight(input, p::cluster_energy(SMC::Quadric_energy()));
   SMC::coarsen_mesh(input, output);
+  SMC::coarsen_mesh(input, output, 100);
+  SMC::coarsen_mesh(input, 9, output, p::face_density_map(counts));
+  SMC::coarsen_mesh(input, 9, output, p::face_cluster_map(names));
   SMC::coarsen_mesh(input, output, p::neighborhood_level(3).vertex_ratio(0.1));
 }

@@ -195,8 +195,12 @@ po::options_description described_options()
      "keep sharp edges, whose normals differ by ANGLE degrees or more: they become lines of edges, and their corners keep "
      "their positions")
     ("patches", text()->value_name("FIELD"),
-     "keep the lines between faces that differ in FIELD: material or group, or the name of whole numbers that a PLY "
-     "file has for faces")
+     "keep the lines between faces that differ in FIELD: material, group, object or solid, or the name of whole numbers "
+     "that a PLY file has for faces")
+    ("keep-borders",
+     "keep vertices and edges of borders as they are, so that neighboring tiles still fit")
+    ("keep", text()->value_name("FIELD"),
+     "keep the vertices whose number FIELD in a PLY file is not zero, and the vertices of faces whose number is not zero")
     ("clusters", text()->value_name("FILE"), "write the input with a color and a label for each face (.ply)")
     ("picture", text()->value_name("FILE"),
       "write a picture of the input with its clusters, the result, and the distance between them (.png)")
@@ -382,6 +386,8 @@ Options checked_options(const po::variables_map& values)
   if (options.paper)
     choose_as_in_paper(values, options);
   options.patches = given(values, "patches").value_or("");
+  options.keep = given(values, "keep").value_or("");
+  options.keep_borders = values.count("keep-borders") > 0;
   options.clusters = given(values, "clusters").value_or("");
   options.picture = given(values, "picture").value_or("");
   options.report = given(values, "report").value_or("");
@@ -400,7 +406,7 @@ Options checked_options(const po::variables_map& values)
   options.distances = values.count("distances") > 0;
   if (const auto text = given(values, "threads"))
     options.threads = static_cast<unsigned>(to_count("threads", *text, 1, 1000000));
-  for (const char* option : {"features", "patches"})
+  for (const char* option : {"features", "patches", "keep", "keep-borders"})
     if (values.count(option) && (options.levels > 0 || options.maximum_distance))
       throw Wrong_usage("--" + std::string(option) + " goes with a number of vertices or a level, and without --levels");
   check_number(options);

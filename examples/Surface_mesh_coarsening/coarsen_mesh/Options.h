@@ -45,6 +45,8 @@ struct Options
   std::size_t local_repairs = Defaults::local_repairs;   // at most
   std::optional<double> features; // the angle in degrees from which edges are kept
   std::string patches; // the field of faces whose patches are kept
+  std::string keep; // the field of vertices or faces that are kept
+  bool keep_borders = false;
   std::string clusters, picture, report;
   Vector view, up = Vector(0, 1, 0);
   double minimum_component_area = 0; // of the mesh's units squared; 0 keeps every component

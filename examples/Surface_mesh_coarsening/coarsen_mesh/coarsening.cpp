@@ -4,7 +4,9 @@
 
 #include "io/Failure.h"
 #include "io/Number_property.h"
+#include "kept_vertices.h"
 #include "patches.h"
+#include "written.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Normal_deviation_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Quadric_energy.h>
@@ -62,6 +64,25 @@ void with_placement(const Options& options, const Use& use)
     use(SMC::Fitted_placement());
 }
 
+// Has points of the mesh, with coordinates that single precision holds: the repair of the result sees them as they are written.
+struct Single_precision_kernel : Kernel
+{
+  typedef float FT;
+};
+
+// Calls `use` with the placement in the options, and with the parameter for coordinates that the file of the result holds.
+template <class Use>
+void with_placement_and_traits(const Mesh& input, const Options& options, const Use& use)
+{
+  const bool rounds = rounds_coordinates(input, type_of(options, options.output));
+  with_placement(options, [&](const auto& placement) {
+    if (rounds)
+      use(placement, SMC::parameters::geom_traits(Single_precision_kernel()));
+    else
+      use(placement, SMC::parameters::geom_traits(Kernel()));
+  });
+}
+
 // Normals that are unit vectors stay such.
 void keep_normals_normal(const Mesh& input, Mesh& result)
 {
@@ -108,7 +129,8 @@ std::vector<std::int64_t> wanted_patches(const Mesh& input, const Options& optio
   auto result = patches(input, options.patches);
   if (!result)
     throw Failure(options.input, "has no " +
-                                   (options.patches == "material" || options.patches == "group"
+                                   (options.patches == "material" || options.patches == "group" || options.patches == "solid" ||
+                                        options.patches == "object"
                                       ? options.patches + "s"
                                       : "whole numbers '" + options.patches + "'") +
                                    " of faces, which --patches names");
@@ -122,10 +144,10 @@ void coarsen_to_distance(const Mesh& input, const Options& options, const NamedP
   result.labels.resize(input.number_of_faces());
   const auto clusters = boost::make_function_property_map<Face>(
     [&](Face f) -> std::size_t& { return result.labels[static_cast<std::size_t>(f)]; });
-  with_placement(options, [&](const auto& placement) {
+  with_placement_and_traits(input, options, [&](const auto& placement, const auto& traits) {
     const SMC::Distance_report report = SMC::coarsen_mesh_to_distance<CGAL::Parallel_if_available_tag>(
       input, (std::min)(*options.maximum_distance * unit, (std::numeric_limits<double>::max)()), result.mesh,
-      np.vertex_placement(placement).face_cluster_map(clusters));
+      np.vertex_placement(placement).face_cluster_map(clusters), traits);
     result.report = report.clustering;
     result.distance_bound = report.distance_bound;
   });
@@ -153,7 +175,9 @@ void make_levels(const Mesh& input, const Options& options, const Clustering& cl
       levels.parents(n, n / 2, std::back_inserter(level.parents));
     }
     n /= 2;
-    with_placement(options, [&](const auto& placement) { levels.extract_dual_mesh(n, level.mesh, placement); });
+    with_placement_and_traits(input, options, [&](const auto& placement, const auto& traits) {
+      levels.extract_dual_mesh(n, level.mesh, placement, traits);
+    });
     carry_properties(input, labels, level.mesh);
     result.levels.push_back(std::move(level));
   }
@@ -166,6 +190,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
   typedef SMC::Mwcvd_clustering<Mesh, Energy, CGAL::Parallel_if_available_tag> Clustering;
   const std::size_t rounds = options.rounds.value_or(Defaults::number_of_iterations);
   const std::vector<std::int64_t> patch_of = wanted_patches(input, options);
+  const std::vector<char> is_kept = kept_vertices(input, options);
   const auto np = SMC::parameters::maximum_density(options.maximum_density)
                     .cluster_energy(Energy())
                     .minimum_component_area(options.minimum_component_area)
@@ -179,6 +204,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
                     .local_repairs(options.local_repairs)
                     .feature_angle(options.features.value_or(Defaults::feature_angle))
                     .face_patch_map(boost::make_function_property_map<Face>([&](Face f) { return patch_of[f]; }))
+                    .vertex_is_constrained_map(boost::make_function_property_map<Vertex>([&](Vertex v) { return is_kept[v] != 0; }))
                     .visitor(std::ref(visitor));
   if (options.maximum_distance) {
     coarsen_to_distance(input, options,
@@ -190,7 +216,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
   if (options.vertices && options.neighborhood_level)
     clustering.seed_from_level(*options.neighborhood_level, *options.vertices);
   else if (options.vertices)
-    clustering.seed(*options.vertices);
+    clustering.seed_faces_or_cells(*options.vertices);
   else if (options.vertex_ratio)
     clustering.seed_from_ratio(*options.vertex_ratio);
   else
@@ -199,9 +225,9 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
   clustering.minimize(rounds, options.convergence_tolerance);
   const auto is_on_line = result.mesh.add_property_map<Edge, bool>("e:is on a line", false).first;
   const auto is_corner = result.mesh.add_property_map<Vertex, bool>("v:is a corner", false).first;
-  with_placement(options, [&](const auto& placement) {
+  with_placement_and_traits(input, options, [&](const auto& placement, const auto& traits) {
     clustering.extract_embedded_dual_mesh(
-      result.mesh, placement, SMC::parameters::edge_is_constrained_map(is_on_line).vertex_is_constrained_map(is_corner));
+      result.mesh, placement, traits.edge_is_constrained_map(is_on_line).vertex_is_constrained_map(is_corner));
   });
   result.report = clustering.report();
   for (Vertex v : result.mesh.vertices()) {
@@ -319,9 +345,15 @@ std::string level_file(const std::string& output, std::size_t level)
 
 SMC::Vertex_number_range range_of(const Mesh& input, const Options& options, Tool_visitor& visitor)
 {
+  const std::vector<std::int64_t> patch_of = wanted_patches(input, options);
+  const std::vector<char> is_kept = kept_vertices(input, options);
+  const auto patches = boost::make_function_property_map<Face>([&](Face f) { return patch_of[f]; });
+  const auto kept = boost::make_function_property_map<Vertex>([&](Vertex v) { return is_kept[v] != 0; });
   return SMC::vertex_number_range(input, SMC::parameters::minimum_component_area(options.minimum_component_area)
                                            .subdivide_input(options.subdivide)
                                            .feature_angle(options.features.value_or(Defaults::feature_angle))
+                                           .face_patch_map(patches)
+                                           .vertex_is_constrained_map(kept)
                                            .visitor(std::ref(visitor)));
 }
 

@@ -22,9 +22,10 @@ std::vector<std::int64_t> numbered(const Mesh& mesh, const Mesh::Property_map<Fa
 
 std::optional<std::vector<std::int64_t> > patches(const Mesh& mesh, const std::string& field)
 {
-  for (const char* property : {material_property, group_property}) {
+  const std::string name = field == "solid" ? "group" : field; // of STL
+  for (const char* property : {material_property, group_property, object_property}) {
     const Found_property<Face, std::string> names(mesh, property);
-    if (names && property == "f:" + field + " name")
+    if (names && property == "f:" + name + " name")
       return numbered(mesh, names.map);
   }
   const Number_property<Face> numbers = number_property<Face>(mesh, field);

@@ -14,7 +14,7 @@ namespace coarsen_mesh_tool {
 
 using namespace coarsening_support;
 
-// The number of the patch of each face: faces with the same material or group, or with the same of the whole numbers of this
+// The number of the patch of each face: faces with the same material, group, solid or object, or with the same of the whole numbers of this
 // name, are of one patch. Nothing if the mesh has no such field.
 std::optional<std::vector<std::int64_t> > patches(const Mesh& mesh, const std::string& field);
 

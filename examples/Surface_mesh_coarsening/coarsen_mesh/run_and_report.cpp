@@ -3,13 +3,11 @@
 #include "run_and_report.h"
 
 #include "check/certificate.h"
-#include "check/soup_fault.h"
 #include "io/Descriptor.h"
 #include "io/Failure.h"
 #include "io/Number_property.h"
 #include "io/Output_files.h"
 #include "io/file_type.h"
-#include "io/read_soup.h"
 #include "io/write_mesh.h"
 #include "render/cluster_bytes.h"
 #include "render/face_distances.h"
@@ -24,6 +22,7 @@
 #include "Tool_visitor.h"
 #include "coarsening.h"
 #include "input.h"
+#include "written.h"
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/assertions_behaviour.h>
@@ -73,9 +72,12 @@ std::string distance_text(const Options& options, const Mesh& mesh, double dista
 std::string unreachable_text(const Options& options, const Mesh& mesh, double nearest)
 {
   const double unit = options.distance_is_relative ? diagonal(mesh) : 1;
+  const std::string rounding = rounding_text(mesh, type_of(options, options.output), 0);
   return "no result " + distance_text(options, mesh, *options.maximum_distance * unit) +
          " was found (nearest distance found: " + length_text(options, mesh, nearest) +
-         (options.subdivide ? ")" : "; smaller faces, which --subdivide makes, may come nearer)");
+         (!rounding.empty()    ? "): " + rounding
+          : options.subdivide ? ")"
+                              : "; smaller faces, which --subdivide makes, may come nearer)");
 }
 
 std::string counted(std::size_t number, const std::string& noun)
@@ -107,25 +109,6 @@ auto explained(const Input& input, const Options& options, Stage_times& times, P
   }
 }
 
-// Reads back what a file is to hold: rounding to the numbers of its format may have changed the mesh.
-void check_written(const std::string& file, const std::string& type, const std::string& bytes, const Mesh& mesh)
-{
-  Soup soup;
-  try {
-    soup = parse_soup(bytes, type, Interruption::throw_if_requested);
-  } catch (const Format_fault& e) { // of another library
-    throw Failure(file, std::string("cannot be written: it cannot be read back: ") + e.what());
-  }
-  std::optional<std::string> fault = soup_fault(soup);
-  if (soup.points.size() != mesh.number_of_vertices() || soup.polygons.size() != mesh.number_of_faces())
-    fault = "its " + std::to_string(mesh.number_of_vertices()) + " vertices are at " + std::to_string(soup.points.size()) +
-            " different points only";
-  if (fault)
-    throw Failure(
-      file, "cannot be written: as numbers of the format " + upper_case(type) + " can tell, the result is no surface: " + *fault +
-              (type == "stl" ? " (use .ply, .off or .obj, which keep all digits, or move the mesh to the origin)" : ""));
-}
-
 // The number of filled holes, and the lengths of the others, in the unit of --fill-holes.
 std::string holes_text(const Options& options, const Mesh& mesh, const Hole_filling& filling)
 {
@@ -155,7 +138,7 @@ std::string summary(const Options& options, const Input& input, const Coarsening
   std::string remarks;
   if (findings.holes)
     remarks += holes_text(options, input.mesh, *findings.holes);
-  if (options.features || !options.patches.empty())
+  if (options.features || !options.patches.empty() || !options.keep.empty() || options.keep_borders)
     remarks += counted(report.feature_lines, "feature line") + " and " + counted(report.feature_corners, "corner") + " kept by " +
                counted_vertices(result.vertices_on_features) + ", ";
   if (result.distance_bound)
@@ -179,10 +162,12 @@ void flush_output()
     throw Failure("standard output", "cannot be written: " + std::generic_category().message(errno ? errno : EIO));
 }
 
-// One for each field of the input or the result that the output does not have.
-std::vector<std::string> warnings_of(const Options& options, const Input& input, const Mesh& result)
+// One for threads that cannot be had, and for each field of the input or the result that the output does not have.
+void add_warnings(const Options& options, const Input& input, const Mesh& result, std::vector<std::string>& warnings)
 {
-  std::vector<std::string> warnings;
+  if (options.threads && *options.threads > max_threads())
+    warnings.push_back("--threads " + std::to_string(*options.threads) + ": there is " + counted(max_threads(), "thread") +
+                       " only, as the program is built without oneTBB");
   for (const std::string& field : input.left_out)
     warnings.push_back(options.input + ": " + field + " are not read");
   const std::string type = type_of(options, options.output);
@@ -190,7 +175,6 @@ std::vector<std::string> warnings_of(const Options& options, const Input& input,
                                                     : ", Assimp does not write them as " + upper_case(type);
   for (const std::string& field : fields_without_room(result, type, input.notes))
     warnings.push_back(options.output + ": " + field + " are left out" + reason);
-  return warnings;
 }
 
 void warn(const std::vector<std::string>& warnings)
@@ -275,6 +259,26 @@ void add_distances(const Mesh& input, Coarsening_result& result)
     }
 }
 
+// Moves the vertices to where the files have them: all that is checked, measured and drawn later is what is written.
+void round_to_files(const Options& options, const Mesh& input, Coarsening_result& result, Findings& findings)
+{
+  const std::string type = type_of(options, options.output);
+  const double moved = move_to_stored_points(result.mesh, options.output, type);
+  for (std::size_t i = 0; i < result.levels.size(); ++i)
+    move_to_stored_points(result.levels[i].mesh, level_file(options.output, i + 1), type);
+  const std::string rounding = rounding_text(result.mesh, type, moved);
+  if (!rounding.empty())
+    findings.warnings.push_back(options.output + ": " + rounding);
+  if (!result.distance_bound)
+    return;
+  *result.distance_bound += moved;
+  const double unit = options.distance_is_relative ? diagonal(input) : 1;
+  if (*result.distance_bound > *options.maximum_distance * unit)
+    throw Failure(options.output, "cannot be written " + distance_text(options, input, *options.maximum_distance * unit) +
+                                    ": the numbers of the format " + upper_case(type) + " move vertices by up to " + shown(moved) +
+                                    " (use .ply, .off or .obj, which keep all digits)");
+}
+
 // Computes everything, and only then commits the files.
 void run(const Options& options)
 {
@@ -303,6 +307,7 @@ void run(const Options& options)
   Coarsening_result result = explained(
     input, options, times, progress, [&](Tool_visitor& visitor) { return coarsen(input.mesh, options, visitor); });
 
+  round_to_files(options, input.mesh, result, findings);
   check_result(options, input, result, times, progress, findings);
   if (options.distances) {
     times.begin("distances");
@@ -332,7 +337,7 @@ void run(const Options& options)
   if (!options.clusters.empty())
     files.emplace_back(options.clusters, cluster_bytes(input.mesh, result.labels));
   progress.end();
-  findings.warnings = warnings_of(options, input, result.mesh);
+  add_warnings(options, input, result.mesh, findings.warnings);
   write_files(
     options, files,
     [&] {

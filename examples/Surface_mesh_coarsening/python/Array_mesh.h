@@ -8,6 +8,7 @@
 #include <pybind11/numpy.h>
 
 #include <cstdint>
+#include <vector>
 
 namespace coarsening_python {
 
@@ -19,10 +20,25 @@ typedef py::array_t<double, py::array::c_style> Number_array;
 typedef py::array_t<std::int64_t, py::array::c_style> Integer_array;
 typedef py::array_t<std::uint32_t, py::array::c_style> Index_array;
 
-// Builds a mesh from points and polygons, given by their sizes and the indices of their corners. Vertices and faces keep
-// their numbers, and the halfedge of a face begins at its first corner. Throws std::invalid_argument if it is no oriented
-// 2-manifold.
-Mesh to_mesh(const Number_array& points, const Index_array& sizes, const Index_array& indices);
+// Points and polygons, given by their sizes and the indices of their corners.
+struct Mesh_arrays
+{
+  Number_array points;
+  Index_array sizes, indices;
+};
+
+Soup to_soup(const Mesh_arrays& arrays);
+
+// Builds a mesh. Vertices and faces keep their numbers, and the halfedge of a face begins at its first corner. Throws
+// std::invalid_argument if it is no oriented 2-manifold. Both heed signals.
+Mesh to_mesh(const Mesh_arrays& arrays);
+Mesh checked_mesh(const Soup& soup);
+
+Mesh_arrays to_arrays(const Soup& soup);
+Soup to_soup(const Mesh& mesh);
+
+// Returns for each edge of the mesh whether a row of the array has its ends. Throws std::invalid_argument for other rows.
+std::vector<bool> marked_edges(const Mesh& mesh, const Integer_array& ends);
 
 Number_array points_of(const Mesh& mesh);
 

@@ -38,14 +38,12 @@ void Python_visitor::step_done(Stage stage, std::size_t done, std::size_t total)
 
 bool Python_visitor::go_further()
 {
-  const auto now = std::chrono::steady_clock::now();
-  if (now - asked_ > std::chrono::milliseconds(20)) {
-    asked_ = now;
-    call_python([] {
-      if (PyErr_CheckSignals() != 0)
-        throw py::error_already_set();
-    });
-  }
+  if (!failure_)
+    try {
+      check_();
+    } catch (...) {
+      failure_ = std::current_exception();
+    }
   return !failure_;
 }
 

@@ -3,19 +3,19 @@
 #ifndef SURFACE_MESH_COARSENING_PYTHON_PYTHON_VISITOR_H
 #define SURFACE_MESH_COARSENING_PYTHON_PYTHON_VISITOR_H
 
+#include "Signal_check.h"
+
 #include <CGAL/Surface_mesh_coarsening/Coarsening_visitor_base.h>
 
 #include <pybind11/pybind11.h>
 
-#include <chrono>
 #include <cstddef>
 #include <exception>
 #include <optional>
 
 namespace coarsening_python {
 
-// Reports progress to a Python function and checks for Ctrl-C. Both need the interpreter's lock, which another thread may
-// hold for some milliseconds, so it is acquired only a few times a second.
+// Reports progress to a Python function and checks for Ctrl-C.
 class Python_visitor : public CGAL::Surface_mesh_coarsening::Coarsening_visitor_base
 {
 public:
@@ -39,7 +39,7 @@ private:
 
   const pybind11::object& progress_;
   std::exception_ptr failure_;
-  std::chrono::steady_clock::time_point asked_ = std::chrono::steady_clock::now();
+  Signal_check check_;
 };
 
 } // namespace coarsening_python

@@ -2,6 +2,9 @@
 
 #include "coarsening.h"
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Normal_deviation_energy.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Quadric_energy.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Weighted_inertia_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Exact_maximum_density_weight.h>
@@ -15,6 +18,7 @@
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh_to_distance.h>
 #include <CGAL/Surface_mesh_coarsening/parameters.h>
+#include <CGAL/Surface_mesh_coarsening/vertex_number_range.h>
 
 #include <CGAL/tags.h>
 
@@ -24,6 +28,7 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -53,6 +58,42 @@ auto map_to(std::vector<std::int64_t>& labels)
   return boost::make_function_property_map<Face>([&labels](Face f) -> std::int64_t& { return labels[f]; });
 }
 
+// The marks of elements, none if they are empty.
+template <class Key>
+auto marks(const std::vector<bool>& marks)
+{
+  return boost::make_function_property_map<Key>(
+    [&marks](Key k) -> bool { return !marks.empty() && marks[std::size_t(k)]; });
+}
+
+auto parameters_of(const Options& options, const Fields& fields, Python_visitor& visitor)
+{
+  return SMC::parameters::maximum_density(options.maximum_density)
+    .minimum_component_area(options.minimum_component_area)
+    .subdivide_input(options.subdivide)
+    .border_densities(!options.paper)
+    .merge_by_area(options.paper)
+    .boundary_count_check(options.paper)
+    .place_on_borders(!options.paper)
+    .repair_output(options.repair_output)
+    .error_feedback(options.error_feedback)
+    .local_repairs(options.local_repairs)
+    .feature_angle(options.feature_angle)
+    .face_patch_map(boost::make_function_property_map<Face>(
+      [&fields](Face f) -> std::int64_t { return fields.patches ? fields.patches[f] : 0; }))
+    .edge_is_constrained_map(marks<Edge>(fields.kept_edges))
+    .vertex_is_constrained_map(marks<Vertex>(fields.kept_vertices))
+    .visitor(std::ref(visitor));
+}
+
+void keep_border_vertices(const Mesh& input, Fields& fields)
+{
+  fields.kept_vertices.resize(input.number_of_vertices(), false);
+  for (const Halfedge h : input.halfedges())
+    if (input.is_border(h))
+      fields.kept_vertices[input.target(h)] = true;
+}
+
 template <class NamedParameters>
 std::vector<Coarsening> coarsen_to_distance(const Mesh& input, const Options& options, const NamedParameters& np)
 {
@@ -72,21 +113,42 @@ std::vector<Coarsening> coarsen_to_distance(const Mesh& input, const Options& op
   return results;
 }
 
-template <class Weight, class NamedParameters>
-std::vector<Coarsening> coarsen_to_numbers(const Mesh& input, const Options& options, const NamedParameters& np)
+template <class Clustering>
+void make_clusters(Clustering& clustering, const Options& options, const Fields& fields)
 {
-  typedef SMC::Mwcvd_clustering<Mesh, Weight, CGAL::Parallel_if_available_tag> Clustering;
-  Clustering clustering(input, np);
-  clustering.seed(options.vertices.front());
+  if (fields.clusters) {
+    clustering.set_clusters(
+      boost::make_function_property_map<Face>([&fields](Face f) -> std::int64_t { return fields.clusters[f]; }));
+    return;
+  }
+  if (options.vertex_ratio)
+    clustering.seed_from_ratio(*options.vertex_ratio);
+  else if (options.level)
+    clustering.seed_from_level(*options.level);
+  else
+    clustering.seed_faces_or_cells(options.vertices.front());
   clustering.grow();
+}
+
+template <class Energy, class NamedParameters>
+std::vector<Coarsening> coarsen_to_numbers(const Mesh& input, const Options& options, const Fields& fields,
+                                           const NamedParameters& np)
+{
+  typedef SMC::Mwcvd_clustering<Mesh, Energy, CGAL::Parallel_if_available_tag> Clustering;
+  Clustering clustering(input, np);
+  make_clusters(clustering, options, fields);
   clustering.minimize(options.iterations.value_or(Defaults::number_of_iterations), options.convergence_tolerance);
-  std::vector<Coarsening> results(options.vertices.size());
+  std::vector<Coarsening> results((std::max)(options.vertices.size(), std::size_t(1)));
   for (Coarsening& result : results)
     result.labels.resize(input.number_of_faces());
+  std::vector<std::int64_t>& counts = results[0].boundary_counts;
+  counts.resize(input.number_of_vertices());
   with_placement(options.placement, [&](const auto& placement) {
     clustering.extract_embedded_dual_mesh(results[0].mesh, placement);
     results[0].report = clustering.report();
     clustering.write_clusters(map_to(results[0].labels));
+    clustering.write_boundary_counts(
+      boost::make_function_property_map<Vertex>([&counts](Vertex v) -> std::int64_t& { return counts[v]; }));
     if (results.size() == 1)
       return;
     const SMC::Cluster_levels<Clustering> levels(clustering);
@@ -100,56 +162,82 @@ std::vector<Coarsening> coarsen_to_numbers(const Mesh& input, const Options& opt
   return results;
 }
 
-template <class Weight>
-std::vector<Coarsening> coarsen_with(const Mesh& input, const Options& options, Python_visitor& visitor)
+template <class Energy>
+std::vector<Coarsening> coarsen_with(const Mesh& input, const Options& options, const Fields& fields, Python_visitor& visitor)
 {
-  const auto np =
-    SMC::parameters::cluster_weight(Weight())
-      .maximum_density(options.maximum_density)
-      .minimum_component_area(options.minimum_component_area)
-      .subdivide_input(options.subdivide)
-      .repair_output(options.repair)
-      .error_feedback(options.error_feedback)
-      .feature_angle(options.feature_angle)
-      .face_patch_map(boost::make_function_property_map<Face>(
-        [&options](Face f) -> std::int64_t { return options.patches ? options.patches[f] : 0; }))
-      .visitor(std::ref(visitor));
+  const auto np = parameters_of(options, fields, visitor).cluster_energy(Energy());
   const auto run = [&](const auto& all) {
-    return options.maximum_distance ? coarsen_to_distance(input, options, all) : coarsen_to_numbers<Weight>(input, options, all);
+    return options.maximum_distance ? coarsen_to_distance(input, options, all)
+                                    : coarsen_to_numbers<Energy>(input, options, fields, all);
   };
-  if (!options.density)
+  if (!fields.density)
     return run(np);
   return run(np.face_density_map(
-    boost::make_function_property_map<Face>([&options](Face f) -> double { return options.density[f]; })));
+    boost::make_function_property_map<Face>([&fields](Face f) -> double { return fields.density[f]; })));
 }
 
-std::vector<Coarsening> coarsen_on_this_arena(const Mesh& input, const Options& options, Python_visitor& visitor)
+typedef std::vector<Coarsening> (*Coarsen)(const Mesh&, const Options&, const Fields&, Python_visitor&);
+
+Coarsen coarsen_with_weight(const std::string& weight)
 {
-  const auto run = options.weight == "uniform"         ? coarsen_with<SMC::Uniform_weight>
-                   : options.weight == "area"          ? coarsen_with<SMC::Weighted_area_weight>
-                   : options.weight == "maximum"       ? coarsen_with<SMC::Maximum_density_weight>
-                   : options.weight == "exact-maximum" ? coarsen_with<SMC::Exact_maximum_density_weight>
-                   : options.weight == "variance"      ? coarsen_with<SMC::Density_variance_weight>
-                                                       : nullptr;
-  if (run == nullptr)
-    throw SMC::Invalid_input("there is no weight '" + options.weight + "' (uniform, area, maximum, exact-maximum, variance)");
-  return run(input, options, visitor);
+  if (weight == "uniform")
+    return coarsen_with<SMC::Weighted_inertia_energy<SMC::Uniform_weight> >;
+  if (weight == "area")
+    return coarsen_with<SMC::Weighted_inertia_energy<SMC::Weighted_area_weight> >;
+  if (weight == "maximum")
+    return coarsen_with<SMC::Weighted_inertia_energy<SMC::Maximum_density_weight> >;
+  if (weight == "exact-maximum")
+    return coarsen_with<SMC::Weighted_inertia_energy<SMC::Exact_maximum_density_weight> >;
+  if (weight == "variance")
+    return coarsen_with<SMC::Weighted_inertia_energy<SMC::Density_variance_weight> >;
+  throw SMC::Invalid_input("there is no weight '" + weight + "' (uniform, area, maximum, exact-maximum, variance)");
 }
 
-} // namespace
+Coarsen coarsen_with_energy(const Options& options)
+{
+  if (options.energy == "weighted")
+    return coarsen_with_weight(options.weight);
+  if (options.energy == "quadric")
+    return coarsen_with<SMC::Quadric_energy>;
+  if (options.energy == "normals")
+    return coarsen_with<SMC::Normal_deviation_energy>;
+  throw SMC::Invalid_input("there is no energy '" + options.energy + "' (weighted, quadric, normals)");
+}
 
-std::vector<Coarsening> coarsen(const Mesh& input, const Options& options, Python_visitor& visitor)
+// Calls `use` with the requested number of threads. Exceptions that the visitor holds replace the cancellation.
+template <class Use>
+auto with_threads(int threads, const Python_visitor& visitor, const Use& use)
 {
   try {
 #ifdef CGAL_LINKED_WITH_TBB
-    if (options.threads > 0) // for this call only, independently of other threads of the interpreter
-      return tbb::task_arena(options.threads).execute([&] { return coarsen_on_this_arena(input, options, visitor); });
+    if (threads > 0) // for this call only, independently of other threads of the interpreter
+      return tbb::task_arena(threads).execute(use);
 #endif
-    return coarsen_on_this_arena(input, options, visitor);
+    return use();
   } catch (const SMC::Coarsening_cancelled&) {
     visitor.rethrow();
     throw;
   }
+}
+
+} // namespace
+
+std::vector<Coarsening> coarsen(const Mesh& input, const Options& options, Fields fields, Python_visitor& visitor)
+{
+  if (options.keep_borders)
+    keep_border_vertices(input, fields);
+  const Coarsen coarsen = coarsen_with_energy(options);
+  return with_threads(options.threads, visitor, [&] { return coarsen(input, options, fields, visitor); });
+}
+
+std::pair<std::size_t, std::size_t> range_of(const Mesh& input, const Options& options, Fields fields, Python_visitor& visitor)
+{
+  if (options.keep_borders)
+    keep_border_vertices(input, fields);
+  const SMC::Vertex_number_range range = with_threads(options.threads, visitor, [&] {
+    return SMC::vertex_number_range(input, parameters_of(options, fields, visitor));
+  });
+  return {range.least, range.most};
 }
 
 } // namespace coarsening_python

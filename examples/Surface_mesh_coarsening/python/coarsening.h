@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace coarsening_python {
@@ -21,31 +22,45 @@ using namespace coarsening_support;
 
 struct Options
 {
-  std::vector<std::size_t> vertices; // of the levels, from fine to coarse; none if a distance is given
-  std::optional<double> maximum_distance;
-  std::string weight, placement;
+  // One of these, or the clusters of `Fields`. The numbers of vertices are those of the levels, from fine to coarse.
+  std::vector<std::size_t> vertices;
+  std::optional<double> vertex_ratio, maximum_distance;
+  std::optional<std::size_t> level;
+  std::string energy, weight, placement;
+  bool paper = false; // in what no other option names
   double maximum_density = 10;
-  const double* density = nullptr;       // of each face, if given
-  const std::int64_t* patches = nullptr; // likewise
   double feature_angle = 180;
-  std::size_t error_feedback = 0;
+  std::size_t error_feedback = 0, local_repairs = 0;
   double minimum_component_area = 0;
-  bool subdivide = false, repair = true;
+  bool subdivide = false, repair_output = true, keep_borders = false;
   std::optional<std::size_t> iterations;
   double convergence_tolerance = 0;
   int threads = 0; // all if 0
 };
 
+// Values of elements of the input; null, or empty, if not given.
+struct Fields
+{
+  const double* density = nullptr; // of each face, like the next two
+  const std::int64_t* patches = nullptr;
+  const std::int64_t* clusters = nullptr; // to start from
+  std::vector<bool> kept_edges, kept_vertices;
+};
+
 struct Coarsening
 {
   Mesh mesh;
-  std::vector<std::int64_t> labels; // of each face of the input
+  std::vector<std::int64_t> labels;          // of each face of the input
+  std::vector<std::int64_t> boundary_counts; // of each vertex of the input; not with a distance, nor of coarser levels
   CGAL::Surface_mesh_coarsening::Coarsening_report report;
   std::optional<double> distance_bound; // if a distance was requested
 };
 
 // Coarsens to each number of vertices, all from the clustering with the first number, or to the distance.
-std::vector<Coarsening> coarsen(const Mesh& input, const Options& options, Python_visitor& visitor);
+std::vector<Coarsening> coarsen(const Mesh& input, const Options& options, Fields fields, Python_visitor& visitor);
+
+// Returns the least and the largest number of vertices that can be requested.
+std::pair<std::size_t, std::size_t> range_of(const Mesh& input, const Options& options, Fields fields, Python_visitor& visitor);
 
 } // namespace coarsening_python
 

@@ -4,19 +4,28 @@
 // checks and documents the arguments.
 
 #include "Array_mesh.h"
+#include "Signal_check.h"
 #include "coarsening.h"
+#include "repairing.h"
 #include "transfer.h"
 
+#include <CGAL/Surface_mesh_coarsening/compute_face_densities.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
+#include <CGAL/Surface_mesh_coarsening/parameters.h>
 #include <CGAL/Surface_mesh_coarsening/version.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace coarsening_python {
@@ -28,7 +37,11 @@ using namespace py::literals;
 py::dict described(const Coarsening& result)
 {
   const SMC::Coarsening_report& r = result.report;
-  return py::dict("clusters"_a = r.clusters, "rounds"_a = r.rounds, "moves"_a = r.moves, "initial_energy"_a = r.initial_energy,
+  return py::dict("level"_a = r.level, "seeds"_a = r.seeds, "splits"_a = r.splits, "merges"_a = r.merges,
+                  "refused_by_boundary_counts"_a = r.refused_by_boundary_counts,
+                  "refused_by_guarantee"_a = r.refused_by_guarantee, "clusterings"_a = r.clusterings,
+                  "clusters"_a = r.clusters, "rounds"_a = r.rounds, "moves"_a = r.moves,
+                  "initial_energy"_a = r.initial_energy,
                   "final_energy"_a = r.final_energy, "converged"_a = r.converged,
                   "subdivided_components"_a = r.subdivided_components, "dropped_components"_a = r.dropped_components,
                   "exchanged_vertices"_a = r.exchanged_vertices, "intersections_found"_a = r.intersections_found,
@@ -37,38 +50,83 @@ py::dict described(const Coarsening& result)
                   "feature_corners"_a = r.feature_corners, "distance_bound"_a = result.distance_bound);
 }
 
-py::list coarsen_arrays(const Number_array& points, const Index_array& sizes, const Index_array& indices, Options options,
-                        const std::optional<Number_array>& density, const std::optional<Integer_array>& patches,
-                        const py::object& progress)
+Integer_array to_array(const std::vector<std::int64_t>& values)
 {
-  const Mesh input = to_mesh(points, sizes, indices);
-  options.density = density ? density->data() : nullptr;
-  options.patches = patches ? patches->data() : nullptr;
+  Integer_array array(py::ssize_t(values.size()));
+  std::copy(values.begin(), values.end(), array.mutable_data());
+  return array;
+}
+
+// Arrays with values of elements, if given.
+struct Field_arrays
+{
+  std::optional<Number_array> density;
+  std::optional<Integer_array> patches, clusters;
+  std::optional<Integer_array> keep_edges, keep_vertices; // the ends of edges, 0 or 1 for each vertex
+
+  // The arrays of the result belong to this object.
+  Fields fields(const Mesh& mesh) const
+  {
+    Fields result{density ? density->data() : nullptr, patches ? patches->data() : nullptr,
+                  clusters ? clusters->data() : nullptr, {}, {}};
+    if (keep_edges)
+      result.kept_edges = marked_edges(mesh, *keep_edges);
+    if (keep_vertices)
+      result.kept_vertices.assign(keep_vertices->data(), keep_vertices->data() + keep_vertices->size());
+    return result;
+  }
+};
+
+py::list coarsen_arrays(const Number_array& points, const Index_array& sizes, const Index_array& indices,
+                        const Options& options, const Field_arrays& arrays, const py::object& progress)
+{
+  const Mesh input = to_mesh({points, sizes, indices});
+  const Fields fields = arrays.fields(input);
   Python_visitor visitor(progress);
   std::vector<Coarsening> results;
   {
     const py::gil_scoped_release unlock;
-    results = coarsen(input, options, visitor);
+    results = coarsen(input, options, fields, visitor);
   }
   py::list list;
   for (const Coarsening& result : results) {
-    Integer_array labels(py::ssize_t(result.labels.size()));
-    std::copy(result.labels.begin(), result.labels.end(), labels.mutable_data());
-    list.append(py::make_tuple(points_of(result.mesh), faces_of(result.mesh), labels, described(result)));
+    const py::object counts = result.boundary_counts.empty() ? py::none() : py::object(to_array(result.boundary_counts));
+    list.append(
+      py::make_tuple(points_of(result.mesh), faces_of(result.mesh), to_array(result.labels), described(result), counts));
   }
   return list;
+}
+
+std::pair<std::size_t, std::size_t> range_of_arrays(const Number_array& points, const Index_array& sizes,
+                                                    const Index_array& indices, const Options& options,
+                                                    const Field_arrays& arrays, const py::object& progress)
+{
+  const Mesh input = to_mesh({points, sizes, indices});
+  const Fields fields = arrays.fields(input);
+  Python_visitor visitor(progress);
+  const py::gil_scoped_release unlock;
+  return range_of(input, options, fields, visitor);
+}
+
+Number_array face_densities(const Number_array& points, const Index_array& sizes, const Index_array& indices,
+                            double maximum_density, bool border_densities)
+{
+  const Mesh mesh = to_mesh({points, sizes, indices});
+  Number_array densities(py::ssize_t(mesh.number_of_faces()));
+  double* const values = densities.mutable_data();
+  SMC::compute_face_densities(mesh, boost::make_function_property_map<Face>([&](Face f) -> double& { return values[f]; }),
+                              SMC::parameters::maximum_density(maximum_density).border_densities(border_densities));
+  return densities;
 }
 
 py::dict measure_arrays(const Number_array& points, const Index_array& sizes, const Index_array& indices,
                         const Number_array& coarse_points, const Index_array& coarse_sizes, const Index_array& coarse_indices,
                         std::size_t samples)
 {
-  const Mesh mesh = to_mesh(points, sizes, indices), coarse = to_mesh(coarse_points, coarse_sizes, coarse_indices);
-  SMC::Coarsening_quality q;
-  {
-    const py::gil_scoped_release unlock;
-    q = SMC::measure_coarsening(mesh, coarse, samples);
-  }
+  const auto mesh = std::make_shared<const Mesh>(to_mesh({points, sizes, indices})),
+             coarse = std::make_shared<const Mesh>(to_mesh({coarse_points, coarse_sizes, coarse_indices}));
+  const SMC::Coarsening_quality q = run_interruptibly<SMC::Coarsening_quality>(
+    [mesh, coarse, samples] { return SMC::measure_coarsening(*mesh, *coarse, samples); });
   const auto error = [](const SMC::Surface_error& e) {
     return py::dict("rms_distance"_a = e.rms_distance, "mean_distance"_a = e.mean_distance,
                     "maximum_distance"_a = e.maximum_distance, "rms_normal_deviation"_a = e.rms_normal_deviation,
@@ -121,7 +179,7 @@ py::list transfer_arrays(const Number_array& points, const Index_array& sizes, c
                          const Integer_array& labels, const Number_array& coarse_points, const Index_array& coarse_sizes,
                          const Index_array& coarse_indices, const std::vector<Values>& all)
 {
-  const Mesh mesh = to_mesh(points, sizes, indices), coarse = to_mesh(coarse_points, coarse_sizes, coarse_indices);
+  const Mesh mesh = to_mesh({points, sizes, indices}), coarse = to_mesh({coarse_points, coarse_sizes, coarse_indices});
   std::optional<Transfer> transfer;
   {
     const py::gil_scoped_release unlock;
@@ -149,12 +207,51 @@ py::list transfer_arrays(const Number_array& points, const Index_array& sizes, c
   return results;
 }
 
+// Returns the face of the source of each vertex of the coarse mesh, and coordinates in rows as long as the largest face.
+py::tuple sources_of_arrays(const Number_array& points, const Index_array& sizes, const Index_array& indices,
+                            const Integer_array& labels, const Number_array& coarse_points, const Index_array& coarse_sizes,
+                            const Index_array& coarse_indices)
+{
+  const Mesh mesh = to_mesh({points, sizes, indices}), coarse = to_mesh({coarse_points, coarse_sizes, coarse_indices});
+  std::vector<SMC::Surface_location<Mesh> > sources;
+  {
+    const py::gil_scoped_release unlock;
+    sources = Transfer(mesh, labels.data(), coarse).sources();
+  }
+  const std::size_t columns = sizes.size() == 0 ? 0 : *std::max_element(sizes.data(), sizes.data() + sizes.size());
+  Integer_array faces(py::ssize_t(sources.size()));
+  Number_array coordinates({py::ssize_t(sources.size()), py::ssize_t(columns)});
+  std::fill_n(coordinates.mutable_data(), sources.size() * columns, 0.);
+  for (std::size_t v = 0; v < sources.size(); ++v) {
+    faces.mutable_data()[v] = std::int64_t(sources[v].face);
+    std::copy(sources[v].coordinates.begin(), sources[v].coordinates.end(), coordinates.mutable_data() + v * columns);
+  }
+  return py::make_tuple(faces, coordinates);
+}
+
+void define_fields(py::module_& m)
+{
+  py::class_<Field_arrays>(m, "Fields")
+    .def(py::init<>())
+    .def_readwrite("density", &Field_arrays::density)
+    .def_readwrite("patches", &Field_arrays::patches)
+    .def_readwrite("clusters", &Field_arrays::clusters)
+    .def_readwrite("keep_edges", &Field_arrays::keep_edges)
+    .def_readwrite("keep_vertices", &Field_arrays::keep_vertices);
+}
+
 void define_options(py::module_& m)
 {
   py::class_<Options>(m, "Options")
     .def(py::init<>())
     .def_readwrite("vertices", &Options::vertices)
     .def_readwrite("maximum_distance", &Options::maximum_distance)
+    .def_readwrite("vertex_ratio", &Options::vertex_ratio)
+    .def_readwrite("level", &Options::level)
+    .def_readwrite("energy", &Options::energy)
+    .def_readwrite("paper", &Options::paper)
+    .def_readwrite("local_repairs", &Options::local_repairs)
+    .def_readwrite("keep_borders", &Options::keep_borders)
     .def_readwrite("weight", &Options::weight)
     .def_readwrite("placement", &Options::placement)
     .def_readwrite("maximum_density", &Options::maximum_density)
@@ -162,7 +259,7 @@ void define_options(py::module_& m)
     .def_readwrite("error_feedback", &Options::error_feedback)
     .def_readwrite("minimum_component_area", &Options::minimum_component_area)
     .def_readwrite("subdivide", &Options::subdivide)
-    .def_readwrite("repair", &Options::repair)
+    .def_readwrite("repair_output", &Options::repair_output)
     .def_readwrite("iterations", &Options::iterations)
     .def_readwrite("convergence_tolerance", &Options::convergence_tolerance)
     .def_readwrite("threads", &Options::threads);
@@ -208,10 +305,15 @@ PYBIND11_MODULE(_core, m)
   m.doc() = "The compiled part of surface_mesh_coarsening.";
   m.attr("version") = CGAL_SURFACE_MESH_COARSENING_VERSION;
   define_options(m);
+  define_fields(m);
   define_values(m);
   translate_exceptions(m);
   m.def("coarsen", &coarsen_arrays);
+  m.def("range", &range_of_arrays);
+  m.def("face_densities", &face_densities);
   m.def("measure", &measure_arrays);
+  m.def("repair", &repair_arrays);
+  m.def("sources", &sources_of_arrays);
   m.def("transfer", &transfer_arrays);
 }
 

@@ -98,4 +98,12 @@ void Transfer::vote(const Rows<std::int64_t>& rows)
     resampler_.transfer_face_property(column<Face>(rows, 0), coarse_column<Face>(rows, 0), Transfer_policy::MAJORITY);
 }
 
+std::vector<CGAL::Surface_mesh_coarsening::Surface_location<Mesh> > Transfer::sources()
+{
+  typedef CGAL::Surface_mesh_coarsening::Surface_location<Mesh> Location;
+  std::vector<Location> sources(coarse_.number_of_vertices());
+  resampler_.write_sources(boost::make_function_property_map<Vertex>([&](Vertex v) -> Location& { return sources[v]; }));
+  return sources;
+}
+
 } // namespace coarsening_python

@@ -39,6 +39,9 @@ public:
   // Labels of corners come from the nearest corner, others go by majority. They have one column.
   void vote(const Rows<std::int64_t>& rows);
 
+  // Returns the nearest point of the mesh for each vertex of the coarse mesh. Coordinates begin at the first corner.
+  std::vector<CGAL::Surface_mesh_coarsening::Surface_location<Mesh> > sources();
+
 private:
   template <class Value, class Number>
   void transfer_corners(const Rows<Number>& rows);

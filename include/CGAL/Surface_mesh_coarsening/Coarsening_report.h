@@ -36,9 +36,9 @@ struct Coarsening_report
   /// the number of tests at which a move would have lowered the energy, but after which a cluster would not be a disc, or the
   /// dual no surface. With parameter `boundary_count_check`, only moves that pass the check are counted.
   std::size_t refused_by_guarantee = 0;
-  /// the energy (8) of the clustering before the minimization.
+  /// the energy of the clustering before the minimization, formula (8) of the paper: the sum of the weighted moments of the clusters.
   double initial_energy = 0;
-  /// the energy (8) of the clustering after the minimization.
+  /// the energy of the clustering after the minimization, formula (8) of the paper: the sum of the weighted moments of the clusters.
   double final_energy = 0;
   /// whether the relative gain of the last round was at most `convergence_tolerance`, or the round changed nothing.
   bool converged = false;

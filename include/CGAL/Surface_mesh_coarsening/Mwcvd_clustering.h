@@ -17,6 +17,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -80,6 +81,10 @@ public:
   {
     internal::prepare(mesh, np, internal::execution<ConcurrencyTag>(), numbering_, state_);
     state_.energy = internal::energy_model(internal::chosen_energy<ClusterWeight>(np));
+    constexpr bool has_default_energy = std::is_same<ClusterWeight, Weighted_area_weight>::value ||
+                                        std::is_same<ClusterWeight, Weighted_inertia_energy<Weighted_area_weight> >::value;
+    state_.may_cluster_cells = has_default_energy && !state_.merges_by_area &&
+                               !internal::has_parameter<internal_np::face_density_t, NamedParameters>;
   }
 
   Mwcvd_clustering(const Mwcvd_clustering&) = delete; // its members refer to each other
@@ -100,12 +105,31 @@ public:
     return state_.report.seeds;
   }
 
+  /// finds seeds as `seed()` does or, if `number_of_clusters` exceeds 0.3 times the number of vertices of the mesh, takes the dual
+  /// cells of vertices as items of the clustering instead of faces. `coarsen_mesh()` calls this function.
+  ///
+  /// The cell of a vertex is the part of the faces around the vertex that is bounded by the centers of faces and edges. `grow()`
+  /// then merges cells by the residuals of their quadrics (see `Quadric_energy`), and `minimize()` changes nothing. If the number
+  /// of clusters equals the number of vertices, each cell is a cluster, and `Fitted_placement` returns the vertices of the mesh.
+  /// `cluster()` returns the cluster with the largest part of a face. Faces are used in any case if the weight is not
+  /// `Weighted_area_weight`, if densities are given, and with \smcParam{subdivide_input} or \smcParam{merge_by_area}.
+  /// \return the number of seeds
+  /// \throws Unreachable_number_of_vertices as `seed()` does.
+  std::size_t seed_faces_or_cells(std::size_t number_of_clusters)
+  {
+    internal::seed(state_, {internal::Seeding::FOR_NUMBER, number_of_clusters, true});
+    return state_.report.seeds;
+  }
+
   /// finds seeds for a number of clusters that is `vertex_ratio` times the number of vertices of the mesh, rounded, and at least
-  /// 1. Vertices of removed components do not count.
+  /// 1, as `seed_faces_or_cells()` does. Vertices of removed components do not count.
   /// \return the number of seeds
   /// \throws Invalid_input if the ratio is not positive and finite.
   /// \throws Unreachable_number_of_vertices as `seed()` does.
-  std::size_t seed_from_ratio(double vertex_ratio) { return seed(internal::number_of_vertices(state_, vertex_ratio)); }
+  std::size_t seed_from_ratio(double vertex_ratio)
+  {
+    return seed_faces_or_cells(internal::number_of_vertices(state_, vertex_ratio));
+  }
 
   /// The number of faces per cluster that the subdivision with parameter `subdivide_input` provides. A cluster of this many
   /// faces can be round.
@@ -147,6 +171,7 @@ public:
   template <class FaceClusterMap>
   void set_clusters(const FaceClusterMap& clusters)
   {
+    internal::cluster_faces(state_);
     const internal::Clustering_input& input = state_.input.items;
     if (state_.input.cells)
       throw Invalid_input("clusters cannot be taken over where features are kept");

@@ -36,8 +36,8 @@ typedef Parameter_list<internal_np::start_from_face_clusters_t, internal_np::ver
 // Calls `seed` and grows the clusters, unless the caller passes clusters: then their number must be `number`, or may be any
 // number if `number` is 0.
 template <class ConcurrencyTag, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
-Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
-                               std::size_t number, const Seed& seed)
+Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
+                                            std::size_t number, const Seed& seed)
 {
   typedef Energy_choice<NPIn> Energy;
   typedef Parameter_type<internal_np::vertex_placement_t, NPIn, Fitted_placement> Placement;
@@ -51,6 +51,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
       throw Invalid_input("the face_cluster_map has " + std::to_string(clustering.number_of_clusters()) +
                           " clusters, but " + std::to_string(number) + " vertices were asked for");
   } else {
+    // Other placements do not return the vertices of single cells.
+    clustering.state().may_cluster_cells = clustering.state().may_cluster_cells && exchanges_vertices<Placement>;
     seed(clustering);
     clustering.grow();
   }
@@ -77,6 +79,16 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
   return clustering.report();
 }
 
+template <class ConcurrencyTag, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
+Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
+                               std::size_t number, const Seed& seed)
+{
+  if constexpr (!fits_maps_of_clusters<FaceGraph, NPIn>()) // the errors that would follow hide the sentence
+    return Coarsening_report();
+  else
+    return coarsen_with_fitting_maps<ConcurrencyTag>(input, output, np_in, np_out, number, seed);
+}
+
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
@@ -86,6 +98,10 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 /// The output is a triangle mesh, a 2-manifold without isolated vertices, with exactly `number_of_vertices` vertices. Each
 /// component of the output has the genus, the number of border loops and the orientation of its component of the input. The
 /// input is not modified. The same input and parameters give the same output.
+///
+/// If `number_of_vertices` exceeds 0.3 times the number of vertices of the input, the dual cells of vertices are clustered instead
+/// of faces (see `Mwcvd_clustering::seed_faces_or_cells()`). With the number of all vertices, the output is the surface of the
+/// input, triangulated.
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`. `Parallel_tag`
 /// needs oneTBB. The result depends neither on the tag nor on the number of threads. In parallel, several threads read `input` at
@@ -344,7 +360,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
     if constexpr (has_parameter<internal_np::neighborhood_level_t, NamedParametersIn>)
       clustering.seed_from_level(get_parameter(np_in, internal_np::neighborhood_level_p), number_of_vertices);
     else
-      clustering.seed(number_of_vertices);
+      clustering.seed_faces_or_cells(number_of_vertices);
   });
 }
 
@@ -377,7 +393,8 @@ template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFa
           class NamedParametersIn = parameters::Default_named_parameters,
           class NamedParametersOut = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , std::enable_if_t<!std::is_integral<OutputFaceGraph>::value>* = nullptr // an `int` is a number of vertices
+          , std::enable_if_t<!std::is_integral<OutputFaceGraph>::value && // an `int` is a number of vertices
+                             !std::is_arithmetic<NamedParametersIn>::value>* = nullptr
 #endif
           >
 Coarsening_report coarsen_mesh(const FaceGraph& input, OutputFaceGraph& output,
@@ -403,6 +420,18 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, OutputFaceGraph& output,
       throw Invalid_input("start_from_face_clusters is false, and there is no number of vertices");
   });
 }
+
+/// \cond SKIP_IN_MANUAL
+// The arguments in the order of other functions of CGAL, which gets one sentence instead of the errors of both functions above.
+template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph, class Number, class... NamedParameters,
+          std::enable_if_t<!std::is_integral<OutputFaceGraph>::value && std::is_arithmetic<Number>::value>* = nullptr>
+Coarsening_report coarsen_mesh(const FaceGraph&, OutputFaceGraph&, const Number&, const NamedParameters&...)
+{
+  static_assert(std::is_void<Number>::value,
+                "the number of vertices precedes the output: coarsen_mesh(input, number_of_vertices, output)");
+  return Coarsening_report();
+}
+/// \endcond
 
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

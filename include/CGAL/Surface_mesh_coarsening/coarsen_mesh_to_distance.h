@@ -109,6 +109,7 @@ Distance_report coarsen_mesh_to_distance(const FaceGraph& input, double maximum_
   const typename Quick_placement<Placement>::type quick_placement{};
   constexpr bool has_quick_placement = !std::is_same<std::decay_t<decltype(quick_placement)>, Placement>::value;
   Clustering_state& state = clustering.state();
+  state.may_cluster_cells = state.may_cluster_cells && exchanges_vertices<Placement>;
   const Dual_within_distance dual =
     find_within_distance(state, placement_model(placement),
                          has_quick_placement ? std::make_optional(placement_model(quick_placement)) : std::nullopt,

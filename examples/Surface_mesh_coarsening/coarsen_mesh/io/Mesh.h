@@ -56,7 +56,7 @@ struct Soup
   Polygons texture_corners = {};
   std::vector<Vector> normals = {};
   Polygons normal_corners = {};
-  std::vector<std::string> materials = {}, groups = {}; // of each polygon, if there are any
+  std::vector<std::string> materials = {}, groups = {}, objects = {}; // of each polygon, if there are any
   File_notes notes = {};
   std::vector<std::string> left_out = {}; // in words, what the file has and the soup has not
 

@@ -38,7 +38,7 @@ std::vector<double> Row_numbers::column(std::size_t i) const
   return result;
 }
 
-void Row_numbers::add_colors(std::size_t first, std::size_t number, std::vector<Soup_property>& properties) const
+void Row_numbers::add_colors(std::size_t first, std::size_t number, std::vector<Soup_property>& properties, Soup& soup) const
 {
   static const char* const names[] = {"red", "green", "blue", "alpha"};
   double largest = 0;
@@ -46,10 +46,15 @@ void Row_numbers::add_colors(std::size_t first, std::size_t number, std::vector<
     if (k % width_ >= first && k % width_ < first + number)
       largest = (std::max)(largest, values_[k]);
   const double scale = largest > 1 ? 1 : 255;
+  constexpr double tolerance = 0.2; // of colors of 8 bits that are written with three digits
   for (std::size_t i = first; i < first + number; ++i) {
     Soup_property color{names[i - first], Number_type::UINT8, column(i)};
-    for (double& x : color.values)
-      x = std::round((std::min)((std::max)(scale * x, 0.), 255.));
+    for (double& x : color.values) {
+      const double part = scale * x;
+      x = std::round((std::min)((std::max)(part, 0.), 255.));
+      if (std::abs(part - x) > tolerance)
+        soup.leave_out("the digits of colors beyond 8 bits");
+    }
     const auto is_full = [](double x) { return x == 255; };
     const bool is_alpha = i == first + 3;
     if (!is_alpha || !std::all_of(color.values.begin(), color.values.end(), is_full))

@@ -32,8 +32,8 @@ public:
   std::vector<double> column(std::size_t i) const;
 
   // Three or four columns become the properties red, green, blue and alpha. They run to 255, or to 1 if none is above.
-  // Where all are opaque, there is no alpha.
-  void add_colors(std::size_t first, std::size_t number, std::vector<Soup_property>& properties) const;
+  // Where all are opaque, there is no alpha. Digits beyond 8 bits are left out of the soup, which has the properties.
+  void add_colors(std::size_t first, std::size_t number, std::vector<Soup_property>& properties, Soup& soup) const;
   void add_numbers(std::size_t first, const std::vector<std::string>& names, std::vector<Soup_property>& properties) const;
 };
 

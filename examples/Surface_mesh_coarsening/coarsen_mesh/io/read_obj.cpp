@@ -24,7 +24,7 @@ const char* other_obj_field(std::string_view keyword)
     std::string_view keyword;
     const char* words;
   };
-  static constexpr Field fields[] = {{"o", "names of objects"}, {"s", "smoothing groups"}, {"l", "lines"}, {"p", "points"},
+  static constexpr Field fields[] = {{"s", "smoothing groups"}, {"l", "lines"}, {"p", "points"},
                                      {"mg", "merging groups"}, {"bevel", "settings of the display"},
                                      {"c_interp", "settings of the display"}, {"d_interp", "settings of the display"},
                                      {"lod", "settings of the display"}, {"usemap", "texture maps"},
@@ -152,7 +152,7 @@ void give_normals_to_points(Soup& soup)
 void add_numbers_behind_points(const Row_numbers& numbers, Soup& soup)
 {
   if (numbers.is_regular() && (numbers.width() == 3 || numbers.width() == 4))
-    numbers.add_colors(0, numbers.width(), soup.of_points);
+    numbers.add_colors(0, numbers.width(), soup.of_points, soup);
   else if (!numbers.empty())
     soup.leave_out("the numbers behind the coordinates of vertices");
 }
@@ -189,7 +189,7 @@ void read_obj(const std::string& content, Soup& soup, const Stop& stop)
 {
   read_comments(content, "vf", soup);
   Text_scanner text(content.data(), content.data() + content.size(), '#', true);
-  std::string material, group;
+  std::string material, group, object;
   Obj_corners corners;
   Row_numbers behind_points;
   for (std::size_t line = 0; text.find_line(); ++line) {
@@ -209,6 +209,9 @@ void read_obj(const std::string& content, Soup& soup, const Stop& stop)
     } else if (keyword == "g") {
       name_polygons(soup.groups, group, soup);
       group = name_of(text);
+    } else if (keyword == "o") {
+      name_polygons(soup.objects, object, soup);
+      object = name_of(text);
     } else if (keyword == "mtllib") {
       soup.notes.material_libraries.push_back(name_of(text));
     } else {
@@ -223,6 +226,7 @@ void read_obj(const std::string& content, Soup& soup, const Stop& stop)
   }
   name_polygons(soup.materials, material, soup);
   name_polygons(soup.groups, group, soup);
+  name_polygons(soup.objects, object, soup);
   if (!soup.texture_corners.empty())
     end_corners(soup.texture_corners, soup.polygons.size());
   if (!soup.normal_corners.empty())

@@ -65,13 +65,13 @@ void add_off_numbers(const Off_header& header, const Row_numbers& of_points, con
   if (is_known) {
     if (header.normal)
       of_points.add_numbers(0, {"nx", "ny", "nz"}, soup.of_points);
-    of_points.add_colors(normal, color, soup.of_points);
+    of_points.add_colors(normal, color, soup.of_points, soup);
     if (header.texture)
       of_points.add_numbers(normal + color, {"s", "t"}, soup.of_points);
   } else if (!of_points.empty())
     soup.leave_out("the numbers behind the coordinates of vertices");
   if (of_polygons.is_regular() && (of_polygons.width() == 3 || of_polygons.width() == 4))
-    of_polygons.add_colors(0, of_polygons.width(), soup.of_polygons);
+    of_polygons.add_colors(0, of_polygons.width(), soup.of_polygons, soup);
   else if (!of_polygons.empty())
     soup.leave_out("the numbers behind the corners of faces");
 }

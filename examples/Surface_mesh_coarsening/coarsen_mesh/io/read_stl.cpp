@@ -48,7 +48,7 @@ void merge_stl_corners(const std::vector<std::array<double, 3> >& corners, Soup&
   }
 }
 
-void read_binary_stl(const std::string& content, std::vector<std::array<double, 3> >& corners, const Stop& stop)
+void read_binary_stl(const std::string& content, std::vector<std::array<double, 3> >& corners, Soup& soup, const Stop& stop)
 {
   const char* const begin = content.data();
   Byte_scanner bytes(begin, begin, begin + content.size(), false);
@@ -64,7 +64,11 @@ void read_binary_stl(const std::string& content, std::vector<std::array<double, 
       const double x = bytes.read<float>(triangle), y = bytes.read<float>(triangle), z = bytes.read<float>(triangle);
       corners.push_back({x, y, z});
     }
-    bytes.skip(2, triangle);
+    // CGAL and others write two blanks.
+    constexpr std::uint16_t blanks = 0x2020;
+    const auto attribute = bytes.read<std::uint16_t>(triangle);
+    if (attribute != 0 && attribute != blanks)
+      soup.leave_out("the attributes of triangles (often colors)");
   }
   bytes.expect_end("the " + std::to_string(triangles) + " triangles announced");
 }
@@ -80,6 +84,16 @@ void expect_stl_words(Text_scanner& text, std::initializer_list<std::string_view
   }
 }
 
+// The words up to the end of the line, without those that would be no name in OBJ.
+std::string solid_name(Text_scanner& text)
+{
+  std::string name;
+  for (std::string_view word = text.word(); !word.empty(); word = text.word())
+    (name += name.empty() ? "" : " ") += word;
+  std::replace_if(name.begin(), name.end(), [](char c) { return c == '#' || c == '\\'; }, '_');
+  return name;
+}
+
 std::array<double, 3> stl_vector(Text_scanner& text, const char* what)
 {
   std::array<double, 3> result;
@@ -90,12 +104,14 @@ std::array<double, 3> stl_vector(Text_scanner& text, const char* what)
   return result;
 }
 
-void read_text_stl(const std::string& content, std::vector<std::array<double, 3> >& corners, const Stop& stop)
+// The solids are groups, unless none has a name.
+void read_text_stl(const std::string& content, std::vector<std::array<double, 3> >& corners, Soup& soup, const Stop& stop)
 {
   Text_scanner text(content.data(), content.data() + content.size());
   do {
     expect_stl_words(text, {"solid"});
-    text.skip_line(); // its name
+    const std::string name = solid_name(text);
+    text.skip_line();
     for (std::size_t f = 0;; ++f) {
       stop_at(f, stop);
       text.need_line("'endsolid'");
@@ -118,6 +134,8 @@ void read_text_stl(const std::string& content, std::vector<std::array<double, 3>
       expect_stl_words(text, {"endloop", "endfacet"});
     }
     text.skip_line();
+    if (!soup.groups.empty() || !name.empty())
+      soup.groups.resize(corners.size() / 3, name);
   } while (text.find_line());
 }
 
@@ -140,9 +158,9 @@ void read_stl(const std::string& content, Soup& soup, const Stop& stop)
 {
   std::vector<std::array<double, 3> > corners;
   if (is_binary_stl(content))
-    read_binary_stl(content, corners, stop);
+    read_binary_stl(content, corners, soup, stop);
   else
-    read_text_stl(content, corners, stop);
+    read_text_stl(content, corners, soup, stop);
   merge_stl_corners(corners, soup);
 }
 

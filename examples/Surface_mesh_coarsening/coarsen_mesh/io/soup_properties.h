@@ -24,6 +24,7 @@ constexpr const char* texture_property = "h:texture";
 constexpr const char* normal_property = "h:normal";
 constexpr const char* material_property = "f:material name";
 constexpr const char* group_property = "f:group name";
+constexpr const char* object_property = "f:object name";
 
 template <class Element, class Number>
 void add_numbers(const std::string& name, const std::vector<double>& values, Mesh& mesh)
@@ -98,6 +99,7 @@ inline void add_properties(const Soup& soup, Mesh& mesh)
   add_corner_values(soup, soup.normal_corners, soup.normals, normal_property, Vector(0, 0, 0), mesh);
   add_names(material_property, soup.materials, mesh);
   add_names(group_property, soup.groups, mesh);
+  add_names(object_property, soup.objects, mesh);
 }
 
 // Returns the property map of this name and type; converts to false if there is none.

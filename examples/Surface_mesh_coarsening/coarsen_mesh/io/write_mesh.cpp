@@ -64,6 +64,8 @@ Field field_of_faces(const Mesh& mesh, const std::string& name)
     return {"the materials of faces", {"obj"}};
   if (name == group_property)
     return {"the groups of faces", {"obj"}};
+  if (name == object_property)
+    return {"the names of objects", {"obj"}};
   return {"the numbers '" + escaped(name.substr(2)) + "' of faces", {"ply"}};
 }
 

@@ -71,9 +71,12 @@ void write_faces(const Mesh& mesh, Text_writer& text)
     textures.emplace(mesh, "vt", texture, text);
   if (fields.has_normal())
     normals.emplace(mesh, "vn", normal, text);
-  const Found_property<Face, std::string> material(mesh, material_property), group(mesh, group_property);
-  std::string last_material, last_group;
+  const Found_property<Face, std::string> material(mesh, material_property), group(mesh, group_property),
+    object(mesh, object_property);
+  std::string last_material, last_group, last_object;
   for (const Face f : mesh.faces()) {
+    if (object)
+      write_name(text, "o", object.map[f], last_object);
     if (group)
       write_name(text, "g", group.map[f], last_group);
     if (material)

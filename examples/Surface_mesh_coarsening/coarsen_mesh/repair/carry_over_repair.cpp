@@ -119,7 +119,7 @@ void carry_over_repair(const Soup& soup, Soup& repaired)
       repaired.of_points.back().values.push_back(p.values[sources.place(to_vertex_number(v))]);
   }
   const bool has_fields = !soup.of_polygons.empty() || !soup.texture_corners.empty() || !soup.normal_corners.empty() ||
-                          !soup.materials.empty() || !soup.groups.empty();
+                          !soup.materials.empty() || !soup.groups.empty() || !soup.objects.empty();
   std::vector<std::size_t> source;
   for (std::size_t f = 0; f < repaired.polygons.size() && has_fields; ++f)
     source.push_back(sources.source(f));
@@ -134,6 +134,7 @@ void carry_over_repair(const Soup& soup, Soup& repaired)
   repaired.normal_corners = carried_corners(sources, source, soup.normal_corners, repaired);
   repaired.materials = carried_names(source, soup.materials);
   repaired.groups = carried_names(source, soup.groups);
+  repaired.objects = carried_names(source, soup.objects);
   repaired.notes = soup.notes;
   repaired.left_out = soup.left_out;
 }

@@ -68,6 +68,8 @@ Json parameters_of(const Options& options)
   result["local_repairs"] = options.local_repairs;
   result["features"] = options.features ? Json(*options.features) : Json();
   result["patches"] = options.patches.empty() ? Json() : Json(options.patches);
+  result["keep"] = options.keep.empty() ? Json() : Json(options.keep);
+  result["keep_borders"] = options.keep_borders;
   result["minimum_component_area"] = options.minimum_component_area;
   result["fill_holes"] = std::isfinite(options.fill_holes) ? Json(options.fill_holes) : Json("all");
   result["hole_length_is_relative"] = options.hole_length_is_relative;

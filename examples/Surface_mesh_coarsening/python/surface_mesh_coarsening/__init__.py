@@ -10,19 +10,27 @@ arguments give the same result, for any number of threads.
 """
 
 from ._core import version as __version__
-from .coarsening import Coarsening, coarsen, coarsen_levels
+from .coarsening import Coarsening, VertexNumberRange, coarsen, coarsen_levels, face_densities, vertex_number_range
 from .errors import UnreachableDistance, UnreachableNumberOfVertices
 from .measuring import measure
-from .transferring import Transferred, transfer
+from .repairing import Repaired, repair
+from .transferring import Transferred, VertexSources, transfer, vertex_sources
 
 __all__ = [
     "Coarsening",
+    "Repaired",
     "Transferred",
     "UnreachableDistance",
     "UnreachableNumberOfVertices",
+    "VertexNumberRange",
+    "VertexSources",
     "__version__",
     "coarsen",
     "coarsen_levels",
+    "face_densities",
     "measure",
+    "repair",
     "transfer",
+    "vertex_number_range",
+    "vertex_sources",
 ]

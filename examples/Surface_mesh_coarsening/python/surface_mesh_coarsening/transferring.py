@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Tuple
 
 import numpy as np
 
 from . import _core
-from .arrays import Arrays, Faces, mesh_arrays
+from .arrays import Arrays, Faces, labels, mesh_arrays, take_mesh
 from .coarsening import Coarsening
 
 _POLICIES = ("interpolated", "conservative", "majority")
@@ -39,17 +39,74 @@ def _as_numbers(rows: np.ndarray, element: Any, policy: str) -> Tuple[Any, Calla
     def back(result: np.ndarray) -> np.ndarray:
         shaped = result.reshape((len(result),) + rows.shape[1:])
         if np.issubdtype(rows.dtype, np.integer):
-            shaped = np.rint(shaped)
+            shaped = np.clip(np.rint(shaped), np.iinfo(rows.dtype).min, np.iinfo(rows.dtype).max)
         return shaped.astype(rows.dtype, copy=False)
 
     flat = np.ascontiguousarray(rows.reshape(len(rows), -1), dtype=np.float64)
     return _core.Values(element, getattr(_core.TransferPolicy, policy), flat), back
 
 
-def _as_labels(rows: np.ndarray, element: Any) -> Tuple[Any, Callable[[np.ndarray], np.ndarray]]:
-    """Numbers values of any type in their order."""
-    distinct, labels = np.unique(rows, axis=0, return_inverse=True)
-    return _core.Values(element, labels.reshape(-1).astype(np.int64)), lambda result: distinct[result]
+def _distinct(rows: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    """Returns the distinct rows in their order, and their number for each row. Objects need only be equal or not, and have a hash:
+    they are numbered as they appear."""
+    if rows.dtype != object:
+        return np.unique(rows, axis=0, return_inverse=True)
+    first: Dict[Any, int] = {}
+    numbers = [first.setdefault(row if rows.ndim == 1 else tuple(row.flat), len(first)) for row in rows]
+    at = {number: i for i, number in reversed(list(enumerate(numbers)))}
+    return rows[[at[number] for number in range(len(first))]], np.asarray(numbers)
+
+
+def _as_labels(rows: np.ndarray, element: Any, name: str) -> Tuple[Any, Callable[[np.ndarray], np.ndarray]]:
+    """Numbers values of any type."""
+    try:
+        distinct, numbers = _distinct(rows)
+    except TypeError as e:
+        raise TypeError(f"the values '{name}' cannot be compared: {e}") from e
+    return _core.Values(element, numbers.reshape(-1).astype(np.int64)), lambda result: distinct[result]
+
+
+def _clusters(coarsening: Coarsening, mesh: Arrays) -> np.ndarray:
+    clusters, vertices = labels(coarsening.labels, "labels"), len(coarsening.points)
+    if clusters.shape != mesh.sizes.shape:
+        raise ValueError(f"the coarsening is of {clusters.size} faces, the mesh has {mesh.sizes.size}")
+    for face in (int(np.argmin(clusters)), int(np.argmax(clusters))) if clusters.size else ():
+        if not 0 <= clusters[face] <= vertices:
+            raise ValueError(f"face {face} has label {clusters[face]} in a coarsening of {vertices} vertices")
+    return clusters
+
+
+def _mesh_and_clusters(
+    function: str, points: Any, faces: Faces, coarsening: Any
+) -> Tuple[Arrays, np.ndarray, Coarsening]:
+    points, faces, *rest = take_mesh(points, faces, coarsening)
+    if len(rest) != 1 or not isinstance(rest[0], Coarsening):
+        raise TypeError(f"{function}() takes a mesh, or points and faces, and a Coarsening")
+    mesh = mesh_arrays(points, faces)
+    return mesh, _clusters(rest[0], mesh), rest[0]
+
+
+def _default_policy(rows: np.ndarray, name: str) -> str:
+    is_color = rows.dtype == np.uint8 and rows.ndim == 2 and rows.shape[1] in (3, 4)
+    has_name_of_color = np.issubdtype(rows.dtype, np.integer) and name in ("red", "green", "blue", "alpha")
+    return "interpolated" if is_color or has_name_of_color or np.issubdtype(rows.dtype, np.floating) else "majority"
+
+
+class VertexSources(NamedTuple):
+    """The nearest point of the mesh for each vertex of a coarse mesh.
+
+    faces: the face of each point
+    coordinates: the part of each corner of the face, of shape (n, k) for faces of up to k sides; the rows add up to 1
+    """
+
+    faces: np.ndarray
+    coordinates: np.ndarray
+
+
+def vertex_sources(points: Any, faces: Faces = None, coarsening: Optional[Coarsening] = None) -> VertexSources:
+    """Finds the nearest point of the mesh for each vertex of its coarse mesh. The arguments are those of `transfer()`."""
+    mesh, clusters, coarsening = _mesh_and_clusters("vertex_sources", points, faces, coarsening)
+    return VertexSources(*_core.sources(*mesh, clusters, *mesh_arrays(coarsening.points, coarsening.faces)))
 
 
 def _check_policies(policy: Mapping[str, str], names: List[str]) -> None:
@@ -62,8 +119,8 @@ def _check_policies(policy: Mapping[str, str], names: List[str]) -> None:
 
 def transfer(
     points: Any,
-    faces: Faces,
-    coarsening: Coarsening,
+    faces: Faces = None,
+    coarsening: Optional[Coarsening] = None,
     *,
     vertex: Optional[Mapping[str, Any]] = None,
     face: Optional[Mapping[str, Any]] = None,
@@ -72,34 +129,32 @@ def transfer(
 ) -> Transferred:
     """Transfers values of a mesh to its coarse mesh.
 
-    points, faces: the mesh that `coarsening` was made of
+    points, faces: the mesh that `coarsening` was made of, as in `coarsen()`
     vertex, face, corner: arrays by name, with a row per vertex, face or corner; values of corners, such as texture
         coordinates, are in the order of the faces, or of shape (f, k, ...)
-    policy: the transfer by name. "interpolated": the value at the nearest point, the default for floating-point numbers.
+    policy: the transfer by name. "interpolated": the value at the nearest point, the default for floating-point numbers and
+        for colors: arrays of `uint8` with 3 or 4 columns, and integers with the names red, green, blue and alpha.
         "conservative": keeps integrals over the surface. "majority": the value of largest area, the default for all
-        other types, such as integers and strings. Values of corners are interpolated within their face, never across a seam, or
+        other values, such as integers, strings and objects. Values of corners are interpolated within their face, never across a seam, or
         taken from the nearest corner instead of a majority.
 
     The results have the types of the given arrays; integers are rounded.
     """
-    mesh = mesh_arrays(points, faces)
-    labels = np.ascontiguousarray(coarsening.labels, dtype=np.int64)
-    if labels.shape != mesh.sizes.shape:
-        raise ValueError(f"the coarsening is of {labels.size} faces, the mesh has {mesh.sizes.size}")
+    mesh, clusters, coarsening = _mesh_and_clusters("transfer", points, faces, coarsening)
     given = [(e, n, v) for e, all_of in (("vertex", vertex), ("face", face), ("corner", corner)) for n, v in (all_of or {}).items()]
     policy = policy or {}
     _check_policies(policy, [name for _, name, _ in given])
     values, backs = [], []
     for element, name, array in given:
         rows = _rows(array, element, name, mesh)
-        how = policy.get(name, "interpolated" if np.issubdtype(rows.dtype, np.floating) else "majority")
+        how = policy.get(name, _default_policy(rows, name))
         if how != "majority" and not (np.issubdtype(rows.dtype, np.floating) or np.issubdtype(rows.dtype, np.integer)):
             raise TypeError(f"the values '{name}' are of type {rows.dtype}, which has no means")
         kind = getattr(_core.Element, element)
-        value, back = _as_labels(rows, kind) if how == "majority" else _as_numbers(rows, kind, how)
+        value, back = _as_labels(rows, kind, name) if how == "majority" else _as_numbers(rows, kind, how)
         values.append(value)
         backs.append(back)
-    results = _core.transfer(*mesh, labels, *mesh_arrays(coarsening.points, coarsening.faces), values)
+    results = _core.transfer(*mesh, clusters, *mesh_arrays(coarsening.points, coarsening.faces), values)
     transferred = Transferred({}, {}, {})
     for (element, name, _), back, result in zip(given, backs, results):
         array = back(result)

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 import inspect
+import multiprocessing
 import os
+import pickle
 import signal
+import sys
 import threading
 import time
+import types
 
 import numpy as np
 import pytest
@@ -108,11 +112,18 @@ def test_weights_and_placements(weight, placement):
 
 def test_distance():
     points, faces = torus()
-    result = smc.coarsen(points, faces, maximum_distance=0.2)
+    result = smc.coarsen(points, faces, maximum_distance_absolute=0.2)
     assert 0 < result.report["distance_bound"] <= 0.2
     assert result.report["clusters"] == len(result.points)
     quality = smc.measure(points, faces, result.points, result.faces)
     assert 0 < quality["rms_distance"] <= quality["maximum_distance"] <= 0.2
+    relative = smc.coarsen(points, faces, maximum_distance=0.2 / quality["diagonal"])
+    assert np.array_equal(relative.points, result.points)
+    small = torus(8, 12)
+    with pytest.raises(smc.UnreachableDistance) as e:
+        smc.coarsen(*small, maximum_distance=1e-9)
+    assert 1e-9 < e.value.nearest < 1
+    smc.coarsen(*small, maximum_distance=e.value.nearest)
 
 
 def test_measure_of_a_mesh_itself():
@@ -218,7 +229,7 @@ def test_errors():
         smc.coarsen(points, with_entry(faces, (2, 1), -1), 100)
     with pytest.raises(ValueError, match="2-manifold"):
         smc.coarsen(points, np.concatenate([faces, faces[:1]]), 100)
-    with pytest.raises(ValueError, match="face 0 uses vertex 0, which has a coordinate that is not finite"):
+    with pytest.raises(ValueError, match=r"points have \(nan, .*\) in row 0, which is not finite"):
         smc.coarsen(with_entry(points, (0, 0), np.nan), faces, 100)
     with pytest.raises(ValueError, match="no faces"):
         smc.coarsen(points, np.zeros((0, 3), dtype=int), 100)
@@ -294,5 +305,321 @@ def test_every_argument_is_described():
 
 def test_unknown_arguments_are_refused():
     for function in (smc.coarsen, smc.coarsen_levels):
-        with pytest.raises(TypeError, match="'wieght'"):
+        with pytest.raises(TypeError, match=function.__name__ + r"\(\) .*'wieght'"):
             function(*torus(), [50] if function is smc.coarsen_levels else 50, wieght="area")
+
+
+@pytest.mark.parametrize(
+    "sizes",
+    [
+        np.array([3, 3, 2**64 - 1, 7], dtype=np.uint64),  # 12 modulo 2**64
+        np.array([2**62] * 4, dtype=np.int64),
+        np.array([2**63 + 6, 2**63 + 6], dtype=np.uint64),
+        np.array([-1, 13]),
+        np.array([13]),
+        np.array([2**32 + 12]),
+        [3, 3, 3, 2],
+    ],
+)
+def test_sizes_that_do_not_fit_are_refused(sizes):
+    tetrahedron = np.array([0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0])
+    points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
+    for call in (
+        lambda: smc.coarsen(points, (sizes, tetrahedron), 4),
+        lambda: smc.measure(points, tetrahedron.reshape(-1, 3), points, (sizes, tetrahedron)),
+    ):
+        with pytest.raises(ValueError, match="corners, but there are 12 indices|add up to 11"):
+            call()
+
+
+def test_labels_that_do_not_fit_are_refused():
+    points, faces = folded_sheet()
+    result = smc.coarsen(points, faces, 60)
+    for label in (-1, 61, 2**40):
+        wrong = smc.Coarsening(result.points, result.faces, with_entry(result.labels, 5, label), {})
+        with pytest.raises(ValueError, match=f"face 5 has label {label}"):
+            smc.transfer(points, faces, wrong, face={"one": np.ones(len(faces))})
+
+
+def test_types_are_refused_by_name():
+    points, faces = torus()
+    with pytest.raises(TypeError, match="points are of type <U"):
+        smc.coarsen(points.astype(str), faces, 100)
+    with pytest.raises(TypeError, match="points are of type complex"):
+        smc.coarsen(points + 0j, faces, 100)
+    with pytest.raises(TypeError, match="densities are of type <U"):
+        smc.coarsen(points, faces, 100, density=np.full(len(faces), "1"))
+    with pytest.raises(ValueError, match="faces have rows of several lengths"):
+        smc.coarsen(points, faces.tolist()[:-1] + [[0, 1, 2]], 100)
+    with pytest.raises(ValueError, match="patches have the value 18446744073709551615 at entry 0"):
+        smc.coarsen(points, faces, 100, patches=np.full(len(faces), 2**64 - 1, dtype=np.uint64))
+
+
+def test_objects_are_transferred():
+    points, faces = folded_sheet()
+    result = smc.coarsen(points, faces, 60)
+    left = points[faces].mean(axis=1)[:, 0] < 0.5
+    values = np.empty(len(faces), dtype=object)  # which have no order
+    values[left], values[~left] = None, "right"
+    names = smc.transfer(points, faces, result, face={"name": np.where(left, "left", "right"), "object": values})
+    assert names.face["object"].dtype == object
+    assert [v is None for v in names.face["object"]] == [v == "left" for v in names.face["name"]]
+    values[0] = []
+    with pytest.raises(TypeError, match="'object' cannot be compared"):
+        smc.transfer(points, faces, result, face={"object": values})
+
+
+def coarsened_in_a_pool(arguments):
+    return smc.coarsen(*torus(), **arguments)
+
+
+def test_results_and_exceptions_pass_between_processes():
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        result = pool.apply_async(coarsened_in_a_pool, ({"n": 100},)).get(60)
+        assert np.array_equal(result.points, smc.coarsen(*torus(), 100).points)
+        with pytest.raises(smc.UnreachableNumberOfVertices) as e:
+            pool.apply_async(coarsened_in_a_pool, ({"n": 3},)).get(60)
+        assert e.value.nearest == 7
+    for error in (smc.UnreachableNumberOfVertices("no", 7), smc.UnreachableDistance("no", 0.13471)):
+        copy = pickle.loads(pickle.dumps(error))
+        assert type(copy) is type(error) and copy.nearest == error.nearest and str(copy) == str(error)
+    assert str(smc.UnreachableDistance("no", 0.13471)) == "no (nearest distance found: 0.1348)"  # not less
+
+
+def test_results_are_pickled():
+    points, faces = folded_sheet()
+    result = smc.coarsen(points, faces, 60)
+    carried = smc.transfer(points, faces, result, vertex={"xyz": points})
+    assert np.array_equal(pickle.loads(pickle.dumps(result)).labels, result.labels)
+    assert np.array_equal(pickle.loads(pickle.dumps(carried)).vertex["xyz"], carried.vertex["xyz"])
+
+
+def test_other_targets():
+    points, faces = torus()
+    ratio = smc.coarsen(points, faces, vertex_ratio=0.1)
+    assert len(ratio.points) == 240
+    assert np.array_equal(smc.coarsen(points, faces, target_reduction=0.9).points, ratio.points)
+    level = smc.coarsen(points, faces, level=4)
+    assert level.report["level"] == 4 and len(level.points) >= level.report["seeds"] > 0
+    start = smc.coarsen(points, faces, start_clusters=ratio.labels, iterations=0, error_feedback=0)
+    assert len(start.points) == 240
+    for wrong in ({"n": 100, "level": 3}, {}):
+        with pytest.raises(TypeError, match="either"):
+            smc.coarsen(points, faces, **wrong)
+    for name, value in (("target_reduction", 1.0), ("vertex_ratio", np.nan), ("maximum_distance", np.nan), ("level", -1)):
+        with pytest.raises(ValueError, match=name):
+            smc.coarsen(points, faces, **{name: value})
+
+
+def test_numbers_are_refused_by_name():
+    points, faces = torus()
+    for name in ("n", "iterations", "threads", "error_feedback", "local_repairs"):
+        for value in (2**64, 2.5, -1, float("nan"), float("inf")):
+            with pytest.raises(ValueError, match=name):
+                smc.coarsen(points, faces, **{"n": 100, name: value})
+        with pytest.raises(TypeError, match=name):
+            smc.coarsen(points, faces, **{"n": 100, name: "8"})
+    for name in ("maximum_density", "minimum_component_area", "convergence_tolerance", "features"):
+        with pytest.raises(ValueError, match=name + " is NaN"):
+            smc.coarsen(points, faces, 100, **{name: float("nan")})
+        with pytest.raises(TypeError, match=name + " is '1', not a number"):
+            smc.coarsen(points, faces, 100, **{name: "1"})
+    for name in ("subdivide", "repair_output", "paper", "keep_borders"):
+        with pytest.raises(TypeError, match=name):
+            smc.coarsen(points, faces, 100, **{name: "no"})
+    with pytest.raises(ValueError, match="samples is 18446744073709551616"):
+        smc.measure(points, faces, points, faces, samples=2**64)
+    assert len(smc.coarsen(points, faces, np.float64(100), threads=np.int8(2)).points) == 100
+
+
+def test_energies():
+    points, faces = torus()
+    results = [smc.coarsen(points, faces, 100, energy=e).points for e in ("weighted", "quadric", "normals")]
+    assert [len(r) for r in results] == [100] * 3 and not np.array_equal(results[0], results[1])
+    with pytest.raises(ValueError, match="no energy 'heavy'"):
+        smc.coarsen(points, faces, 100, energy="heavy")
+    with pytest.raises(ValueError, match="weight is 'uniform', but the energy 'quadric'"):
+        smc.coarsen(points, faces, 100, energy="quadric", weight="uniform")
+
+
+def test_as_in_the_paper():
+    points, faces = folded_sheet()
+    triangles = np.concatenate([faces[:, [0, 1, 2]], faces[:, [2, 3, 0]]])
+    result = smc.coarsen(points, triangles, 40, paper=True)
+    chosen = smc.coarsen(
+        points,
+        triangles,
+        40,
+        paper=True,
+        placement="centroid",
+        maximum_density=50,
+        error_feedback=0,
+        convergence_tolerance=0,
+        repair_output=False,
+    )
+    assert np.array_equal(result.points, chosen.points)
+    assert result.report["refused_by_boundary_counts"] > 0 and result.report["exchanged_vertices"] == 0
+    assert smc.coarsen(points, triangles, 40).report["refused_by_boundary_counts"] == 0
+    assert result.points[:, 0].min() > 0  # centroids, also on the border
+
+
+def test_boundary_counts_and_densities():
+    points, faces = folded_sheet()
+    result = smc.coarsen(points, faces, 40)
+    counts, edge = np.zeros(len(points), dtype=int), {}
+    for face, corners in enumerate(faces):
+        for a, b in zip(corners, np.roll(corners, -1)):
+            edge.setdefault((min(a, b), max(a, b)), []).append(result.labels[face])
+    for (a, b), at in edge.items():
+        if len(at) == 1 or at[0] != at[1]:
+            counts[[a, b]] += 1
+    assert np.array_equal(result.boundary_counts, counts)
+    density = smc.face_densities(points, faces)
+    assert density.min() >= 1 and density.max() > 10  # near corners of the border
+    assert smc.face_densities(*torus()).max() == pytest.approx(10)
+    given = smc.coarsen(points, faces, 40, density=density, error_feedback=8)
+    assert np.array_equal(given.labels, result.labels)
+    assert smc.face_densities(points, faces, maximum_density=50, border_densities=False).max() == pytest.approx(50)
+
+
+def test_kept_elements():
+    points, faces = folded_sheet()
+    flat = points * [1, 1, 0]
+    line = [i for i, p in enumerate(flat) if p[0] == 0.25]
+    edges = np.array(list(zip(line, line[1:])))
+    result = smc.coarsen(flat, faces, 60, keep_edges=edges)
+    assert result.report["feature_lines"] > 0
+    assert np.count_nonzero(np.abs(result.points[:, 0] - 0.25) < 1e-12) >= 2
+    mask = np.zeros(len(flat), dtype=bool)
+    mask[[100, 200]] = True
+    one, other = (smc.coarsen(flat, faces, 60, keep_vertices=k) for k in ([100, 200], mask))
+    assert np.array_equal(one.points, other.points)
+    assert {tuple(flat[100]), tuple(flat[200])} <= {tuple(p) for p in one.points}
+    border = {tuple(p) for p in flat if {p[0], p[1]} & {0.0, 1.0}}
+    assert border <= {tuple(p) for p in smc.coarsen(flat, faces, 150, keep_borders=True).points}
+    with pytest.raises(ValueError, match="keep_edges have the vertices 0 and 400 in row 1"):
+        smc.coarsen(flat, faces, 60, keep_edges=[[0, 1], [0, 400]])
+    with pytest.raises(ValueError, match="keep_vertices have vertex 441 of 441 at entry 1"):
+        smc.coarsen(flat, faces, 60, keep_vertices=[0, 441])
+    for name, value in (("features", 30), ("keep_edges", edges), ("keep_borders", True)):
+        with pytest.raises(ValueError, match=rf"coarsen\(\) cannot keep {name} where maximum_distance is given"):
+            smc.coarsen(flat, faces, maximum_distance=0.01, **{name: value})
+
+
+def test_range_of_numbers():
+    points, faces = torus(12, 18)
+    least, most = smc.vertex_number_range(points, faces)
+    assert len(smc.coarsen(points, faces, least).points) == least and len(smc.coarsen(points, faces, most).points) == most
+    with pytest.raises(smc.UnreachableNumberOfVertices):
+        smc.coarsen(points, faces, least - 1)
+    flat = folded_sheet()
+    assert smc.vertex_number_range(*flat, keep_borders=True).least >= 80
+
+
+def test_sources_of_vertices():
+    points, faces = torus()
+    result = smc.coarsen(points, faces, 100)
+    sources = smc.vertex_sources(points, faces, result)
+    assert sources.faces.shape == (100,) and sources.coordinates.shape == (100, 4)
+    at = (points[faces[sources.faces]] * sources.coordinates[:, :, None]).sum(axis=1)
+    nearest = smc.transfer(points, faces, result, vertex={"xyz": points}).vertex["xyz"]
+    assert np.abs(at - nearest).max() < 1e-9
+
+
+def test_repair():
+    points, faces = folded_sheet()
+    soup = points[faces].reshape(-1, 3), np.arange(faces.size).reshape(-1, 4)[::-1]  # every face has its own points
+    with pytest.raises(smc.UnreachableNumberOfVertices):
+        smc.coarsen(*soup, 60)
+    repaired = smc.repair(*soup)
+    assert repaired.points.shape == points.shape and repaired.faces.shape == faces.shape
+    assert repaired.report["merged coincident points"] == faces.size - len(points)
+    assert len(smc.coarsen(repaired, 60).points) == 60
+    torus_with_hole = torus()[0], torus()[1][1:]
+    filled = smc.repair(*torus_with_hole, fill_holes=np.inf)
+    assert filled.report["filled holes"] == 1 and filled.report["holes left"] == 0
+    sizes, indices = filled.faces
+    assert list(np.bincount(sizes)) == [0, 0, 0, 2, 2399] and indices.size == sizes.sum()
+    assert smc.repair(*torus_with_hole, fill_holes=0.01).report["holes left"] == 1
+    broken = with_entry(points, (0, 0), np.nan)
+    assert len(smc.repair(broken, faces).points) == len(points) - 1
+    with pytest.raises(ValueError, match="fill_holes is NaN"):
+        smc.repair(points, faces, fill_holes=float("nan"))
+
+
+class LikeTrimesh:
+    def __init__(self, vertices, faces, process=True):
+        self.vertices, self.faces, self.process = vertices, faces, process
+
+
+class LikePyVista:
+    def __init__(self, points, faces):
+        self.points, self.faces = points, faces
+
+
+def test_meshes_of_other_modules(monkeypatch):
+    points, faces = torus()
+    expected = smc.coarsen(points, faces, 100)
+    padded = np.concatenate([np.full((len(faces), 1), 4), faces], axis=1).ravel()
+    for mesh in (LikeTrimesh(points, faces), LikePyVista(points, padded)):
+        for result in (smc.coarsen(mesh, 100), smc.coarsen(mesh, n=100), smc.coarsen_levels(mesh, [100])[0]):
+            assert np.array_equal(result.points, expected.points)
+        assert smc.measure(mesh, result, samples=1000)["maximum_distance"] > 0
+        xyz = [smc.transfer(*m, result, vertex={"xyz": points}).vertex["xyz"] for m in ((mesh,), (points, faces))]
+        assert np.array_equal(*xyz)
+        assert smc.vertex_number_range(mesh).most == len(points)
+    monkeypatch.setitem(sys.modules, "trimesh", types.SimpleNamespace(Trimesh=LikeTrimesh))
+    monkeypatch.setitem(sys.modules, "pyvista", types.SimpleNamespace(PolyData=LikePyVista))
+    back = expected.to_trimesh()
+    assert back.process is False and np.array_equal(back.faces, expected.faces) and np.array_equal(back.vertices, expected.points)
+    assert np.array_equal(smc.coarsen(expected.to_pyvista(), 50).points, smc.coarsen(expected, 50).points)
+    with pytest.raises(TypeError, match=r"measure\(\) takes two meshes"):
+        smc.measure(LikeTrimesh(points, faces))
+
+
+def test_signature_has_names_and_defaults():
+    for function in (smc.coarsen, smc.coarsen_levels):
+        parameters = inspect.signature(function).parameters
+        assert parameters["weight"].default == "area" and parameters["subdivide"].default is False
+        assert all(p.kind is not inspect.Parameter.VAR_KEYWORD for p in parameters.values())
+    assert set(smc.coarsening.Settings.__annotations__) == set(smc.coarsening._DEFAULTS)
+
+
+def test_colors_are_interpolated():
+    points, faces = torus()
+    result = smc.coarsen(points, faces, 100)
+    red = np.rint((points[:, 0] + 4) / 8 * 255).astype(np.uint8)
+    colors = np.stack([red, 255 - red, red], axis=1)
+    carried = smc.transfer(points, faces, result, vertex={"any": colors, "red": red.astype(int), "label": red})
+    assert carried.vertex["any"].dtype == np.uint8
+    expected = smc.transfer(points, faces, result, vertex={"x": red.astype(float)}).vertex["x"]
+    for values in (carried.vertex["any"][:, 0], carried.vertex["red"]):
+        assert np.abs(values - expected).max() <= 0.5
+    told = smc.transfer(points, faces, result, vertex={"any": colors}, policy={"any": "majority"}).vertex["any"]
+    assert {tuple(c) for c in told} <= {tuple(c) for c in colors}
+
+
+@pytest.mark.parametrize("call", ["measure", "levels"])
+def test_calls_heed_an_interrupt_at_once(call):
+    points, faces = torus(700, 900)
+    coarse = torus(300, 400)
+    sent = []
+
+    def interrupt():
+        sent.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        timer = threading.Timer(2.5, interrupt)
+        timer.start()
+        with pytest.raises(KeyboardInterrupt):
+            while not sent or time.monotonic() - sent[0] < 10:
+                if call == "measure":
+                    smc.measure(points, faces, *coarse, samples=10**7)
+                else:
+                    smc.coarsen_levels(points, faces, [20000, 10000, 5000])
+        assert time.monotonic() - sent[0] < 1
+        timer.join()
+    finally:
+        signal.signal(signal.SIGINT, handler)

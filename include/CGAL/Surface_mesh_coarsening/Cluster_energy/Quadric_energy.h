@@ -66,6 +66,23 @@ public:
     accumulate(x, face, -face.mass);
   }
 
+  // Returns the sums of the union of two clusters, about the origin of the first one.
+  static Cluster_data joined(const Cluster_data& x, const Cluster_data& y)
+  {
+    using namespace internal;
+    Cluster_data sum = x;
+    static_cast<Moments&>(sum) = internal::joined(x, y);
+    const Vector d = x.origin - y.origin;
+    const std::array<double, 6>& a = y.matrix;
+    const Vector ad{{a[0] * d[0] + a[1] * d[1] + a[2] * d[2], a[1] * d[0] + a[3] * d[1] + a[4] * d[2],
+                     a[2] * d[0] + a[4] * d[1] + a[5] * d[2]}};
+    for (std::size_t i = 0; i < 6; ++i)
+      sum.matrix[i] += a[i];
+    sum.vector = sum.vector + y.vector - ad;
+    sum.constant += y.constant - 2 * dot(d, y.vector) + dot(d, ad);
+    return sum;
+  }
+
   double energy(const Cluster_data& x, std::size_t /* faces */) const
   {
     const double pull = regularization_ * x.mass;

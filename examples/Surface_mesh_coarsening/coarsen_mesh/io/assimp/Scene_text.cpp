@@ -103,6 +103,8 @@ void Scene_text::add_mesh(const aiMesh& mesh, const aiMatrix4x4t<double>& placem
     left_out_.insert("further texture coordinates");
   if (mesh.HasVertexColors(1))
     left_out_.insert("further colors");
+  if (mesh.HasTangentsAndBitangents())
+    left_out_.insert("tangents");
   if (mesh.HasBones())
     left_out_.insert("bones");
   if (mesh.mNumAnimMeshes > 0)

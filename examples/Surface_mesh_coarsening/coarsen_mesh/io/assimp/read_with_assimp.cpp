@@ -2,14 +2,18 @@
 
 #include "io/assimp/Scene_text.h"
 #include "io/assimp/output_of_process.h"
+#include "io/Failure.h"
 #include "io/assimp_formats.h"
 #include "io/read_obj.h"
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 
@@ -38,6 +42,36 @@ public:
   }
 };
 
+// The text of a glTF file, also within its binary form, whose header has 12 bytes, then the length and the type of the text.
+std::string gltf_text(const std::string& content)
+{
+  constexpr std::size_t header = 20;
+  if (content.compare(0, 4, "glTF") != 0 || content.size() < header)
+    return content;
+  std::size_t length = 0;
+  for (std::size_t i = 4; i > 0; --i)
+    length = 256 * length + static_cast<unsigned char>(content[11 + i]);
+  return content.substr(header, length);
+}
+
+// The fields of an application's own, whose names begin with an underscore, which Assimp does not read.
+std::set<std::string> own_gltf_fields(const std::string& content)
+{
+  std::set<std::string> fields;
+  const nlohmann::json gltf = nlohmann::json::parse(gltf_text(content), nullptr, false);
+  const auto list = [](const nlohmann::json& object, const char* name) {
+    return object.is_object() && object.contains(name) ? object[name] : nlohmann::json::array();
+  };
+  for (const nlohmann::json& mesh : list(gltf, "meshes"))
+    for (const nlohmann::json& primitive : list(mesh, "primitives")) {
+      const nlohmann::json attributes = list(primitive, "attributes");
+      for (const auto& attribute : attributes.items())
+        if (attribute.key()[0] == '_')
+          fields.insert("the numbers '" + escaped(attribute.key()) + "' of vertices");
+    }
+  return fields;
+}
+
 // What has been left out, one field a line, an empty line, and the text of an OBJ file.
 std::string scene_text(const std::string& content, const std::string& file, const std::string& type)
 {
@@ -55,6 +89,9 @@ std::string scene_text(const std::string& content, const std::string& file, cons
   std::string result;
   for (const std::string& field : text.left_out())
     result += field + '\n';
+  if (type == "gltf" || type == "glb")
+    for (const std::string& field : own_gltf_fields(content))
+      result += field + '\n';
   return result + '\n' + std::move(text).text();
 }
 

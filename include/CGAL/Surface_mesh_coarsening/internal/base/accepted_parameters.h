@@ -35,7 +35,7 @@ constexpr bool is_of_package = Parameter_list<CGAL::internal_np::vertex_point_t,
                                               CGAL::internal_np::face_patch_t>::template has<Tag>;
 #define CGAL_add_named_parameter(X, Y, Z) \
   template <>                             \
-  constexpr bool is_of_package<internal_np::X> = true;
+  inline constexpr bool is_of_package<internal_np::X> = true;
 #include <CGAL/Surface_mesh_coarsening/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
 

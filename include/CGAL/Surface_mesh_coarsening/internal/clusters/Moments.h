@@ -77,6 +77,18 @@ inline double inertia_between(const Moments& a, const Moments& b)
   return mass > 0 ? a.mass * b.mass / mass * dot(d, d) : 0;
 }
 
+// Returns the moments of the union of two sets.
+inline Moments joined(const Moments& a, const Moments& b)
+{
+  Moments s;
+  s.mass = a.mass + b.mass;
+  if (!(s.mass > 0))
+    return a;
+  s.centroid = a.centroid + (b.mass / s.mass) * (b.centroid - a.centroid);
+  s.inertia = a.inertia + b.inertia + inertia_between(a, b);
+  return s;
+}
+
 // Computes the masses and centroids of the clusters. `moments` must be zero on entry.
 inline void add_up_centroids(const Clustering_input& input, const Cluster_labels& labels, std::vector<Moments>& moments,
                              const Cancellation_point& cancellation, Execution execution)

@@ -249,6 +249,9 @@ private:
         return true;
       }
       if (result_->level == finest) {
+        // With the number of all vertices, the result is the surface of the input.
+        if (number_ >= vertices_ && try_clustering(number_of_vertices(state_, 1)) <= local_distance_)
+          return true;
         if (number_ >= vertices_)
           throw Unreachable_distance("no result within a distance of " + number_text(distance_) + " was found",
                                      state_.frame.length_to_mesh(bound_below(infinite, bound / 32)));
@@ -300,7 +303,7 @@ private:
   double try_clustering(std::size_t n)
   {
     try {
-      seed(state_, {Seeding::FOR_NUMBER, n});
+      seed(state_, {Seeding::FOR_NUMBER, n, true});
       grow(state_);
     } catch (const Unreachable_number_of_vertices&) {
       return infinite;

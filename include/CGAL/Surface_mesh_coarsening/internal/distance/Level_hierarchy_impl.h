@@ -12,9 +12,16 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
+// The faces with geometry; the items may be cells without geometry.
+inline const Clustering_input& pieces_of(const Clustering_state& state)
+{
+  const Featured_input& input = state.featured_input();
+  return input.cells ? input.cells->pieces() : input.items;
+}
+
 inline const Clustering_input& input_without_features(const Clustering_state& state)
 {
-  if (state.featured_input().cells)
+  if (state.featured_input().cells && state.featured_input().cells->has_features())
     throw Invalid_input("clusters cannot be edited, nor merged to levels, where features are kept");
   return state.working_input();
 }
@@ -48,12 +55,13 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> Level_hierarchy::clusters
 
 CGAL_SURFACE_MESH_COARSENING_INLINE Cluster_labels Level_hierarchy::labels(std::size_t level) const
 {
-  const Clustering_input& input = state_.working_input();
+  const Feature_cells* const cells = state_.featured_input().cells.get();
+  const Clustering_input& pieces = pieces_of(state_);
   const Cluster_labels& finest_labels = internal::labels(state_);
   const std::vector<Index> of_cluster = history_.ancestors(finest(), level);
-  Cluster_labels result(input.mesh);
-  for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
-    result.set(Index(f), of_cluster[history_.number(finest_labels[Index(f)])]);
+  Cluster_labels result(pieces.mesh);
+  for (std::size_t f = 0; f < pieces.mesh.number_of_faces(); ++f)
+    result.set(Index(f), of_cluster[history_.number(finest_labels[cells ? cells->polygon(Index(f)) : Index(f)])]);
   result.recount();
   return result;
 }
@@ -63,7 +71,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_level Level_hierarchy::place(std::siz
                                                                         const Output_coordinates& output_coordinates) const
 {
   Placed_level placed{labels(level), history_.triangles(level), {}, {}};
-  const Clustered_faces surface(state_.working_input(), placed.labels, level);
+  const Clustered_faces surface(pieces_of(state_), placed.labels, level);
   placed.positions = place_vertices(surface, Border_arcs(surface, state_.places_on_borders), placement, with_repair,
                                     output_coordinates, placed.triangles, placed.counts, state_.cancellation());
   return placed;

@@ -17,20 +17,24 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Builds the mesh to be clustered if there are features. Subdivides the faces around the nodes of the feature graph into one
-// quadrilateral per corner, and joins the quadrilaterals around a node to one polygon, its cell. Each feature edge then lies in
-// at most two clusters of these polygons. If there are two, they meet in an arc across the midpoint of the edge. Hence rules for
-// cells keep features: see Feature_rules.
+// Builds the mesh to be clustered if there are features, or if the dual cells of all vertices are clustered. Subdivides the faces
+// around the nodes of the feature graph, or all faces, into one quadrilateral per corner, and joins the quadrilaterals around a
+// vertex to one polygon, its cell. Each feature edge then lies in at most two clusters of these polygons. If there are two, they
+// meet in an arc across the midpoint of the edge. Hence rules for cells keep features: see Feature_rules. If each cell of a vertex
+// is a cluster, the dual of the clusters is the original mesh.
 //
 // The polygons of this mesh have sums but no geometry. The surface is given by `pieces`, whose faces form the
 // polygons.
 class Feature_cells
 {
 public:
-  // Builds the mesh to be clustered; there must be features.
-  static Featured_input run(const Clustering_input& base, const Feature_edges& edges, const Cancellation_point& cancellation)
+  enum Extent { AT_FEATURES, AT_ALL_VERTICES };
+
+  // Builds the mesh to be clustered. Cells at features need features.
+  static Featured_input run(const Clustering_input& base, const Feature_edges& edges, const Cancellation_point& cancellation,
+                            Extent extent = AT_FEATURES)
   {
-    auto cells = std::make_shared<Feature_cells>(base, edges);
+    auto cells = std::make_shared<Feature_cells>(base, edges, extent);
     const std::vector<char> too_wide = cells->faces_at_bigons();
     if (!too_wide.empty())
       return cells->in_fans(too_wide, cancellation);
@@ -40,20 +44,22 @@ public:
     return {std::move(items), std::move(cells)};
   }
 
-  Feature_cells(const Clustering_input& base, const Feature_edges& edges)
-    : base_(base), edges_(edges), graph_(base_.mesh, edges) {}
+  Feature_cells(const Clustering_input& base, const Feature_edges& edges, Extent extent)
+    : base_(base), edges_(edges), graph_(base_.mesh, edges), extent_(extent) {}
 
   // The same after a subdivision of the faces of the chosen components of the original mesh.
   Featured_input subdivided(const std::vector<bool>& chosen_component, const Cancellation_point& cancellation) const
   {
     const Clustering_input finer = subdivided_input(base_, chosen_component, cancellation);
     const Feature_edges edges = edges_.subdivided(base_.mesh, chosen_component, finer.mesh);
-    return run(finer, edges, cancellation);
+    return run(finer, edges, cancellation, extent_);
   }
 
   const Clustering_input& base() const { return base_; }
   const Feature_edges& edges() const { return edges_; }
   const Feature_graph& graph() const { return graph_; }
+  Extent extent() const { return extent_; }
+  bool has_features() const { return graph_.number_of_nodes() > 0; }
 
   // The faces of the original mesh, subdivided around nodes. Vertices have the same numbers as in the mesh of cells.
   const Clustering_input& pieces() const { return pieces_; }
@@ -69,7 +75,20 @@ public:
     return edges_.is_feature[c] || edges_.is_feature[base_.mesh.previous_corner(f, c)];
   }
 
-  // The node of a polygon; NONE if the polygon is not a cell.
+  // Calls `visit(piece)` for the pieces of a polygon.
+  template <class Visit>
+  void for_each_piece(Index polygon, const Visit& visit) const
+  {
+    if (vertex_of_polygon_[polygon] == NONE)
+      visit(first_piece_[polygon]);
+    else
+      for (const Index piece : pieces_.mesh.faces_around(vertex_of_polygon_[polygon]))
+        visit(piece);
+  }
+
+  // The vertex whose cell a polygon is; NONE if the polygon is a face.
+  Index vertex(Index polygon) const { return vertex_of_polygon_[polygon]; }
+  // The node of a polygon; NONE if the polygon is not the cell of a node.
   Index node(Index polygon) const { return node_of_polygon_[polygon]; }
   Index cell(Index node) const { return cell_of_node_[node]; }
   // Returns whether a polygon has an edge on the border.
@@ -90,15 +109,16 @@ public:
   }
 
 private:
-  // Marks the faces at nodes between only two faces: the cells of such nodes have two neighbors and could not be
-  // clusters. Returns an empty vector if there are none.
+  bool has_cell(Index v) const { return extent_ == AT_ALL_VERTICES || graph_.node_of_vertex(v) != NONE; }
+
+  // Marks the faces at vertices with a cell and only two faces: such cells have two neighbors and could not be clusters. Returns
+  // an empty vector if there are none.
   std::vector<char> faces_at_bigons() const
   {
     const Flat_mesh& m = base_.mesh;
     std::vector<char> result;
-    for (Index i = 0; i < graph_.number_of_nodes(); ++i) {
-      const Index v = graph_.vertex(i);
-      if (m.is_on_border(v) || m.first_in_star[v + 1] - m.first_in_star[v] != 2)
+    for (Index v = 0; v < m.number_of_vertices(); ++v) {
+      if (m.first_in_star[v + 1] - m.first_in_star[v] != 2 || !has_cell(v) || m.is_on_border(v))
         continue;
       result.resize(m.number_of_faces(), false);
       for (const Index f : m.faces_around(v))
@@ -115,17 +135,17 @@ private:
     Clustering_input fans = cut_input(base_, std::move(triangles), old_face);
     for (std::size_t i = 0; i < fans.mesh.components.size(); ++i)
       fans.mesh.components[i].original_vertices = base_.mesh.components[i].max_clusters();
-    return run(fans, edges_.in_fans(base_.mesh, is_cut, fans.mesh), cancellation);
+    return run(fans, edges_.in_fans(base_.mesh, is_cut, fans.mesh), cancellation, extent_);
   }
 
   Clustering_input make(const Cancellation_point& cancellation)
   {
     const Flat_mesh& m = base_.mesh;
     std::vector<char> is_cut(m.number_of_faces(), false);
-    for (Index i = 0; i < graph_.number_of_nodes(); ++i) {
-      for (const Index f : m.faces_around(graph_.vertex(i)))
-        is_cut[f] = true;
-    }
+    for (Index v = 0; v < m.number_of_vertices(); ++v)
+      if (has_cell(v))
+        for (const Index f : m.faces_around(v))
+          is_cut[f] = true;
     Quad_subdivision cutting(m, is_cut);
     Flat_mesh cut_mesh = cutting.run(cancellation);
     pieces_ = cut_input(base_, std::move(cut_mesh), cutting.old_face());
@@ -144,22 +164,24 @@ private:
   void number_polygons(const Quad_subdivision& cutting)
   {
     const Flat_mesh& m = base_.mesh;
-    std::vector<Index> node_of_piece(pieces_.mesh.number_of_faces(), NONE);
-    for (Index i = 0; i < graph_.number_of_nodes(); ++i) {
-      const Index v = graph_.vertex(i);
-      for (const Index f : m.faces_around(v))
-        node_of_piece[cutting.piece_at(f, v)] = i;
-    }
+    std::vector<Index> vertex_of_piece(pieces_.mesh.number_of_faces(), NONE), cell_of_vertex(m.number_of_vertices(), NONE);
+    for (Index v = 0; v < m.number_of_vertices(); ++v)
+      if (has_cell(v))
+        for (const Index f : m.faces_around(v))
+          vertex_of_piece[cutting.piece_at(f, v)] = v;
     cell_of_node_.assign(graph_.number_of_nodes(), NONE);
-    for (std::size_t p = 0; p < node_of_piece.size(); ++p) {
-      const Index i = node_of_piece[p];
-      Index polygon = i == NONE ? NONE : cell_of_node_[i];
+    for (std::size_t p = 0; p < vertex_of_piece.size(); ++p) {
+      const Index v = vertex_of_piece[p], node = v == NONE ? NONE : graph_.node_of_vertex(v);
+      Index polygon = v == NONE ? NONE : cell_of_vertex[v];
       if (polygon == NONE) {
-        polygon = Index(node_of_polygon_.size());
-        node_of_polygon_.push_back(i);
+        polygon = Index(vertex_of_polygon_.size());
+        vertex_of_polygon_.push_back(v);
+        node_of_polygon_.push_back(node);
         first_piece_.push_back(Index(p));
-        if (i != NONE)
-          cell_of_node_[i] = polygon;
+        if (v != NONE)
+          cell_of_vertex[v] = polygon;
+        if (node != NONE)
+          cell_of_node_[node] = polygon;
       }
       polygon_of_piece_.push_back(polygon);
     }
@@ -173,13 +195,13 @@ private:
       const Index across = m.face_across[corner];
       builder.add_corner(m.corner_vertex[corner], across == NONE ? NONE : polygon_of_piece_[across]);
     };
-    for (std::size_t polygon = 0; polygon < node_of_polygon_.size(); ++polygon) {
-      const Index i = node_of_polygon_[polygon];
-      if (i == NONE)
+    for (std::size_t polygon = 0; polygon < vertex_of_polygon_.size(); ++polygon) {
+      const Index v = vertex_of_polygon_[polygon];
+      if (v == NONE)
         for (const Index c : m.corners(first_piece_[polygon]))
           push(c);
       else
-        add_cell(graph_.vertex(i), push);
+        add_cell(v, push);
       builder.end_face();
     }
     return builder.finish(cancellation);
@@ -257,11 +279,18 @@ private:
   Clustering_input base_, pieces_;
   Feature_edges edges_;
   Feature_graph graph_;
+  Extent extent_;
   std::vector<Index> middle_;                        // of the edge after each corner of the base
   std::vector<Index> face_of_piece_, polygon_of_piece_;
-  std::vector<Index> node_of_polygon_, first_piece_, cell_of_node_;
+  std::vector<Index> vertex_of_polygon_, node_of_polygon_, first_piece_, cell_of_node_;
   std::vector<char> is_at_border_;
 };
+
+// Returns whether the cells of all vertices are clustered.
+inline bool has_vertex_cells(const Featured_input& input)
+{
+  return input.cells && input.cells->extent() == Feature_cells::AT_ALL_VERTICES;
+}
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

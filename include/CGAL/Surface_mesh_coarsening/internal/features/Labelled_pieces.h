@@ -7,7 +7,9 @@
 #include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -26,19 +28,36 @@ public:
     for (std::size_t p = 0; p < input_.mesh.number_of_faces(); ++p)
       labels_of_pieces_->set(Index(p), labels[input.cells->polygon(Index(p))]);
     labels_of_pieces_->recount();
-    features_.emplace(*input.cells, *labels_of_pieces_, clusters);
+    if (input.cells->has_features())
+      features_.emplace(*input.cells, *labels_of_pieces_, clusters);
+    if (input.cells->extent() == Feature_cells::AT_ALL_VERTICES)
+      find_single_cells(*input.cells, clusters);
   }
 
   const Clustering_input& input() const { return input_; }
   const Cluster_labels& labels() const { return labels_of_pieces_ ? *labels_of_pieces_ : labels_; }
   // Null without features.
   const Coarse_features* features() const { return features_ ? &*features_ : nullptr; }
+  // For each cluster that is the cell of one vertex, this vertex; NONE for other clusters. Empty if faces are clustered.
+  const std::vector<Index>& single_vertices() const { return single_vertex_; }
 
 private:
+  void find_single_cells(const Feature_cells& cells, std::size_t clusters)
+  {
+    single_vertex_.assign(clusters, NONE);
+    std::vector<char> has_cell(clusters, false);
+    for (std::size_t polygon = 0; polygon < labels_.labels().size(); ++polygon) {
+      const Index x = labels_[Index(polygon)];
+      single_vertex_[x] = has_cell[x] ? NONE : cells.vertex(Index(polygon));
+      has_cell[x] = true;
+    }
+  }
+
   const Clustering_input& input_;
   const Cluster_labels& labels_;
   std::optional<Cluster_labels> labels_of_pieces_;
   std::optional<Coarse_features> features_;
+  std::vector<Index> single_vertex_;
 };
 
 // Returns the cluster of a face of the caller's mesh: the cluster of its largest part, or `none` if it has no part, as

@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
-#include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Labelled_pieces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
@@ -43,6 +43,13 @@ public:
       for (std::size_t x = begin; x < end; ++x)
         bounds_[x] = internal::vertex_bounds(input.mesh, faces(x));
     });
+  }
+
+  Clustered_faces(const Labelled_pieces& pieces, std::size_t clusters, Execution execution,
+                  const Cancellation_point& cancellation)
+    : Clustered_faces(pieces.input(), pieces.labels(), clusters, execution, pieces.features(), cancellation)
+  {
+    single_vertex_ = pieces.single_vertices();
   }
 
   // For a surface that approximates the input: the vertices have given bounds, and clusters may have no faces.
@@ -93,6 +100,11 @@ public:
     return without_last_digits(mass >= least ? (1 / mass) * moment : (1 / double(faces(cluster).size())) * sum);
   }
 
+  // Whether the clusters consist of the cells of vertices.
+  bool has_cells() const { return !single_vertex_.empty(); }
+  // The vertex whose cell is the cluster; NONE for clusters of faces, and for clusters of several cells.
+  Index single_vertex(std::size_t cluster) const { return single_vertex_.empty() ? NONE : single_vertex_[cluster]; }
+
   const Bbox_3& vertex_bounds(std::size_t cluster) const { return bounds_[cluster]; }
 
   Vector within_bounds(std::size_t cluster, const Vector& p) const
@@ -109,6 +121,7 @@ private:
   const Cancellation_point cancellation_;
   Bucketed_items<std::uint32_t> faces_; // of each cluster
   std::vector<Bbox_3> bounds_;          // of each cluster's vertex
+  std::vector<Index> single_vertex_;    // of each cluster; empty if faces are clustered
   bool is_approximate_ = false;
 };
 

@@ -37,6 +37,31 @@ constexpr bool has_parameter =
   !std::is_same<Parameter_type<Parameter, NamedParameters, CGAL::internal_np::Param_not_found>,
                 CGAL::internal_np::Param_not_found>::value;
 
+// Whether the map of a parameter, if it is given, has the keys and values; a sentence of the compiler says so otherwise.
+template <class Tag, class Key, class Value, class NamedParameters>
+constexpr bool fits_map()
+{
+  if constexpr (has_parameter<Tag, NamedParameters>) {
+    typedef boost::property_traits<Parameter_type<Tag, NamedParameters, CGAL::internal_np::Param_not_found> > Traits;
+    constexpr bool has_key = std::is_convertible<Key, typename Traits::key_type>::value,
+                   has_value = std::is_convertible<typename Traits::value_type, Value>::value;
+    static_assert(has_key, "the property map of this named parameter has keys of another type; the reference says which");
+    static_assert(has_value, "the property map of this named parameter has values of another type; the reference says which");
+    return has_key && has_value;
+  }
+  return true;
+}
+
+template <class FaceGraph, class NamedParameters>
+constexpr bool fits_maps_of_clusters()
+{
+  typedef typename boost::graph_traits<FaceGraph>::face_descriptor Face;
+  typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor Vertex;
+  constexpr bool fits_faces = fits_map<internal_np::face_density_t, Face, double, NamedParameters>() &&
+                              fits_map<internal_np::face_cluster_t, Face, std::size_t, NamedParameters>();
+  return fits_map<internal_np::vertex_boundary_count_t, Vertex, std::size_t, NamedParameters>() && fits_faces;
+}
+
 template <class FaceGraph, class NamedParameters>
 Numbering<FaceGraph> numbering(const FaceGraph& mesh, const NamedParameters& np,
                                const Cancellation_point& cancellation = Cancellation_point())

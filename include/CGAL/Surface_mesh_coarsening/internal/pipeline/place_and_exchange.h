@@ -26,8 +26,7 @@ constexpr std::size_t placement_tests = 1000;
 inline std::unique_ptr<Clustered_faces> clustered_faces(const Clustering_state& state, Placed_dual& dual)
 {
   dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
-  return std::make_unique<Clustered_faces>(dual.pieces->input(), dual.pieces->labels(), state.number_of_clusters(),
-                                             state.execution, dual.pieces->features(), state.cancellation());
+  return std::make_unique<Clustered_faces>(*dual.pieces, state.number_of_clusters(), state.execution, state.cancellation());
 }
 
 // The surface with its current clusters, and the positions of vertices on its border and features.
@@ -204,7 +203,7 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
 inline bool may_exchange_vertices(const Clustering_state& state, const Placement_model& placement)
 {
   return placement.exchanging && state.exchange_rounds > 0 && state.minimization_end.max_rounds > 0 &&
-         state.seeding.kind != Seeding::BY_CALLER;
+         state.seeding.kind != Seeding::BY_CALLER && !has_vertex_cells(state.input);
 }
 
 // Returns whether the placement without exchange may be closer than a repaired placement. Except for its flips, the repair

@@ -25,6 +25,9 @@ namespace internal {
 // Finds seeds (section 6) and discards earlier clusters.
 void seed(Clustering_state& state, const Seeding& seeding);
 
+// Makes faces the items of the clustering, if the last seeds were cells of vertices.
+void cluster_faces(Clustering_state& state);
+
 // Returns the smallest and the largest attainable number of clusters.
 std::pair<std::size_t, std::size_t> vertex_number_range(const Clustering_state& state);
 

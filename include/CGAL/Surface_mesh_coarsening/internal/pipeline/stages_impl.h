@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/choose_items.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/place_and_exchange.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -78,9 +80,24 @@ inline void begin_minimization(Clustering_state& state)
   state.report.initial_energy = state.report.final_energy = state.minimization->energy();
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE void seed(Clustering_state& state, const Seeding& seeding)
+CGAL_SURFACE_MESH_COARSENING_INLINE void cluster_faces(Clustering_state& state)
 {
-  state.visitor.stage_begins(Coarsening_stage::SEEDING);
+  if (!has_vertex_cells(state.input))
+    return;
+  forget_clusters(state);
+  state.input = with_items(state.input, Feature_cells::AT_FEATURES, state.cancellation());
+}
+
+inline void choose_items(Clustering_state& state, const Seeding& seeding)
+{
+  if (!needs_vertex_cells(state, seeding))
+    cluster_faces(state);
+  else if (!has_vertex_cells(state.input))
+    state.input = with_items(state.input, Feature_cells::AT_ALL_VERTICES, state.cancellation());
+}
+
+inline void seed_items(Clustering_state& state, const Seeding& seeding)
+{
   forget_clusters(state);
   reset_report(state);
   state.seeding = seeding;
@@ -100,13 +117,43 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void seed(Clustering_state& state, const See
       state.initial->subdivide(seeding.value, faces_per_cluster);
     state.initial->seed(seeding.value);
   });
+}
+
+// Calls a step. If the cells of vertices do not reach the number of clusters, calls `with_faces` instead, because faces can be
+// subdivided.
+template <class Step, class Step_with_faces>
+void run_with_any_items(Clustering_state& state, const Step& step, const Step_with_faces& with_faces)
+{
+  const Seeding seeding = state.seeding;
+  try {
+    step();
+  } catch (const Unreachable_number_of_vertices&) {
+    if (!has_vertex_cells(state.input))
+      throw;
+    cluster_faces(state);
+    seed_items(state, seeding);
+    with_faces();
+  }
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE void seed(Clustering_state& state, const Seeding& seeding)
+{
+  state.visitor.stage_begins(Coarsening_stage::SEEDING);
+  forget_clusters(state);
+  choose_items(state, seeding);
+  state.seeding = seeding;
+  run_with_any_items(state, [&] { seed_items(state, seeding); }, [] {});
   state.visitor.stage_ends(Coarsening_stage::SEEDING);
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE std::pair<std::size_t, std::size_t> vertex_number_range(const Clustering_state& state)
 {
   Coarsening_report unused;
-  auto range = Initial_clustering(state.input, state.merges_by_area, unused, state.cancellation(), state.execution).range();
+  const std::optional<Featured_input> faces =
+    has_vertex_cells(state.input)
+      ? std::make_optional(with_items(state.input, Feature_cells::AT_FEATURES, state.cancellation()))
+      : std::nullopt;
+  auto range = Initial_clustering(faces ? *faces : state.input, state.merges_by_area, unused, state.cancellation(), state.execution).range();
   if (state.subdivides_input)
     range.second = Initial_clustering::max_clusters_of_subdivided(faces_per_cluster);
   return range;
@@ -131,10 +178,11 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void grow(Clustering_state& state)
   state.editing.reset();
   state.minimization.reset();
   state.labels.reset();
-  all_or_nothing(state, [&] {
-    state.labels = std::make_unique<Cluster_labels>(state.initial->grow());
-    begin_minimization(state);
-  });
+  const auto grow_items = [&] {
+    all_or_nothing(state, [&] { state.labels = std::make_unique<Cluster_labels>(state.initial->grow()); });
+  };
+  run_with_any_items(state, grow_items, grow_items);
+  all_or_nothing(state, [&] { begin_minimization(state); });
   state.visitor.stage_ends(Coarsening_stage::GROWTH);
 }
 
@@ -188,7 +236,9 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void minimize(Clustering_state& state, const
   state.visitor.stage_begins(Coarsening_stage::MINIMIZATION);
   Coarsening_report& report = state.report;
   double energy = state.minimization->energy();
-  bool has_ended = false;
+  // Cells have been merged by the residuals of their quadrics, which moves that lower another energy would increase.
+  bool has_ended = has_vertex_cells(state.input);
+  report.converged = has_ended;
   const std::size_t rounds_before = report.rounds;
   for (std::size_t made = 0; made < end.max_rounds && !has_ended; made = report.rounds - rounds_before) {
     const std::size_t rounds = (std::min)(end.max_rounds - made, state.minimization->rounds_at_a_time());
@@ -262,7 +312,7 @@ inline bool edit_cluster(Clustering_state& state, std::size_t cluster, bool (Clu
 {
   if (is_frozen(state, cluster))
     return false;
-  if (state.featured_input().cells)
+  if (state.featured_input().cells && state.featured_input().cells->has_features())
     throw Invalid_input("clusters cannot be edited, nor merged to levels, where features are kept");
   state.seeding = Seeding(); // reclustering would not repeat the change
   if (!state.editing)
@@ -316,7 +366,8 @@ inline void recluster(Clustering_state& state, const std::vector<double>& densit
   if (state.input.cells) {
     Clustering_input base = state.input.cells->base();
     base.density = densities;
-    state.input = Feature_cells::run(base, state.input.cells->edges(), state.cancellation());
+    state.input =
+      Feature_cells::run(base, state.input.cells->edges(), state.cancellation(), state.input.cells->extent());
   } else {
     state.input.items.density = densities;
   }
@@ -329,7 +380,7 @@ inline void recluster(Clustering_state& state, const std::vector<double>& densit
 inline bool is_worth_reclustering(const Clustering_state& state, const Placed_dual& dual, const Repair_budget& budget)
 {
   return is_worth_repairing(state, dual, budget) && has_many_intersections(state, dual) &&
-         state.seeding.kind != Seeding::BY_CALLER && state.energy->depends_on_densities();
+         state.seeding.kind != Seeding::BY_CALLER && state.energy->depends_on_densities() && !has_vertex_cells(state.input);
 }
 
 // Raises the densities of the faces in clusters whose vertices belong to intersecting triangles.

@@ -100,6 +100,15 @@ public:
 
   const Back_samples& of_triangle(Index t) const { return back_[t]; }
 
+  // Returns the component of the input that some triangles of one component approximate; NONE if they have no samples.
+  Index component(const std::vector<Index>& triangles) const
+  {
+    for (const Index t : triangles)
+      if (first_on_[t] != NONE)
+        return surface_.input().mesh.component[samples_[first_on_[t]].face];
+    return NONE;
+  }
+
   // Returns the sum over the samples of the input of area times squared distance.
   double sum_of_squared_distances() const
   {

@@ -223,9 +223,11 @@ private:
     std::vector<Index> all = around;
     all.insert(all.end(), {x.t, x.u});
     const double max_cost = cost_of(all) + max_growth;
+    const bool is_one_component = samples_.component(around) == samples_.component({x.t, x.u});
     const Vector place = std::exchange(positions_[r.into], r.place), place_of_v = std::exchange(positions_[v], x.place);
     coarse_.replace(changed, now);
-    samples_.redistribute(around, coarse_.around(r.into));
+    const std::vector<Index> collapsed = coarse_.around(r.into);
+    samples_.redistribute(around, collapsed);
     samples_.redistribute({x.t, x.u}, split);
     const Relocation outcome = cost_of(all) < max_cost ? relocation_.relocate(v, r.into, faces) : Relocation::TOO_FAR;
     if (outcome == Relocation::DONE) {
@@ -234,7 +236,12 @@ private:
       positions_[r.into] = place;
       positions_[v] = place_of_v;
       coarse_.replace(changed, before);
-      samples_.redistribute(all, all);
+      if (is_one_component) {
+        samples_.redistribute(all, all);
+      } else { // the components may be close to each other, so each receives its own samples
+        samples_.redistribute(split, {x.t, x.u});
+        samples_.redistribute(collapsed, around);
+      }
     }
     return outcome;
   }

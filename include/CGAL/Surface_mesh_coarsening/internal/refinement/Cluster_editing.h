@@ -95,6 +95,8 @@ public:
   }
 
   std::vector<Index> faces(Index x) { return outward(face_of_[x]); }
+  // Returns one face of a cluster.
+  Index face(Index x) const { return face_of_[x]; }
 
 private:
   std::vector<Index> outward(Index f) { return faces_in_bfs_order(labels_, f); }

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/vertex_bounds.h>
 #include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -14,14 +15,17 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Relocates clusters of a valid clustering. The clustering remains valid and keeps the number of clusters. All relocations can be
-// undone.
+// Relocates clusters of a valid clustering. The clustering remains valid and keeps the number of clusters. A cluster may move to
+// another component, unless the component would have more clusters than vertices. All relocations can be undone.
 class Cluster_relocation
 {
 public:
   Cluster_relocation(const Featured_input& input, Cluster_labels& labels, Index clusters)
     : mesh_(input.items.mesh), cells_(input.cells.get()), labels_(labels), old_labels_(labels.labels()),
-      editing_(input, labels, clusters), bounds_(clusters), has_changed_(clusters, false) {}
+      editing_(input, labels, clusters), bounds_(clusters), has_changed_(clusters, false)
+  {
+    count();
+  }
 
   // The number of relocated clusters.
   std::size_t number() const { return number_; }
@@ -36,13 +40,20 @@ public:
     if (cells_)
       for (Index& f : faces)
         f = cells_->polygon(f);
+    const Index from = component_of(x);
+    faces.erase(std::remove_if(faces.begin(), faces.end(), [&](Index f) { return !has_room_for_cluster(f, from); }),
+                faces.end());
     std::vector<Index> changed;
     const Relocation outcome = editing_.relocate(x, into, faces, changed);
     for (const Index y : changed) {
       has_changed_[y] = true;
       bounds_[y] = internal::vertex_bounds(mesh_, editing_.faces(y));
     }
-    number_ += outcome == Relocation::DONE;
+    if (outcome == Relocation::DONE) {
+      ++number_;
+      --clusters_of_component_[from];
+      ++clusters_of_component_[component_of(x)];
+    }
     return outcome;
   }
 
@@ -60,12 +71,28 @@ public:
       if (labels_[Index(f)] != labels[f])
         labels_.move(Index(f), labels[f]);
     editing_.find_clusters();
+    count();
     for (std::size_t x = 0; x < bounds_.size(); ++x)
       if (has_changed_[x])
         bounds_[x] = internal::vertex_bounds(mesh_, editing_.faces(Index(x)));
   }
 
 private:
+  Index component_of(Index x) const { return mesh_.component[editing_.face(x)]; }
+
+  bool has_room_for_cluster(Index face, Index from) const
+  {
+    const Index c = mesh_.component[face];
+    return c == from || clusters_of_component_[c] < mesh_.components[c].max_clusters();
+  }
+
+  void count()
+  {
+    clusters_of_component_.assign(mesh_.components.size(), 0);
+    for (std::size_t x = 0; x < bounds_.size(); ++x)
+      ++clusters_of_component_[component_of(Index(x))];
+  }
+
   const Flat_mesh& mesh_;
   const Feature_cells* cells_; // null without features
   Cluster_labels& labels_;
@@ -74,6 +101,7 @@ private:
   std::vector<Bbox_3> bounds_; // of the vertices of changed clusters
   std::vector<char> has_changed_;
   std::size_t number_ = 0;
+  std::vector<std::size_t> clusters_of_component_;
 };
 
 } // namespace internal

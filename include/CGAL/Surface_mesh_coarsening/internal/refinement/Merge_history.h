@@ -99,17 +99,6 @@ private:
     return faces;
   }
 
-  static Moments joined(const Moments& a, const Moments& b)
-  {
-    Moments s;
-    s.mass = a.mass + b.mass;
-    if (!(s.mass > 0))
-      return a;
-    s.centroid = a.centroid + (b.mass / s.mass) * (b.centroid - a.centroid);
-    s.inertia = a.inertia + b.inertia + inertia_between(a, b);
-    return s;
-  }
-
   // The energy with the weight of formula (9). For a union of clusters, it follows from the sums of the clusters.
   static double energy(const Moments& s) { return s.mass * s.inertia; }
 

@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_CLUSTER_MERGING_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_CLUSTER_MERGING_H
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Quadric_energy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_merging.h>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <optional>
@@ -62,6 +64,32 @@ public:
   void keep_features(const Feature_cells& cells, const Cluster_labels& labels, const FaceRange& faces)
   {
     features_.emplace(cells, labels, faces, Index(merged_into_.size()));
+  }
+
+  // Merges pairs whose union adds least to the residuals of their quadrics, as an edge collapse does (Garland and Heckbert:
+  // Surface simplification using quadric error metrics, 1997). Border edges add planes perpendicular to their faces.
+  template <class FaceRange>
+  void merge_by_quadrics(const Feature_cells& cells, const Cluster_labels& labels, const FaceRange& faces)
+  {
+    quadrics_.resize(merged_into_.size());
+    const Clustering_input& pieces = cells.pieces();
+    for (const Index f : faces)
+      cells.for_each_piece(f, [&](Index piece) {
+        const Clustered_face face(pieces, piece);
+        Quadric_energy::Cluster_data& quadric = quadrics_[labels[f]];
+        const Vector normal = face.plain_normal();
+        quadric_energy_.add(quadric, {pieces.area[piece], face.plain_centroid(), normal});
+        for (const Index c : pieces.mesh.corners(piece)) {
+          if (pieces.mesh.face_across[c] != NONE)
+            continue;
+          const Vector &p = pieces.mesh.points[pieces.mesh.corner_vertex[c]],
+                       &q = pieces.mesh.points[pieces.mesh.corner_vertex[pieces.mesh.next_corner(piece, c)]];
+          const Vector edge = q - p;
+          const double length = std::sqrt(dot(edge, edge));
+          if (length > 0)
+            quadric_energy_.add(quadric, {length * length, 0.5 * (p + q), (1 / length) * cross(edge, normal)});
+        }
+      });
   }
 
   // Merges until at most `wanted` clusters remain, if the topology permits it. Returns the number of pairwise merges.
@@ -118,6 +146,9 @@ private:
   };
 
   //! [size]
+  // Of 1e-3 to 1e-6, this value has the smallest distances at 60 and 80 % of the vertices of the Horse, with angles that are
+  // hardly smaller.
+  static constexpr double quadric_regularization = 1e-5;
   // This number of faces counts as much as the mean mass of a cluster.
   static constexpr double faces_of_round_cluster = 64;
   //! [size]
@@ -192,7 +223,17 @@ private:
     return (dual_.is_arc(e) || joins_at_vertices_) && !dual_.is_cap(dual_.source(e)) && !dual_.is_cap(dual_.target(e)) &&
            (!features_ || features_->may_merge(dual_.source(e), dual_.target(e), [this](Index x) { return cluster(x); }));
   }
-  double size_of(Edge e) const { return number_of(size_[dual_.source(e)] + size_[dual_.target(e)]); }
+  double size_of(Edge e) const
+  {
+    const Index x = dual_.source(e), y = dual_.target(e);
+    return quadrics_.empty() ? number_of(size_[x] + size_[y]) : added_residual(quadrics_[x], quadrics_[y]);
+  }
+
+  double added_residual(const Quadric_energy::Cluster_data& x, const Quadric_energy::Cluster_data& y) const
+  {
+    const double sum = quadric_energy_.energy(Quadric_energy::joined(x, y), 0);
+    return rounded_for_comparison((std::max)(0., sum - quadric_energy_.energy(x, 0) - quadric_energy_.energy(y, 0)));
+  }
 
   double mean_mass() const { return mass_of_all_ / double(wanted_); }
   double number_of(const Size& x) const
@@ -266,6 +307,8 @@ private:
       features_->merge(kept, gone, [this](Index x) { return cluster(x); });
     merged_into_[gone] = kept;
     size_[kept] = size_[kept] + size_[gone];
+    if (!quadrics_.empty())
+      quadrics_[kept] = Quadric_energy::joined(quadrics_[kept], quadrics_[gone]);
     --count_;
     return kept;
   }
@@ -281,6 +324,8 @@ private:
   std::vector<Index> common_vertices_; // of the merges of three clusters
   mutable std::vector<Index> merged_into_; // with path compression
   std::vector<Size> size_;
+  const Quadric_energy quadric_energy_{quadric_regularization};
+  std::vector<Quadric_energy::Cluster_data> quadrics_; // empty if clusters are merged by size
   double mass_of_all_ = 0;
   Queue queue_;
   std::vector<bool> is_queued_; // per triangle

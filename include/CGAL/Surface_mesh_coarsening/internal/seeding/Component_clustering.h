@@ -44,6 +44,8 @@ public:
   {
     if (plan.level() != NONE)
       return seeds_of_level(faces, plan.level());
+    if (merges_by_quadrics())
+      return seeds_of_level(faces, 0);
     Component_seeds seeds = largest_level_of(faces, plan.min_seeds());
     if (plan.is_on_schedule())
       return seeds_of_level(faces, Component_plan::scheduled_level(seeds.level));
@@ -82,10 +84,13 @@ public:
     is_pinched_ = false;
     if (splitting.number_of_clusters() <= plan.wanted())
       return splitting.number_of_clusters();
-    Cluster_merging merging(input_, labels, faces, splitting.number_of_clusters(), !plan.is_on_schedule(), merges_by_area_,
+    const bool by_threes = !plan.is_on_schedule() && !merges_by_quadrics();
+    Cluster_merging merging(input_, labels, faces, splitting.number_of_clusters(), by_threes, merges_by_area_,
                             plan.from_pieces() && plan.is_on_schedule() && !cells_, cancellation_, execution_);
     if (cells_)
       merging.keep_features(*cells_, labels, faces);
+    if (merges_by_quadrics())
+      merging.merge_by_quadrics(*cells_, labels, faces);
     merges_ = merging.run(plan.wanted());
     is_pinched_ = merging.has_pinches();
     merging.relabel(labels, faces);
@@ -103,6 +108,9 @@ public:
   bool is_pinched() const { return is_pinched_; }
 
 private:
+  // Cells of vertices are merged from single cells, by their quadrics.
+  bool merges_by_quadrics() const { return cells_ && cells_->extent() == Feature_cells::AT_ALL_VERTICES; }
+
   Component_seeds seeds_of_level(const Face_range& faces, Index level)
   {
     Component_seeds seeds;
