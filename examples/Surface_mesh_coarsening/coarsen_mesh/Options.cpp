@@ -201,7 +201,7 @@ po::options_description described_options()
      "keep vertices and edges of borders as they are, so that neighboring tiles still fit")
     ("keep", text()->value_name("FIELD"),
      "keep the vertices whose number FIELD in a PLY file is not zero, and the vertices of faces whose number is not zero")
-    ("clusters", text()->value_name("FILE"), "write the input with a color and a label for each face (.ply)")
+    ("clusters", text()->value_name("FILE"), "write the input with a color, a label and a density for each face (.ply)")
     ("picture", text()->value_name("FILE"),
       "write a picture of the input with its clusters, the result, and the distance between them (.png)")
     ("view", text()->value_name("X,Y,Z"), "direction from which the picture is taken (default 1,0.5,0.8, rotated with --up)")

@@ -252,8 +252,12 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void minimize(Clustering_state& state, const
 CGAL_SURFACE_MESH_COARSENING_INLINE double energy(const Clustering_state& state)
 {
   const Cluster_labels& current = labels(state);
-  return state.minimization ? state.minimization->energy()
-                            : state.energy->energy(state.working_input(), current, state.number_of_clusters());
+  if (state.minimization)
+    return state.minimization->energy();
+  double sum = 0;
+  for (const Cluster_report& x : state.energy->cluster_reports(state.working_input(), current, state.number_of_clusters()))
+    sum += x.energy;
+  return sum;
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE const Cluster_labels& labels(const Clustering_state& state)
@@ -287,7 +291,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> clusters_of_base_faces(co
   return clusters;
 }
 
-inline void check_cluster(const Clustering_state& state, std::size_t cluster)
+CGAL_SURFACE_MESH_COARSENING_INLINE void check_cluster(const Clustering_state& state, std::size_t cluster)
 {
   labels(state);
   if (cluster >= state.number_of_clusters())

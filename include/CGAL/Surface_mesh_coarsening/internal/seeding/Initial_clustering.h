@@ -415,8 +415,8 @@ private:
   Cancellation_point cancellation_;
   Execution execution_;
   std::size_t number_ = 0;
-  Index merge_level_ = NONE; // the level of the seeds that are merged to the number, if given
-  bool may_exceed_number_ = false;       // if the topology needs more
+  Index merge_level_ = NONE;       // the level of the seeds that are merged to the number, if given
+  bool may_exceed_number_ = false; // if the topology needs more
   std::optional<Bucketed_items<Index> > faces_; // per component
   std::optional<Component_clustering> clustering_;
   std::optional<Cluster_labels> labels_;
