@@ -509,7 +509,7 @@ BOOST_AUTO_TEST_CASE(captions)
   std::sort(shapes.begin(), shapes.end());
   BOOST_TEST((std::adjacent_find(shapes.begin(), shapes.end()) == shapes.end()));
   Image small(10, 10), empty = small;
-  Stroke_text("clipped", height).draw(small, 3, 3);
+  Stroke_text("lines", height).draw(small, 3, 3);
   BOOST_TEST((small.pixels != empty.pixels));
   Stroke_text("outside", height).draw(empty, 10, 10);
   BOOST_TEST((empty.pixels == Image(10, 10).pixels));

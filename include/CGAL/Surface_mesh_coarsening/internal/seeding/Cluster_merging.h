@@ -157,16 +157,6 @@ private:
   // when the queue is empty.
   void merge_while_possible()
   {
-    if (by_threes_ && by_area_) {
-      merges_whole_triples_ = true;
-      merge_from_queue();
-      merges_whole_triples_ = false;
-    }
-    merge_from_queue();
-  }
-
-  void merge_from_queue()
-  {
     for (std::size_t last = count_ + 1; last != count_ && excess() > 0;) {
       last = count_;
       for (Index t = 0; t < dual_.number_of_triangles(); ++t)
@@ -265,7 +255,7 @@ private:
     const std::array<Index, 3> corners{{dual_.source(3 * t), dual_.source(3 * t + 1), dual_.source(3 * t + 2)}};
     const bool three = by_threes_ && excess() > 1;
     const Edge e = smallest_of({3 * t, 3 * t + 1, 3 * t + 2});
-    if (e == NONE || (merges_whole_triples_ && three && !may_merge_all_of(t)))
+    if (e == NONE)
       return;
     const Index third = corners[(e + 2) % 3];
     Index merged = merge(e);
@@ -278,14 +268,6 @@ private:
       }
     }
     dual_.for_each_edge_from(merged, [&](Edge f) { enqueue(f / 3); });
-  }
-
-  bool may_merge_all_of(Index t)
-  {
-    for (Edge e = 3 * t; e != 3 * t + 3; ++e)
-      if (!is_candidate(e) || !dual_.may_contract(e))
-        return false;
-    return true;
   }
 
   // Returns the contractible edge whose clusters have the smallest total size; NONE if there is none.
@@ -319,7 +301,6 @@ private:
   Dual_surface dual_;
   std::optional<Feature_merging> features_;
   bool by_threes_, by_area_, may_join_at_vertices_, joins_at_vertices_ = false;
-  bool merges_whole_triples_ = false; // leaves three clusters of which only two may be merged for later
   std::size_t count_, wanted_ = 0;
   std::vector<Index> common_vertices_; // of the merges of three clusters
   mutable std::vector<Index> merged_into_; // with path compression
