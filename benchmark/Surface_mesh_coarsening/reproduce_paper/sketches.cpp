@@ -178,7 +178,7 @@ Image drawn(const Configuration& configuration)
   const auto answer = [](bool is_allowed) { return std::string(is_allowed ? "allowed" : "refused"); };
   const SMC::internal::Index red = SMC::internal::Index(number_of('r'));
   const Notes notes = {{Point(-0.26, 0.15, 0), "v1"}, {Point(1.26, 0.15, 0), "v3"}, {Point(0.5, 1.27, 0), "v2"},
-                       {Point(0.5, 0.13, 0), "c"}, {Point(0.41, 0.42, 0), "n"}, {Point(0.59, 0.42, 0), "p"}};
+                       {Point(0.5, 0.13, 0), "c"}, {Point(0.38, 0.42, 0), "n"}, {Point(0.62, 0.42, 0), "p"}};
   return drawn(patch, notes,
                {configuration.name, "paper " + answer(moves.boundary_counts_allow(0, red)),
                 "discs " + answer(moves.keeps_discs(0, red)), ""});
