@@ -2,9 +2,10 @@
 //
 // Compares weights from the current sums, as in the package, with weights that are frozen for a round, as the paper can be read:
 //   measure_frozen_weights FILE VERTICES [R_AREA R_MAXIMUM R_VARIANCE]
-// For each weight, prints the number of rounds, and the smallest and the largest energy in the last twenty rounds relative to the
-// smallest energy of all rounds. Prints the shapes of the densest third of the clusters: the mean elongation, and the mean cosine
-// of the angle between the long axis and the sharp edges of a cluster, if it has sharp edges.
+// Moves must pass the check of the paper as printed, and the guarantee of the package. For each weight, prints the number of
+// rounds, at most 300, and the smallest and the largest energy in the last twenty rounds, or the energy at the end if the rounds
+// ended, relative to the energy at the end with current sums. Prints the shapes of the densest third of the clusters: the mean
+// elongation, and the mean cosine of the angle between the long axis and the sharp edges of a cluster, if it has sharp edges.
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
@@ -71,6 +72,7 @@ struct Sums
 struct Course
 {
   std::size_t rounds = 0;
+  bool has_ended = false;       // whether the last round moved no face
   std::vector<double> energies; // after each round, with the weights of the current sums
 };
 
@@ -89,9 +91,8 @@ public:
   Course run(bool is_frozen, std::size_t max_rounds)
   {
     Course course;
-    std::size_t moves = 1;
-    while (moves > 0 && course.rounds < max_rounds) {
-      moves = round(is_frozen);
+    while (!course.has_ended && course.rounds < max_rounds) {
+      course.has_ended = round(is_frozen) == 0;
       ++course.rounds;
       course.energies.push_back(energy());
     }
@@ -162,7 +163,7 @@ private:
         const Sums without = sums_[from].plus(faces_[i], -1), with = sums_[to].plus(faces_[i], 1);
         const double before = energy_of(from, sums_[from]) + energy_of(to, sums_[to]),
                      after = energy_of(from, without) + energy_of(to, with);
-        if (!(before - after > 1e-7 * before) || !moves_.move(f, to))
+        if (!(before - after > 1e-7 * before) || !moves_.boundary_counts_allow(f, to) || !moves_.move(f, to))
           continue;
         sums_[from] = without;
         sums_[to] = with;
@@ -227,15 +228,13 @@ private:
   std::vector<Sums> faces_, sums_;
 };
 
-void print(const std::string& name, Experiment& experiment, bool is_frozen)
+void print(const std::string& name, bool is_frozen, const Course& course, const Experiment& experiment, double reference)
 {
-  const Course course = experiment.run(is_frozen, 300);
-  const std::size_t last = (std::min)(course.energies.size(), std::size_t(20));
+  const std::size_t last = course.has_ended ? 1 : (std::min)(course.energies.size(), std::size_t(20));
   const auto range = std::minmax_element(course.energies.end() - std::ptrdiff_t(last), course.energies.end());
-  const double least = *std::min_element(course.energies.begin(), course.energies.end());
   const auto shapes = experiment.shapes();
-  std::cout << name << (is_frozen ? ",frozen," : ",current,") << course.rounds << ',' << *range.first / least << ','
-            << *range.second / least << ',' << shapes[0] << ',' << shapes[1] << std::endl;
+  std::cout << name << (is_frozen ? ",frozen," : ",current,") << course.rounds << ',' << *range.first / reference << ','
+            << *range.second / reference << ',' << shapes[0] << ',' << shapes[1] << std::endl;
 }
 
 template <class Cluster_weight>
@@ -245,9 +244,13 @@ void compare(const Mesh& mesh, std::size_t number, Weight weight, double density
   clustering.seed(number);
   clustering.grow();
   const Clustering_state& state = clustering.state();
+  double reference = 0;
   for (const bool is_frozen : {false, true}) {
     Experiment experiment(state.working_input(), *state.labels, number, weight);
-    print(names[weight], experiment, is_frozen);
+    const Course course = experiment.run(is_frozen, 300);
+    if (!is_frozen)
+      reference = course.energies.back();
+    print(names[weight], is_frozen, course, experiment, reference);
   }
 }
 

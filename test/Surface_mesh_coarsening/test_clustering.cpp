@@ -7,7 +7,9 @@
 
 #include "models.h"
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Quadric_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
@@ -22,10 +24,13 @@
 #include <boost/mpl/list.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_clustering)
 
@@ -521,7 +526,7 @@ bool paper_allows(const Mesh& mesh, const Labels& labels, Mesh::Halfedge_index c
 
 } // namespace
 
-// The method to the letter: the check of boundary-edge counts, merging by area, centroids on borders as elsewhere.
+// The method of the paper: the check of boundary-edge counts, merging by area, centroids on borders as elsewhere.
 BOOST_AUTO_TEST_CASE(paper)
 {
   const Soup soup = generated::with_noise(generated::triangulated(generated::grid(30, 30)), 0.2);
@@ -589,6 +594,156 @@ BOOST_AUTO_TEST_CASE(merging_by_area)
   };
   BOOST_CHECK(labels_with(1, true) == labels_with(30, true));
   BOOST_CHECK(labels_with(1, false) != labels_with(30, false));
+}
+
+// Section 6 of the paper: seeds of a given level, merged to a number; the new seeds lie in their clusters.
+BOOST_AUTO_TEST_CASE(level_and_number)
+{
+  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(4), 0.02));
+  SMC::Mwcvd_clustering<Mesh> c(mesh, SMC::parameters::merge_by_area(true));
+  const std::size_t seeds = c.seed_from_level(2);
+  BOOST_CHECK_EQUAL(c.seed_from_level(2, 40), seeds);
+  std::vector<Mesh::Face_index> before, after;
+  c.seeds(std::back_inserter(before));
+  c.grow();
+  BOOST_CHECK_EQUAL(c.report().level, 2u);
+  BOOST_CHECK_EQUAL(c.number_of_clusters(), 40u);
+  BOOST_CHECK_EQUAL(c.report().merges, seeds + c.report().splits - 40);
+  c.seeds(std::back_inserter(after));
+  BOOST_REQUIRE_EQUAL(after.size(), 40u);
+  std::size_t moved = 0;
+  for (std::size_t x = 0; x < after.size(); ++x) {
+    BOOST_CHECK_EQUAL(c.cluster(after[x]), x);
+    moved += std::find(before.begin(), before.end(), after[x]) == before.end();
+  }
+  BOOST_CHECK_GT(moved, 20u); // most clusters are merged from three
+  Mesh output;
+  const auto report = SMC::coarsen_mesh(mesh, 40, output, SMC::parameters::neighborhood_level(2));
+  BOOST_CHECK_EQUAL(report.level, 2u);
+  BOOST_CHECK_EQUAL(report.seeds, seeds);
+  BOOST_CHECK_EQUAL(output.number_of_vertices(), 40u);
+  BOOST_CHECK_THROW(c.seed_from_level(2, seeds + 1), SMC::Unreachable_number_of_vertices);
+  BOOST_CHECK_THROW(c.seed_from_level(2, 0), SMC::Invalid_input);
+  BOOST_CHECK_THROW(c.seed_from_level(2, 3), SMC::Unreachable_number_of_vertices);
+}
+
+// With the paper's check, rounds run over the whole mesh, however many clusters there are: minimize() equals single rounds.
+BOOST_AUTO_TEST_CASE(rounds_of_the_paper)
+{
+  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangulated(generated::grid(90, 90)), 0.2));
+  const SMC::Uniform_weight weight;
+  SMC::Mwcvd_clustering<Mesh, SMC::Uniform_weight> at_once(mesh, SMC::parameters::paper_clustering(weight, 50)),
+    single(mesh, SMC::parameters::paper_clustering(weight, 50));
+  for (auto* c : {&at_once, &single}) {
+    c->seed(900);
+    c->grow();
+  }
+  at_once.minimize(SMC::Coarsening_defaults::number_of_iterations, 0);
+  while (single.minimize_round())
+    ;
+  BOOST_CHECK_EQUAL(at_once.report().rounds, single.report().rounds);
+  BOOST_CHECK(test::labels_in(at_once, mesh) == test::labels_in(single, mesh));
+}
+
+// The reports of the clusters agree with sums from their definitions.
+BOOST_AUTO_TEST_CASE_TEMPLATE(reports_of_clusters, Weight, Weights)
+{
+  const Problem<Weight> p(generated::with_noise(generated::triangulated(generated::grid(20, 20)), 0.2), 30, How());
+  SMC::Mwcvd_clustering<Mesh, Weight> c(
+    p.mesh, SMC::parameters::maximum_density(r_new<Weight>()).border_densities(false));
+  BOOST_CHECK_THROW(c.cluster_reports(), std::logic_error);
+  c.seed(p.n);
+  c.grow();
+  c.minimize_round();
+  const Labels labels = test::labels_in(c, p.mesh);
+  const std::vector<reference::Real> energies = reference::energies(p.faces, p.densities, labels, p.weight);
+  const std::vector<SMC::Cluster_report> reports = c.cluster_reports();
+  BOOST_REQUIRE_EQUAL(reports.size(), p.n);
+  double sum = 0;
+  for (std::size_t x = 0; x < p.n; ++x) {
+    std::vector<reference::Real> densities;
+    reference::Real mass = 0;
+    reference::Vector moment{{0, 0, 0}};
+    for (std::size_t f = 0; f < labels.size(); ++f)
+      if (labels[f] == x) {
+        densities.push_back(p.densities[f]);
+        mass += p.densities[f] * p.faces[f].area;
+        for (int k = 0; k < 3; ++k)
+          moment[k] += p.densities[f] * p.faces[f].area * p.faces[f].centroid[k];
+      }
+    BOOST_CHECK_EQUAL(reports[x].faces, densities.size());
+    check_close(reports[x].weight, double(reference::weight(p.weight, densities, mass)), 1e-9, "weight");
+    check_close(reports[x].energy, double(energies[x]), 1e-9, "energy of a cluster");
+    for (int k = 0; k < 3; ++k)
+      BOOST_CHECK_SMALL(reports[x].centroid[k] - double(moment[k] / mass), 1e-9);
+    sum += reports[x].energy;
+  }
+  check_close(sum, c.energy(), 1e-9, "sum of the energies");
+}
+
+BOOST_AUTO_TEST_CASE(reports_of_other_clusters)
+{
+  // An energy without a weight; the faces of a removed component belong to no cluster.
+  generated::Soup soup = generated::triangle_sphere(2);
+  const std::size_t faces = soup.polygons.size(), vertices = soup.points.size();
+  soup.points.insert(soup.points.end(), {{{5, 0, 0}}, {{5.1, 0, 0}}, {{5, 0.1, 0}}});
+  soup.polygons.push_back({vertices, vertices + 1, vertices + 2});
+  const Mesh mesh = test::to_mesh(soup);
+  SMC::Mwcvd_clustering<Mesh, SMC::Quadric_energy> c(mesh, SMC::parameters::minimum_component_area(1.));
+  c.seed(10);
+  c.grow();
+  std::size_t number = 0;
+  for (const SMC::Cluster_report& x : c.cluster_reports()) {
+    BOOST_CHECK_EQUAL(x.weight, 1);
+    number += x.faces;
+  }
+  BOOST_CHECK_EQUAL(number, faces);
+  const Mesh::Face_index removed(Mesh::size_type(mesh.number_of_faces() - 1));
+  BOOST_CHECK_EQUAL(c.cluster(removed), 10u);
+  BOOST_CHECK_THROW(c.may_move(removed, 0), SMC::Invalid_input);
+}
+
+// The answers of the two checks agree with brute force, at each face and for each cluster, and change nothing.
+BOOST_AUTO_TEST_CASE(answers_of_the_checks)
+{
+  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangulated(generated::grid(12, 12)), 0.2));
+  const Reference_mesh m(test::to_soup(mesh));
+  SMC::Mwcvd_clustering<Mesh> exact(mesh), both(mesh, SMC::parameters::boundary_count_check(true));
+  const Mesh::Face_index first(0);
+  BOOST_CHECK_THROW(exact.may_move(first, 0), std::logic_error);
+  exact.seed(14);
+  exact.grow();
+  const Labels labels = test::labels_in(exact, mesh);
+  both.set_clusters(boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index f) { return labels[f]; }));
+  std::size_t valid = 0, refused_by_paper = 0;
+  for (const auto h : mesh.halfedges()) {
+    if (mesh.is_border(h) || mesh.is_border(mesh.opposite(h)))
+      continue;
+    const auto f = mesh.face(h);
+    const std::size_t to = labels[mesh.face(mesh.opposite(h))];
+    if (to == labels[f])
+      continue;
+    Labels moved = labels;
+    moved[f] = to;
+    const bool is_valid = reference::number_of_clusters(moved) == 14 && reference::fault_of_clustering(m, moved).empty();
+    const bool is_allowed = paper_allows(mesh, labels, h);
+    BOOST_CHECK_EQUAL(exact.may_move(f, to), is_valid);
+    BOOST_CHECK_EQUAL(exact.boundary_counts_allow(f, to), is_allowed);
+    BOOST_CHECK_EQUAL(both.may_move(f, to), is_valid && is_allowed);
+    valid += is_valid;
+    refused_by_paper += !is_allowed;
+  }
+  BOOST_CHECK_GT(valid, 50u);
+  BOOST_CHECK_GT(refused_by_paper, 0u);
+  for (std::size_t x = 0; x < 14; ++x)
+    BOOST_CHECK(x != labels[first] || !exact.may_move(first, x));
+  BOOST_CHECK(test::labels_in(exact, mesh) == labels);
+  check_boundary_counts(exact, mesh, m, labels);
+  BOOST_CHECK_THROW(exact.may_move(first, 14), SMC::Invalid_input);
+  SMC::Mwcvd_clustering<Mesh> with_features(mesh, SMC::parameters::feature_angle(20.));
+  with_features.seed(100);
+  with_features.grow();
+  BOOST_CHECK_THROW(with_features.may_move(first, 0), SMC::Invalid_input);
 }
 
 BOOST_AUTO_TEST_CASE(start_from_clusters)

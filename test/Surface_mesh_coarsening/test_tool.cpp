@@ -5,11 +5,14 @@
 #include "check/soup_fault.h"
 #include "io/read_soup.h"
 #include "io/to_mesh.h"
+#include "render/Stroke_text.h"
 #include "support/generate_meshes.h"
 
 #include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/Surface_mesh_coarsening/compute_face_densities.h>
 #include <CGAL/Surface_mesh_coarsening/version.h>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <nlohmann/json.hpp>
@@ -247,7 +250,6 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
                                 "in.off out.off -n 10% -k 1",
                                 "in.off out.off -n 10% --maximum-distance 1",
                                 "in.off out.off -n 99999999999999999999999",
-                                "in.off out.off -n 6 -k 1",
                                 "in.off out.off -k -1",
                                 "in.off out.off -n 6 --rounds x",
                                 "in.off out.off -n 6 --convergence-tolerance x",
@@ -358,7 +360,7 @@ BOOST_AUTO_TEST_CASE(ranges_and_ratios)
   BOOST_TEST(shop.run("in.off out.off -n 101%").status == 1);
 }
 
-// The paper to the letter; options beside it take precedence.
+// The method of the paper; options beside it take precedence.
 BOOST_AUTO_TEST_CASE(paper)
 {
   const Workshop shop;
@@ -464,6 +466,9 @@ BOOST_AUTO_TEST_CASE(choices)
   BOOST_TEST(shop.report("r.json")["clustering"]["rounds"] == 2);
   BOOST_TEST(shop.report("r.json")["clustering"]["converged"] == false);
   shop.write("fine.off", generated::with_noise(generated::triangle_sphere(4), 0.01));
+  shop.run_well("fine.off out.off -k 2 -n 40 --report r.json");
+  BOOST_TEST(shop.report("r.json")["clustering"]["level"] == 2);
+  BOOST_TEST(shop.report("r.json")["clustering"]["clusters"] == 40);
   shop.run_well("fine.off out.off -n 50 --report r.json");
   const Json standard = shop.report("r.json");
   BOOST_TEST(standard["parameters"]["convergence_tolerance"] == 0.001);
@@ -528,6 +533,45 @@ BOOST_AUTO_TEST_CASE(report_and_certificate)
   BOOST_TEST(sum <= report["seconds"]["total"].get<double>());
 }
 
+// The characters of captions have shapes of their own, inside the line; only some letters and signs reach below the base line.
+BOOST_AUTO_TEST_CASE(captions)
+{
+  using coarsening_support::Image;
+  using coarsening_support::Stroke_text;
+  const std::size_t height = 40, base_line = 33;
+  std::vector<std::vector<coarsening_support::Rgb> > shapes;
+  for (const char c : std::string("0123456789abcdefghijklmnopqrstuvwxyz.,%-+() ")) {
+    const Stroke_text text(std::string(1, c), height);
+    BOOST_TEST(text.height() == height);
+    Image image(40, 60);
+    text.draw(image, 0, 0);
+    std::size_t dark = 0, below = 0, outside = 0;
+    for (std::size_t y = 0; y < image.height; ++y)
+      for (std::size_t x = 0; x < image.width; ++x)
+        if (image.at(x, y)[0] < 128) {
+          ++dark;
+          below += y >= base_line && y < height;
+          outside += y >= height || x >= text.width();
+        }
+    BOOST_TEST_CONTEXT(c)
+    {
+      BOOST_TEST((dark == 0) == (c == ' '));
+      BOOST_TEST((below > 0) == (std::string("gjpqy,()").find(c) != std::string::npos));
+      BOOST_TEST(outside == 0u);
+    }
+    shapes.push_back(image.pixels);
+  }
+  std::sort(shapes.begin(), shapes.end());
+  BOOST_TEST((std::adjacent_find(shapes.begin(), shapes.end()) == shapes.end()));
+  Image small(10, 10), empty = small;
+  Stroke_text("lines", height).draw(small, 3, 3);
+  BOOST_TEST((small.pixels != empty.pixels));
+  Stroke_text("outside", height).draw(empty, 10, 10);
+  BOOST_TEST((empty.pixels == Image(10, 10).pixels));
+  BOOST_TEST(Stroke_text("", height).width() == 0u);
+  BOOST_TEST(Stroke_text("vertices", height).width() > Stroke_text("vertex", height).width());
+}
+
 BOOST_AUTO_TEST_CASE(clusters)
 {
   const Workshop shop;
@@ -546,8 +590,14 @@ BOOST_AUTO_TEST_CASE(clusters)
   std::map<std::size_t, std::array<int, 3> > color_of_label;
   const auto color = mesh.add_property_map<Face, CGAL::IO::Color>("f:color").first;
   const auto label = mesh.add_property_map<Face, std::uint32_t>("f:label").first;
+  const auto density = mesh.add_property_map<Face, double>("f:density").first;
+  std::vector<double> expected(mesh.number_of_faces());
+  CGAL::Surface_mesh_coarsening::compute_face_densities(
+    mesh, boost::make_function_property_map<Face>([&](Face f) -> double& { return expected[f]; }));
+  BOOST_TEST(*std::max_element(expected.begin(), expected.end()) == 10);
   for (Face f : mesh.faces()) {
     BOOST_TEST(label[f] < 70u);
+    BOOST_TEST(density[f] == expected[f], boost::test_tools::tolerance(1e-12));
     const std::array<int, 3> rgb = {color[f].red(), color[f].green(), color[f].blue()};
     BOOST_TEST((color_of_label.emplace(label[f], rgb).first->second == rgb));
   }

@@ -3,9 +3,11 @@
 #include "figures.h"
 
 #include "io/Failure.h"
+#include "render/captioned.h"
 #include "render/png_bytes.h"
 #include "render/render.h"
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
@@ -58,19 +60,19 @@ class Artist
 public:
   Artist(const Mesh& mesh, const Vector& view)
     : mesh(mesh),
-      camera(std::vector<Point>(mesh.points().begin(), mesh.points().end()), view, Vector(0, 1, 0), 800)
+      camera(std::vector<Point>(mesh.points().begin(), mesh.points().end()), view, Vector(0, 1, 0), 600)
   {}
 
   Image clusters(const std::vector<std::size_t>& labels) const { return render(cluster_scene(mesh, labels), camera); }
   Image dual(const Mesh& dual) const { return render(mesh_scene(dual), camera); }
 
-  // Figure 2a: each neighborhood in a color, its seed dark, and what no neighborhood covers pale.
+  // Figure 2a: each neighborhood in a color, its seed and the faces next to it dark, and what no neighborhood covers pale.
   Image seeds(const Neighborhoods& n) const
   {
     const std::vector<std::size_t> colors = color_clusters(mesh, n.seeds);
     return colored([&](Face f) {
       return n.steps[f] == outside ? Rgb{{235, 235, 235}}
-             : n.steps[f] == 0     ? Rgb{{40, 40, 40}}
+             : n.steps[f] <= 1     ? Rgb{{40, 40, 40}}
                                    : palette_color(colors[n.seeds[f]]);
     });
   }
@@ -111,33 +113,42 @@ std::vector<std::string> write_figures(const Paper_model& model, const Mesh& mes
                                        const std::string& directory)
 {
   std::vector<std::string> written;
-  const Artist artist(mesh, Vector(1, 0.5, 0.8));
+  const Artist artist(mesh, model.name == "Bunny" ? Vector(0.2, 0.35, 1) : Vector(1, 0.5, 0.8));
   const auto write = [&](const std::string& name, const std::vector<std::vector<Image> >& rows) {
     written.push_back(write_picture(directory, name, rows));
   };
+  const auto clusters = [&](const std::vector<std::size_t>& labels, const std::string& caption) {
+    return captioned(artist.clusters(labels), {caption});
+  };
+  const auto dual = [&](const Mesh& mesh, const std::string& caption) { return captioned(artist.dual(mesh), {caption}); };
   if (model.name == "Bunny") {
     const Clustering_run& run = runs[VARIANCE];
     const auto uniform = [&](double density) { return run_uniform_clustering(mesh, model.level, density); };
     const Clustering_run with_200 = uniform(200);
     // An ordinary diagram with densities: their range hardly changes it. The paper does not name the model of its figures 1b and
     // 1c.
-    write("figure_1bc.png", {{artist.clusters(uniform(50).labels), artist.clusters(with_200.labels)}});
+    write("figure_1bc.png",
+          {{clusters(uniform(50).labels, "(b) densities up to 50"), clusters(with_200.labels, "(c) densities up to 200")}});
     const Neighborhoods around = neighborhoods(mesh, run.seeds, model.level);
     const Clustering_run grown = run_clustering(mesh, model.level, VARIANCE, model.maximum_density[VARIANCE], false);
-    write("figure_2.png", {{artist.seeds(around), artist.clusters(run.labels_after_growth), artist.dual(grown.dual)}});
+    write("figure_2.png", {{captioned(artist.seeds(around), {"(a) seeds, their neighborhoods"}),
+                            clusters(run.labels_after_growth, "(b) after the growth"), dual(grown.dual, "(c) their dual")}});
     write("figure_3.png", {{artist.layers(around, model.level)}});
     // The stages of the algorithm. The paper does not say with which weight.
-    write("figure_5.png", {{artist.clusters(run.labels_after_growth), artist.clusters(run.labels), artist.dual(run.dual)}});
+    write("figure_5.png", {{clusters(run.labels_after_growth, "(a) after the growth"),
+                            clusters(run.labels, "(b) after the minimization"), dual(run.dual, "(c) their dual")}});
     // An ordinary diagram with densities up to 200 beside the variance weight.
-    write("figure_6.png", {{artist.clusters(with_200.labels), artist.clusters(run.labels)}});
+    write("figure_6.png",
+          {{clusters(with_200.labels, "(a) no weights, densities up to 200"), clusters(run.labels, "(b) density variance")}});
   }
   if (model.name == "Fandisk") {
-    std::vector<Image> clusters, duals;
-    for (const Clustering_run& run : runs) {
-      clusters.push_back(artist.clusters(run.labels));
-      duals.push_back(artist.dual(run.dual));
+    const std::array<std::string, 3> names = {{"weighted area", "maximum density", "density variance"}};
+    std::vector<Image> above, below;
+    for (const Paper_weight w : paper_weights) {
+      above.push_back(clusters(runs[w].labels, std::string("(") + "abc"[w] + ") " + names[w]));
+      below.push_back(dual(runs[w].dual, std::string("(") + "def"[w] + ") " + names[w]));
     }
-    write("figure_7.png", {clusters, duals});
+    write("figure_7.png", {above, below});
   }
   return written;
 }

@@ -60,6 +60,7 @@ struct Column
   std::size_t seeds_in_breadth_first_order;
   std::pair<std::size_t, std::size_t> seeds_in_random_orders;
   std::size_t components_with_clusters_beyond_seeds;
+  double deviation_after_growth, deviation_after_merging; // of the areas of clusters
   std::vector<Clustering_run> runs;
 };
 
@@ -111,6 +112,12 @@ void print_table(const std::vector<Column>& columns)
   });
   print_row("  number of components", columns,
             [](const Column& c) { return formatted("%zu", c.components_with_clusters_beyond_seeds); });
+  print_row("splits + merges after growth", columns, [](const Column& c) {
+    return formatted("%zu + %zu", c.runs[AREA].report.splits, c.runs[AREA].report.merges);
+  });
+  print_row("deviation of areas, grown", columns, [](const Column& c) { return formatted("%.3f", c.deviation_after_growth); });
+  print_row("  merged to half the seeds", columns,
+            [](const Column& c) { return formatted("%.3f", c.deviation_after_merging); });
   for (const Paper_weight w : paper_weights) {
     print_row(std::string(weight_names[w]) + ": rounds", columns,
               [&](const Column& c) { return formatted("%zu", c.runs[w].report.rounds); });
@@ -146,12 +153,14 @@ bool reproduce(const Paper_model& model, const Options& options, std::vector<Col
   const Mesh mesh = load_model(model, file);
   bool good = true;
   Column column{&model, mesh.number_of_vertices(), seeds_in_breadth_first_order(mesh, model.level),
-                seeds_in_random_orders(mesh, model.level), 0, {}};
+                seeds_in_random_orders(mesh, model.level), 0, 0, 0, {}};
   for (const Paper_weight weight : paper_weights) {
     column.runs.push_back(run_clustering(mesh, model.level, weight, model.maximum_density[weight]));
     good = is_good(model, mesh, weight, column.runs.back()) && good;
   }
   column.components_with_clusters_beyond_seeds = components_with_clusters_beyond_seeds(mesh, column.runs[AREA]);
+  column.deviation_after_growth = deviation_of_areas(mesh, column.runs[AREA].labels_after_growth);
+  column.deviation_after_merging = deviation_of_areas_after_merging(mesh, model.level);
   if (!options.figures.empty())
     for (const std::string& written : write_figures(model, mesh, column.runs, options.figures))
       std::printf("%s drawn: %s\n", model.name.c_str(), written.c_str());

@@ -14,9 +14,11 @@
 #include <CGAL/Surface_mesh_coarsening/paper.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <numeric>
@@ -115,6 +117,26 @@ std::pair<std::size_t, std::size_t> seeds_in_random_orders(const Mesh& mesh, uns
     range = {(std::min)(range.first, seeds), (std::max)(range.second, seeds)};
   }
   return range;
+}
+
+double deviation_of_areas(const Mesh& mesh, const std::vector<std::size_t>& labels)
+{
+  std::vector<double> area(*std::max_element(labels.begin(), labels.end()) + 1, 0);
+  for (Face f : mesh.faces())
+    area[labels[f]] += CGAL::Polygon_mesh_processing::face_area(f, mesh);
+  const double mean = std::accumulate(area.begin(), area.end(), 0.) / double(area.size());
+  double sum = 0;
+  for (const double a : area)
+    sum += (a - mean) * (a - mean);
+  return std::sqrt(sum / double(area.size())) / mean;
+}
+
+double deviation_of_areas_after_merging(const Mesh& mesh, unsigned level)
+{
+  SMC::Mwcvd_clustering<Mesh, SMC::Uniform_weight> clustering(mesh, SMC::parameters::paper_clustering(SMC::Uniform_weight()));
+  clustering.seed_from_level(level, clustering.seed_from_level(level) / 2);
+  clustering.grow();
+  return deviation_of_areas(mesh, labels_of(mesh, clustering));
 }
 
 std::size_t components_with_clusters_beyond_seeds(const Mesh& mesh, const Clustering_run& run)

@@ -38,6 +38,12 @@ std::size_t seeds_in_breadth_first_order(const Mesh& mesh, unsigned level);
 // The smallest and the largest number of seeds in ten random orders of the faces.
 std::pair<std::size_t, std::size_t> seeds_in_random_orders(const Mesh& mesh, unsigned level);
 
+// The relative standard deviation of the areas of the clusters.
+double deviation_of_areas(const Mesh& mesh, const std::vector<std::size_t>& labels);
+
+// The same for the seeds of a level, after growth and after their clusters are merged to half their number by area (section 6).
+double deviation_of_areas_after_merging(const Mesh& mesh, unsigned level);
+
 // The number of connected components that have more clusters than seeds.
 std::size_t components_with_clusters_beyond_seeds(const Mesh& mesh, const Clustering_run& run);
 

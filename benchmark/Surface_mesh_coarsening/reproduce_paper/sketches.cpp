@@ -6,7 +6,7 @@
 #include "figures.h"
 
 #include "io/to_mesh.h"
-#include "render/Bitmap_text.h"
+#include "render/captioned.h"
 #include "render/render.h"
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
@@ -96,8 +96,6 @@ private:
   Mesh mesh_;
 };
 
-constexpr std::size_t dot = 3, line_height = 12 * dot;
-
 // A point of the patch, and what is written there.
 typedef std::vector<std::pair<Point, std::string> > Notes;
 
@@ -105,24 +103,13 @@ Image drawn(const Patch& patch, const Notes& notes, const std::vector<std::strin
 {
   const Camera camera(std::vector<Point>(patch.mesh().points().begin(), patch.mesh().points().end()), Vector(0, 0, 1),
                       Vector(0, 1, 0), 560);
-  const Image picture = render(patch.scene(), camera);
-  std::size_t width = picture.width;
-  for (const std::string& line : caption)
-    width = (std::max)(width, Bitmap_text(line, dot).width() + line_height);
-  Image image(width, picture.height + caption.size() * line_height);
-  const std::size_t left = (width - picture.width) / 2;
-  for (std::size_t y = 0; y < picture.height; ++y)
-    std::copy_n(&picture.at(0, y), picture.width, &image.at(left, y));
+  Image image = render(patch.scene(), camera);
   for (const auto& note : notes) {
-    const Bitmap_text text(note.second, dot);
+    const Stroke_text text(note.second, text_height);
     const Vector at = camera(note.first);
-    text.draw(image, left + std::size_t(at.x()) - text.width() / 2, picture.height - std::size_t(at.y()) - text.height() / 2);
+    text.draw(image, std::size_t(at.x()) - text.width() / 2, image.height - std::size_t(at.y()) - text.height() / 2);
   }
-  for (std::size_t i = 0; i < caption.size(); ++i) {
-    const Bitmap_text text(caption[i], dot);
-    text.draw(image, (width - text.width()) / 2, picture.height + i * line_height);
-  }
-  return image;
+  return captioned(image, caption);
 }
 
 // A hexagon around edge c, with a red cluster below and a green cluster above.
@@ -146,7 +133,7 @@ std::vector<Cell> two_clusters()
 std::vector<std::vector<Image> > figure_1a()
 {
   const Notes notes = {
-    {Point(0.5, 0.3, 0), "cm"}, {Point(0.5, -0.3, 0), "cn"}, {Point(0.5, 1.45, 0), "vl"}, {Point(0.5, -1.45, 0), "vk"}};
+    {Point(0.5, 0.29, 0), "cm"}, {Point(0.5, -0.29, 0), "cn"}, {Point(0.5, 1.44, 0), "vl"}, {Point(0.5, -1.44, 0), "vk"}};
   const auto panel = [&](const Place& moved, bool is_up, char cluster, const std::string& caption) {
     std::vector<Cell> cells = two_clusters();
     for (Cell& cell : cells)
@@ -190,8 +177,8 @@ Image drawn(const Configuration& configuration)
   const SMC::internal::Valid_moves moves(labels, nullptr);
   const auto answer = [](bool is_allowed) { return std::string(is_allowed ? "allowed" : "refused"); };
   const SMC::internal::Index red = SMC::internal::Index(number_of('r'));
-  const Notes notes = {{Point(-0.17, 0.1, 0), "v1"}, {Point(1.19, 0.1, 0), "v3"},   {Point(0.5, 1.02, 0), "v2"},
-                       {Point(0.5, 0.12, 0), "c"}, {Point(0.36, 0.42, 0), "n"}, {Point(0.64, 0.42, 0), "p"}};
+  const Notes notes = {{Point(-0.26, 0.15, 0), "v1"}, {Point(1.26, 0.15, 0), "v3"}, {Point(0.5, 1.27, 0), "v2"},
+                       {Point(0.5, 0.13, 0), "c"}, {Point(0.38, 0.42, 0), "n"}, {Point(0.62, 0.42, 0), "p"}};
   return drawn(patch, notes,
                {configuration.name, "paper " + answer(moves.boundary_counts_allow(0, red)),
                 "discs " + answer(moves.keeps_discs(0, red)), ""});

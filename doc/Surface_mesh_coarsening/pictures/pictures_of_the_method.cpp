@@ -25,6 +25,8 @@
 namespace coarsening_pictures {
 namespace {
 
+Camera bunny_camera(const Mesh& mesh) { return camera_for(mesh, Vector(0.2, 0.35, 1), Vector(0, 1, 0), 290); }
+
 void picture_pipeline(const Setting& setting)
 {
   const Mesh mesh = read(setting, "fandisk.off");
@@ -38,15 +40,10 @@ void picture_pipeline(const Setting& setting)
   clustering.seed(fandisk_vertices);
   std::vector<Face> seeds;
   clustering.seeds(std::back_inserter(seeds));
-  // A single face would hardly be visible.
-  std::vector<bool> near_seed(mesh.number_of_faces(), false);
-  for (Face seed : seeds) {
-    near_seed[seed] = true;
-    for (Face f : mesh.faces_around_face(mesh.halfedge(seed)))
-      if (f != mesh.null_face())
-        near_seed[f] = true;
-  }
-  const auto seed_color = [&](Face f) { return near_seed[f] ? Rgb{{205, 75, 15}} : pale(f); };
+  std::vector<bool> is_seed(mesh.number_of_faces(), false);
+  for (Face seed : seeds)
+    is_seed[seed] = true;
+  const auto seed_color = [&](Face f) { return is_seed[f] ? Rgb{{205, 75, 15}} : pale(f); };
   const std::string number_of_seeds = counted(seeds.size());
 
   clustering.grow();
@@ -59,7 +56,7 @@ void picture_pipeline(const Setting& setting)
           {{{drawn(make_scene(mesh, true, pale, any_edge, 0.7, 0.55), camera),
              "input, " + vertices_of(mesh), "", ""},
             {drawn(make_scene(mesh, true, density_color, no_edge, 1, 0), camera), "densities", "1", "50"},
-            {drawn(make_scene(mesh, true, seed_color, no_edge, 1, 0), camera), number_of_seeds + " seeds", "", ""}},
+            {drawn(make_scene(mesh, true, seed_color, any_edge, 0.7, 0.3), camera), number_of_seeds + " seeds", "", ""}},
            {{drawn(cluster_scene(mesh, grown), camera), "growth and merging", "", ""},
             {drawn(cluster_scene(mesh, labels_of(mesh, clustering)), camera), "minimization", "", ""},
             {drawn(mesh_scene(coarse), camera), "dual, " + vertices_of(coarse), "", ""}}});
@@ -92,11 +89,11 @@ void picture_weights(const Setting& setting)
 
 void picture_cvd_and_mwcvd(const Setting& setting)
 {
-  const Mesh mesh = read(setting, "fandisk.off");
-  const Camera camera = fandisk_camera(mesh);
+  const Mesh mesh = read(setting, "bunny00.off");
+  const Camera camera = bunny_camera(mesh);
   Comparison comparison{mesh, camera};
-  comparison.add(coarsened<SMC::Uniform_weight>(mesh, fandisk_vertices, 50), "without weights (CVD)");
-  comparison.add(coarsened<SMC::Weighted_area_weight>(mesh, fandisk_vertices, 50), "with weights (MWCVD)");
+  comparison.add(coarsened<SMC::Uniform_weight>(mesh, 594, 50), "without weights (CVD)");
+  comparison.add(coarsened<SMC::Maximum_density_weight>(mesh, 594, 50), "maximum density (MWCVD)");
   compose(setting.directory, "cvd_and_mwcvd", comparison.rows);
 }
 
@@ -139,7 +136,7 @@ void picture_quads(const Setting& setting)
 void picture_overview(const Setting& setting)
 {
   const Mesh bunny = read(setting, "bunny00.off");
-  const Camera camera = camera_for(bunny, Vector(0.2, 0.35, 1), Vector(0, 1, 0), 290);
+  const Camera camera = bunny_camera(bunny);
   const Coarse coarse = coarsened<SMC::Weighted_area_weight>(bunny, 1000, 10, SMC::Fitted_placement());
   compose(setting.directory, "overview",
           {{{polygons(bunny, camera), vertices_of(bunny), "", ""},

@@ -126,8 +126,8 @@ void read_vertices(const std::string& text, Options& options)
 void check_number(const Options& options)
 {
   const bool has_number = options.vertices || options.vertex_ratio;
-  if (has_number && options.neighborhood_level)
-    throw Wrong_usage("--vertices and --neighborhood-level exclude each other");
+  if (options.vertex_ratio && options.neighborhood_level)
+    throw Wrong_usage("--neighborhood-level goes with a whole number of --vertices, not with a part");
   if (!has_number && !options.neighborhood_level && !options.maximum_distance && !options.asks_range)
     throw Wrong_usage("how many vertices? Give --vertices N, --vertices P%, --maximum-distance D or --neighborhood-level K; "
                       "--range prints the possible numbers for INPUT");

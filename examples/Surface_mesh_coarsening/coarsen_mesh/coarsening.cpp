@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh_to_distance.h>
+#include <CGAL/Surface_mesh_coarsening/compute_face_densities.h>
 #include <CGAL/Surface_mesh_coarsening/parameters.h>
 #include <CGAL/Surface_mesh_coarsening/transfer_properties.h>
 
@@ -213,7 +214,9 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
     return result;
   }
   Clustering clustering(input, np);
-  if (options.vertices)
+  if (options.vertices && options.neighborhood_level)
+    clustering.seed_from_level(*options.neighborhood_level, *options.vertices);
+  else if (options.vertices)
     clustering.seed_faces_or_cells(*options.vertices);
   else if (options.vertex_ratio)
     clustering.seed_from_ratio(*options.vertex_ratio);
@@ -353,6 +356,16 @@ SMC::Vertex_number_range range_of(const Mesh& input, const Options& options, Too
                                            .face_patch_map(patches)
                                            .vertex_is_constrained_map(kept)
                                            .visitor(std::ref(visitor)));
+}
+
+std::vector<double> face_densities(const Mesh& input, const Options& options)
+{
+  std::vector<double> densities(input.number_of_faces());
+  const auto map = boost::make_function_property_map<Face>(
+    [&](Face f) -> double& { return densities[static_cast<std::size_t>(f)]; });
+  SMC::compute_face_densities(
+    input, map, SMC::parameters::maximum_density(options.maximum_density).border_densities(!options.paper));
+  return densities;
 }
 
 Coarsening_result coarsen(const Mesh& input, const Options& options, Tool_visitor& visitor)

@@ -53,6 +53,9 @@ double diagonal(const Mesh& mesh);
 // The numbers of vertices that the input can be coarsened to.
 CGAL::Surface_mesh_coarsening::Vertex_number_range range_of(const Mesh& input, const Options& options, Tool_visitor& visitor);
 
+// The densities of the faces for these options, before any of them is raised to recluster the mesh.
+std::vector<double> face_densities(const Mesh& input, const Options& options);
+
 // Coarsens with the energy, the weight, the placement and the numbers in the options.
 Coarsening_result coarsen(const Mesh& input, const Options& options, Tool_visitor& visitor);
 

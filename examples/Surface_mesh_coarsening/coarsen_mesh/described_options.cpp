@@ -37,7 +37,7 @@ po::options_description size_options()
      "diagonal of the input's bounding box (0.01 is one percent); the distance is bounded, not sampled")
     ("maximum-distance-absolute", text("D"), "the same in the mesh's unit of length")
     ("neighborhood-level,k", text("K"),
-     "instead of --vertices: one vertex for every seed whose neighborhood of K layers of faces is free")
+     "one vertex for every seed whose neighborhood of K layers of faces is free; with --vertices N, these seeds are merged to N")
     ("levels", text("L")->default_value("0"),
      "beside OUTPUT, write L coarser levels of it, each with half the vertices of the previous one: OUTPUT with .1, .2 and so on "
      "before its ending")
@@ -96,7 +96,7 @@ po::options_description output_options()
       "write a picture of the input with its clusters, the result, and the distance between them (.png)")
     ("view", text("X,Y,Z"), "direction from which the picture is taken (default 1,0.5,0.8, rotated with --up)")
     ("up", text("X,Y,Z"), "direction that points up in the picture (default 0,1,0)")
-    ("clusters", text("FILE"), "write the input with a color and a label for each face (.ply)")
+    ("clusters", text("FILE"), "write the input with a color, a label and a density for each face (.ply)")
     ("distances",
      "give each vertex of OUTPUT the number 'distance' (.ply): the largest distance from the result of the faces that it "
      "stands for, in the mesh's unit of length")

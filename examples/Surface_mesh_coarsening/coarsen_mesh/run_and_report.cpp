@@ -348,7 +348,7 @@ Files files_of(const Options& options, const Input& input, const Coarsening_resu
   for (std::size_t i = 0; i < result.levels.size(); ++i)
     add_mesh(level_file(options.output, i + 1), result.levels[i].mesh);
   if (!options.clusters.empty())
-    files.emplace_back(options.clusters, cluster_bytes(input.mesh, result.labels));
+    files.emplace_back(options.clusters, cluster_bytes(input.mesh, result.labels, face_densities(input.mesh, options)));
   return files;
 }
 

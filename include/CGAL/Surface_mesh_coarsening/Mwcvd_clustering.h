@@ -3,12 +3,14 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_MWCVD_CLUSTERING_H
 #define CGAL_SURFACE_MESH_COARSENING_MWCVD_CLUSTERING_H
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_report.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/defaults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/accepted_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/chosen_energy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/cluster_queries.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/emit.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/prepare.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
@@ -19,6 +21,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -144,6 +147,19 @@ public:
     return state_.report.seeds;
   }
 
+  /// selects the seeds of a level, from which `grow()` merges exactly `number_of_clusters` clusters, as in section 6 of the paper.
+  /// A component whose topology does not permit this from the seeds of the level begins from other levels, as after `seed()`.
+  /// \return the number of seeds
+  /// \throws Unreachable_number_of_vertices if the level gives fewer seeds, or if the topology of the mesh needs more clusters.
+  /// \throws Invalid_input if the number is 0.
+  std::size_t seed_from_level(std::size_t level, std::size_t number_of_clusters)
+  {
+    if (number_of_clusters == 0)
+      throw Invalid_input("0 clusters were asked for");
+    internal::seed(state_, {internal::Seeding::AT_LEVEL, level, false, number_of_clusters});
+    return state_.report.seeds;
+  }
+
   /// grows the clusters from the seeds, one layer per round, until they cover the mesh.
   /// \pre `seed()` or `seed_from_level()` was called.
   /// \throws std::logic_error if neither was called.
@@ -212,6 +228,9 @@ public:
   /// returns the current statistics.
   const Coarsening_report& report() const { return state_.report; }
 
+  /// returns the faces, centroid, weight and energy of each cluster, in time linear in the number of faces.
+  std::vector<Cluster_report> cluster_reports() const { return internal::cluster_reports(state_, numbering_.faces.size()); }
+
   /// writes the seeds; after `grow()`, one face of each cluster.
   template <class OutputIterator>
   OutputIterator seeds(OutputIterator out) const
@@ -246,6 +265,21 @@ public:
       put(counts, numbering_.vertices[i], Value(internal::labels(state_).boundary_count(Index(i))));
   }
 
+  /// returns whether the minimization may move a face to another cluster: whether both clusters remain closed discs and the dual
+  /// a triangulated 2-manifold, and, if \smcParam{boundary_count_check} is set, `boundary_counts_allow()` agrees.
+  /// \throws Invalid_input if there is no such cluster, or if features are kept or faces subdivided.
+  bool may_move(face_descriptor f, std::size_t cluster)
+  {
+    return (!state_.checks_boundary_counts || boundary_counts_allow(f, cluster)) &&
+           internal::guarantee_allows_move(state_, numbering_.number_of(f), cluster);
+  }
+
+  /// returns whether the paper's check of boundary-edge counts (section 7), as printed, allows this move of a triangle. It allows
+  /// all moves of other polygons. Throws as `may_move()` does.
+  bool boundary_counts_allow(face_descriptor f, std::size_t cluster) const
+  {
+    return internal::boundary_counts_allow_move(state_, numbering_.number_of(f), cluster);
+  }
   /// @}
 
   /// \name Output (section 8.3)

@@ -4,80 +4,13 @@
 #define CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_H
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
-#include <CGAL/Surface_mesh_coarsening/internal/output/Vertex_sources.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/coarsen_with_maps.h>
 
 #include <type_traits>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
-
-template <class Clustering, class Map>
-void write_clusters(const Clustering& clustering, const Map& map) { clustering.write_clusters(map); }
-template <class Clustering>
-void write_clusters(const Clustering&, const CGAL::internal_np::Param_not_found&) {}
-
-template <class Clustering, class Map>
-void write_boundary_counts(const Clustering& clustering, const Map& map) { clustering.write_boundary_counts(map); }
-template <class Clustering>
-void write_boundary_counts(const Clustering&, const CGAL::internal_np::Param_not_found&) {}
-
-template <class Clustering, class Map>
-void read_clusters(Clustering& clustering, const Map& map) { clustering.set_clusters(map); }
-template <class Clustering>
-void read_clusters(Clustering&, const CGAL::internal_np::Param_not_found&)
-{
-  throw Invalid_input("start_from_face_clusters(true) was given without a face_cluster_map");
-}
-
-// The parameters that only the functions with this name accept.
-typedef Parameter_list<internal_np::start_from_face_clusters_t, internal_np::vertex_boundary_count_t> Coarsen_mesh_parameters;
-
-// Calls `seed` and grows the clusters, unless the caller passes clusters: then their number must be `number`, or may be any
-// number if `number` is 0.
-template <class ConcurrencyTag, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
-Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
-                                            std::size_t number, const Seed& seed)
-{
-  typedef Energy_choice<NPIn> Energy;
-  typedef Parameter_type<internal_np::vertex_placement_t, NPIn, Fitted_placement> Placement;
-  typedef Mwcvd_clustering<FaceGraph, Energy, ConcurrencyTag> Clustering;
-  const auto source_map = get_parameter(np_out, internal_np::vertex_source);
-  check_input_stays<std::decay_t<decltype(source_map)> >(input, output);
-  Clustering clustering(typename Clustering::Accepted(), input, np_in);
-  if (choose_parameter(get_parameter(np_in, internal_np::start_from_face_clusters_p), false)) {
-    read_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
-    if (number != 0 && clustering.number_of_clusters() != number)
-      throw Invalid_input("the face_cluster_map has " + std::to_string(clustering.number_of_clusters()) +
-                          " clusters, but " + std::to_string(number) + " vertices were asked for");
-  } else {
-    // Other placements do not return the vertices of single cells.
-    clustering.state().may_cluster_cells = clustering.state().may_cluster_cells && exchanges_vertices<Placement>;
-    seed(clustering);
-    clustering.grow();
-  }
-  clustering.minimize(choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
-                                       Coarsening_defaults::number_of_iterations),
-                      choose_parameter(get_parameter(np_in, internal_np::convergence_tolerance_p),
-                                       Coarsening_defaults::convergence_tolerance));
-  clustering.end_minimization();
-  Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
-  clustering.extract_embedded_dual_mesh(
-    output, choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p)), np_out,
-    [&](const std::vector<Vector>& positions) {
-      const bool are_wanted = has_parameter<internal_np::vertex_source_t, NPOut> ||
-                              has_parameter<internal_np::vertex_to_cluster_t, NPIn>;
-      const Clustering_state& state = clustering.state();
-      const std::vector<Index> clusters = are_wanted ? clusters_of_base_faces(state) : std::vector<Index>();
-      sources.find(input, clustering.numbering(), state.base_input(), clusters, positions, state.cancellation());
-      write_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
-      write_boundary_counts(clustering, get_parameter(np_in, internal_np::vertex_boundary_count));
-      write_vertex_clusters(clustering.numbering(), state.base_input(), clusters, state.number_of_clusters(),
-                            get_parameter(np_in, internal_np::vertex_to_cluster));
-    });
-  sources.write(output);
-  return clustering.report();
-}
 
 template <class ConcurrencyTag, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
 Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
@@ -86,7 +19,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
   if constexpr (!fits_maps_of_clusters<FaceGraph, NPIn>()) // the errors that would follow hide the sentence
     return Coarsening_report();
   else
-    return coarsen_with_fitting_maps<ConcurrencyTag>(input, output, np_in, np_out, number, seed);
+    return coarsen_with_fitting_maps<Mwcvd_clustering<FaceGraph, Energy_choice<NPIn>, ConcurrencyTag> >(input, output, np_in,
+                                                                                                       np_out, number, seed);
 }
 
 } // namespace internal
@@ -352,10 +286,16 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
                                const NamedParametersIn& np_in = parameters::default_values(),
                                const NamedParametersOut& np_out = parameters::default_values())
 {
-  internal::accept_parameters<NamedParametersIn, internal::Coarsening_parameters, internal::Coarsen_mesh_parameters>();
-  internal::accept_parameters<NamedParametersOut, internal::Output_parameters>();
-  return internal::coarsen_mesh<ConcurrencyTag>(input, output, np_in, np_out, number_of_vertices,
-                                                [&](auto& clustering) { clustering.seed_faces_or_cells(number_of_vertices); });
+  using namespace internal;
+  accept_parameters<NamedParametersIn, Coarsening_parameters, Coarsen_mesh_parameters,
+                    Parameter_list<internal_np::neighborhood_level_t> >();
+  accept_parameters<NamedParametersOut, Output_parameters>();
+  return internal::coarsen_mesh<ConcurrencyTag>(input, output, np_in, np_out, number_of_vertices, [&](auto& clustering) {
+    if constexpr (has_parameter<internal_np::neighborhood_level_t, NamedParametersIn>)
+      clustering.seed_from_level(get_parameter(np_in, internal_np::neighborhood_level_p), number_of_vertices);
+    else
+      clustering.seed_faces_or_cells(number_of_vertices);
+  });
 }
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
@@ -374,7 +314,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
 ///   \cgalParamNBegin{neighborhood_level}
 ///     \cgalParamDescription{the level of the neighborhoods of the seeds. The number of vertices is the number of seeds whose
 ///                           neighborhoods of this many steps are disjoint (see `neighborhood_seeds()`), unless the topology of
-///                           the input needs more vertices.}
+///                           the input needs more vertices. In the overload with a number of vertices, the clusters of these
+///                           seeds are merged to the number.}
 ///     \cgalParamType{`std::size_t`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{start_from_face_clusters}

@@ -13,8 +13,8 @@ namespace coarsen_mesh_tool {
 
 using namespace coarsening_support;
 
-// Returns a PLY file of the mesh with the properties red, green, blue, alpha and label for each face.
-std::string cluster_bytes(const Mesh& mesh, const std::vector<std::size_t>& labels);
+// Returns a PLY file of the mesh with the properties red, green, blue, alpha, label and density for each face.
+std::string cluster_bytes(const Mesh& mesh, const std::vector<std::size_t>& labels, const std::vector<double>& densities);
 
 } // namespace coarsen_mesh_tool
 

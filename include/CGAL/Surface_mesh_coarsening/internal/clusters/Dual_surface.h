@@ -49,6 +49,9 @@ public:
   bool is_triangle(Index t) const { return source_[3 * t] != NONE; }
   bool is_cap(Index x) const { return x >= clusters_; }
 
+  // The vertex of the mesh around which the clusters of a triangle lie.
+  Index vertex(Index t) const { return vertex_[t]; }
+
   static Edge next(Edge e) { return e % 3 == 2 ? e - 2 : e + 1; }
   static Edge previous(Edge e) { return e % 3 == 0 ? e + 2 : e - 1; }
   Index source(Edge e) const { return source_[e]; }
@@ -115,6 +118,7 @@ private:
     {
       const Flat_mesh& m = labels.mesh();
       runs.clear();
+      vertices.clear();
       first.assign(1, 0);
       for (Iterator i = begin; i != end; ++i)
         for (const Index c : m.corners(*i)) {
@@ -126,10 +130,12 @@ private:
             continue;
           runs.insert(runs.end(), at_vertex.begin(), at_vertex.end());
           first.push_back(Index(runs.size()));
+          vertices.push_back(v);
         }
     }
 
     std::vector<Index> runs, first; // first run of each vertex, and the total
+    std::vector<Index> vertices;
     std::vector<Index> at_vertex;
   };
 
@@ -178,7 +184,7 @@ private:
       },
       [&](const Clusters_at_vertices& part) {
         for (std::size_t i = 0; i + 1 < part.first.size(); ++i)
-          add_fan(part.runs.data() + part.first[i], part.runs.data() + part.first[i + 1], loops);
+          add_fan(part.vertices[i], part.runs.data() + part.first[i], part.runs.data() + part.first[i + 1], loops);
       });
     // The loops of the component are numbered after the clusters.
     sort_unique(loops);
@@ -188,12 +194,13 @@ private:
     edge_of_.assign(clusters_ + loops.size(), NONE);
   }
 
-  void add_fan(const Index* begin, const Index* end, std::vector<Index>& loops)
+  void add_fan(Index vertex, const Index* begin, const Index* end, std::vector<Index>& loops)
   {
     if (Cluster_labels::is_cap(end[-1]))
       loops.push_back(end[-1]);
     for (const Index* i = begin + 2; i != end; ++i) {
       source_.insert(source_.end(), {*begin, i[-1], *i});
+      vertex_.push_back(vertex);
       is_arc_.insert(is_arc_.end(), {i == begin + 2, true, i + 1 == end});
     }
   }
@@ -208,6 +215,7 @@ private:
 
   Index clusters_;
   std::vector<Index> source_;   // per edge; NONE if the triangle is removed
+  std::vector<Index> vertex_;   // per triangle
   std::vector<Edge> opposite_;
   std::vector<char> is_arc_;    // per edge
   std::vector<Edge> edge_of_;   // an edge that leaves each vertex

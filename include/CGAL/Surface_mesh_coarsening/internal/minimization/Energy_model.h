@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_ENERGY_MODEL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_ENERGY_MODEL_H
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_report.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Featured_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
@@ -10,6 +11,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -24,7 +26,9 @@ public:
                                                      std::size_t clusters, bool checks_boundary_counts,
                                                      const Cancellation_point& cancellation,
                                                      Execution execution) const = 0;
-  virtual double energy(const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters) const = 0;
+  // Computes the energies and weights of the clusters; the other members remain empty.
+  virtual std::vector<Cluster_report> cluster_reports(const Clustering_input& input, const Cluster_labels& labels,
+                                                      std::size_t clusters) const = 0;
   virtual bool depends_on_densities() const = 0;
 };
 

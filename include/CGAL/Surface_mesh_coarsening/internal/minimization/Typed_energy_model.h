@@ -22,18 +22,31 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The energies of the clusters, by a model of `ClusterEnergy`.
+// The sums of the clusters, by a model of `ClusterEnergy`.
+template <class Energy>
+std::vector<Cluster_sums<Energy> > cluster_sums(const Energy& energy, const Clustering_input& input,
+                                                const Cluster_labels& labels, std::size_t clusters)
+{
+  std::vector<Cluster_sums<Energy> > sums(clusters);
+  Energy_evaluation<Energy>(energy, input, clusters).add_up(input, labels, sums, Cancellation_point());
+  return sums;
+}
+
 template <class Energy>
 std::vector<double> cluster_energies(const Energy& energy, const Clustering_input& input, const Cluster_labels& labels,
                                      std::size_t clusters)
 {
-  std::vector<Cluster_sums<Energy> > sums(clusters);
-  Energy_evaluation<Energy>(energy, input, clusters).add_up(input, labels, sums, Cancellation_point());
   std::vector<double> energies;
-  for (const Cluster_sums<Energy>& x : sums)
+  for (const Cluster_sums<Energy>& x : cluster_sums(energy, input, labels, clusters))
     energies.push_back(x.energy);
   return energies;
 }
+
+// The weight of a cluster; 1 if the energy has no weight.
+template <class Energy>
+double weight_of(const Cluster_sums<Energy>&) { return 1; }
+template <class Weight>
+double weight_of(const Cluster_sums<Weighted_inertia_energy<Weight> >& x) { return x.weight; }
 
 template <class Energy>
 class Typed_energy_model : public Energy_model
@@ -49,12 +62,16 @@ public:
                                                           execution);
   }
 
-  double energy(const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters) const override
+  std::vector<Cluster_report> cluster_reports(const Clustering_input& input, const Cluster_labels& labels,
+                                              std::size_t clusters) const override
   {
-    double sum = 0;
-    for (const double x : cluster_energies(energy_, input, labels, clusters))
-      sum += x;
-    return sum;
+    std::vector<Cluster_report> reports(clusters);
+    const std::vector<Cluster_sums<Energy> > sums = cluster_sums(energy_, input, labels, clusters);
+    for (std::size_t x = 0; x < clusters; ++x) {
+      reports[x].weight = weight_of(sums[x]);
+      reports[x].energy = sums[x].energy;
+    }
+    return reports;
   }
 
   bool depends_on_densities() const override { return internal::depends_on_densities<Energy>; }

@@ -84,15 +84,30 @@ public:
       rules_->change(f, to);
     labels_.move(f, to);
     if (dual_may_change && !dual_stays_simplicial(f, from)) {
-      if (rules_)
-        rules_->change(f, from);
-      labels_.move(f, from);
+      move_back(f, from);
       return false;
     }
     return true;
   }
 
+  // Returns whether the move is valid. Leaves the labels as they are.
+  bool may_move(Index f, Index to)
+  {
+    const Index from = labels_[f];
+    if (!move(f, to))
+      return false;
+    move_back(f, from);
+    return true;
+  }
+
 private:
+  void move_back(Index f, Index from)
+  {
+    if (rules_)
+      rules_->change(f, from);
+    labels_.move(f, from);
+  }
+
   bool touches(Index v, Index cluster) const
   {
     for (Index i = mesh_.first_in_star[v]; i != mesh_.first_in_star[v + 1]; ++i)

@@ -36,9 +36,10 @@ constexpr double min_share_of_cells = 0.3;
 struct Seeding
 {
   enum Kind { BY_CALLER, FOR_NUMBER, AT_LEVEL };
-  Kind kind = BY_CALLER; // BY_CALLER: the caller gave, edited or froze clusters
-  std::size_t value = 0;
+  Kind kind = BY_CALLER;      // BY_CALLER: the caller gave, edited or froze clusters
+  std::size_t value = 0;      // the number, or the level
   bool may_use_cells = false; // whether cells of vertices may be clustered instead of faces
+  std::size_t number = 0;     // AT_LEVEL: the number of clusters after merging; 0 for a cluster of each seed
 };
 
 // The data that the stages of the pipeline share, in arrays, independent of the types of mesh, weight and placement.

@@ -52,6 +52,9 @@ double energy(const Clustering_state& state);
 // Returns the labels; throws if there are none.
 const Cluster_labels& labels(const Clustering_state& state);
 
+// Throws if there is no cluster with this number.
+void check_cluster(const Clustering_state& state, std::size_t cluster);
+
 // Returns faces of the caller's mesh: before growth the seeds, after it one face of each cluster.
 std::vector<Index> seeds(const Clustering_state& state);
 

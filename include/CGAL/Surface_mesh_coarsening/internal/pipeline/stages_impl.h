@@ -106,7 +106,11 @@ inline void seed_items(Clustering_state& state, const Seeding& seeding)
                                                        state.execution);
   all_or_nothing(state, [&] {
     if (seeding.kind == Seeding::AT_LEVEL) {
-      state.initial->seed_from_level(Index((std::min)(seeding.value, std::size_t(NONE / 4))));
+      const Index level = Index((std::min)(seeding.value, std::size_t(NONE / 4)));
+      if (seeding.number == 0)
+        state.initial->seed_from_level(level);
+      else
+        state.initial->seed_from_level(level, seeding.number);
       return;
     }
     if (state.subdivides_input)
@@ -262,8 +266,12 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void minimize(Clustering_state& state, const
 CGAL_SURFACE_MESH_COARSENING_INLINE double energy(const Clustering_state& state)
 {
   const Cluster_labels& current = labels(state);
-  return state.minimization ? state.minimization->energy()
-                            : state.energy->energy(state.working_input(), current, state.number_of_clusters());
+  if (state.minimization)
+    return state.minimization->energy();
+  double sum = 0;
+  for (const Cluster_report& x : state.energy->cluster_reports(state.working_input(), current, state.number_of_clusters()))
+    sum += x.energy;
+  return sum;
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE const Cluster_labels& labels(const Clustering_state& state)
@@ -297,7 +305,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> clusters_of_base_faces(co
   return clusters;
 }
 
-inline void check_cluster(const Clustering_state& state, std::size_t cluster)
+CGAL_SURFACE_MESH_COARSENING_INLINE void check_cluster(const Clustering_state& state, std::size_t cluster)
 {
   labels(state);
   if (cluster >= state.number_of_clusters())

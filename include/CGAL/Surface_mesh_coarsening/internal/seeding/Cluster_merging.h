@@ -112,6 +112,15 @@ public:
 
   std::size_t number_of_clusters() const { return count_; }
 
+  // Appends a face at the common vertex of each merge of three clusters, the last merge first: the new seeds of the paper, after
+  // relabel().
+  void new_seeds(const Cluster_labels& labels, std::vector<Index>& faces) const
+  {
+    const Flat_mesh& m = labels.mesh();
+    for (auto v = common_vertices_.rbegin(); v != common_vertices_.rend(); ++v)
+      faces.push_back(m.star[m.first_in_star[*v]]);
+  }
+
   // Renumbers the clusters of the faces without gaps, in their previous order.
   template <class FaceRange>
   void relabel(Cluster_labels& labels, const FaceRange& faces)
@@ -253,8 +262,10 @@ private:
     if (three && !dual_.is_cap(third) && may_be_third(merged, third)) {
       Edge to_third = NONE;
       dual_.for_each_edge_from(merged, [&](Edge f) { to_third = dual_.target(f) == third ? f : to_third; });
-      if (to_third != NONE && is_candidate(to_third) && dual_.may_contract(to_third))
+      if (to_third != NONE && is_candidate(to_third) && dual_.may_contract(to_third)) {
         merged = merge(to_third);
+        common_vertices_.push_back(dual_.vertex(t));
+      }
     }
     dual_.for_each_edge_from(merged, [&](Edge f) { enqueue(f / 3); });
   }
@@ -291,6 +302,7 @@ private:
   std::optional<Feature_merging> features_;
   bool by_threes_, by_area_, may_join_at_vertices_, joins_at_vertices_ = false;
   std::size_t count_, wanted_ = 0;
+  std::vector<Index> common_vertices_; // of the merges of three clusters
   mutable std::vector<Index> merged_into_; // with path compression
   std::vector<Size> size_;
   const Quadric_energy quadric_energy_{quadric_regularization};

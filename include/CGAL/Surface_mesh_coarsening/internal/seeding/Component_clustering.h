@@ -80,6 +80,7 @@ public:
       return 0;
     splits_ = splitting.number_of_splits();
     merges_ = 0;
+    new_seeds_.clear();
     is_pinched_ = false;
     if (splitting.number_of_clusters() <= plan.wanted())
       return splitting.number_of_clusters();
@@ -93,12 +94,16 @@ public:
     merges_ = merging.run(plan.wanted());
     is_pinched_ = merging.has_pinches();
     merging.relabel(labels, faces);
+    if (merges_by_area_)
+      merging.new_seeds(labels, new_seeds_);
     return merging.number_of_clusters();
   }
 
   // The numbers of splits and merges of the last growth.
   std::size_t number_of_splits() const { return splits_; }
   std::size_t number_of_merges() const { return merges_; }
+  // The seeds of the clusters that the last growth merged by area.
+  const std::vector<Index>& new_seeds() const { return new_seeds_; }
   // Returns whether Pinch_resolution must turn clusters into discs.
   bool is_pinched() const { return is_pinched_; }
 
@@ -208,6 +213,7 @@ private:
   Execution execution_;
   Seed_walk walk_;
   std::size_t splits_ = 0, merges_ = 0;
+  std::vector<Index> new_seeds_;
   bool is_pinched_ = false;
 };
 

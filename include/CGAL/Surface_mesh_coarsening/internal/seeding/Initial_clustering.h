@@ -55,6 +55,7 @@ public:
     seeds_.resize(components.size());
     splits_.assign(components.size(), 0);
     merges_.assign(components.size(), 0);
+    seeds_after_merging_.resize(components.size());
     is_pinched_.assign(components.size(), false);
   }
 
@@ -115,6 +116,27 @@ public:
     number_ = sum(wanted_);
   }
 
+  // Takes the seeds of one level, for `number` clusters after merging. Throws if there are fewer seeds.
+  void seed_from_level(Index level, std::size_t number)
+  {
+    wanted_.assign(min_.size(), 0);
+    for (std::size_t i = 0; i < wanted_.size(); ++i)
+      plan_[i].begin(input_->items.mesh.components[i], 0, level);
+    prepare();
+    find_seeds();
+    for (std::size_t i = 0; i < wanted_.size(); ++i)
+      max_[i] = (std::max)((std::min)(seeds_[i].faces.size(), max_[i]), min_[i]);
+    if (number > sum(max_))
+      throw Unreachable_number_of_vertices(std::to_string(number) + " vertices were asked for, but the seeds of level " +
+                                             std::to_string(level) + " give only " + std::to_string(sum(max_)),
+                                           sum(max_));
+    merge_level_ = level;
+    number_ = number;
+    apportion_number();
+    prepare();
+    find_seeds();
+  }
+
   // The faces of the seeds and clusters: the given faces or pieces of them.
   const Featured_input& input() const { return resolved_input_ ? *resolved_input_ : *input_; }
 
@@ -142,7 +164,7 @@ public:
     if (std::find(is_pinched_.begin(), is_pinched_.end(), true) != is_pinched_.end())
       resolve_pinches();
     labels_->recount();
-    face_of_cluster_ = faces_of_clusters(*labels_, report_.clusters, resolved_input_ ? std::vector<Index>() : found_seeds(),
+    face_of_cluster_ = faces_of_clusters(*labels_, report_.clusters, resolved_input_ ? std::vector<Index>() : final_seeds(),
                                          cancellation_);
     Cluster_labels labels = std::move(*labels_);
     labels_.reset();
@@ -156,6 +178,17 @@ private:
     std::vector<Index> all;
     for (const Component_seeds& seeds : seeds_)
       all.insert(all.end(), seeds.faces.begin(), seeds.faces.end());
+    return all;
+  }
+
+  // The seeds of merged clusters come before the seeds that were merged.
+  std::vector<Index> final_seeds() const
+  {
+    std::vector<Index> all;
+    for (const std::vector<Index>& seeds : seeds_after_merging_)
+      all.insert(all.end(), seeds.begin(), seeds.end());
+    const std::vector<Index> found = found_seeds();
+    all.insert(all.end(), found.begin(), found.end());
     return all;
   }
 
@@ -207,9 +240,18 @@ private:
     for (std::size_t i = 0; i < wanted.size(); ++i)
       if (wanted_[i] != wanted[i]) {
         wanted_[i] = wanted[i];
-        plan_[i].begin(uncut_input_->items.mesh.components[i], wanted[i]);
+        begin_plan(i);
         state_[i] = State::NEW;
       }
+  }
+
+  void begin_plan(std::size_t i)
+  {
+    const Component& component = uncut_input_->items.mesh.components[i];
+    if (merge_level_ == NONE)
+      plan_[i].begin(component, wanted_[i]);
+    else
+      plan_[i].begin(component, wanted_[i], merge_level_);
   }
 
   bool some_component_may_need_more_clusters_than_vertices() const
@@ -315,6 +357,7 @@ private:
         state_[i] = State::DONE;
         splits_[i] = clustering_->number_of_splits();
         merges_[i] = clustering_->number_of_merges();
+        seeds_after_merging_[i] = clustering_->new_seeds();
         is_pinched_[i] = clustering_->is_pinched();
         return true;
       }
@@ -372,7 +415,8 @@ private:
   Cancellation_point cancellation_;
   Execution execution_;
   std::size_t number_ = 0;
-  bool may_exceed_number_ = false;       // if the topology needs more
+  Index merge_level_ = NONE;       // the level of the seeds that are merged to the number, if given
+  bool may_exceed_number_ = false; // if the topology needs more
   std::optional<Bucketed_items<Index> > faces_; // per component
   std::optional<Component_clustering> clustering_;
   std::optional<Cluster_labels> labels_;
@@ -385,6 +429,7 @@ private:
   std::vector<State> state_;
   std::vector<Component_seeds> seeds_;
   std::vector<std::size_t> splits_, merges_;
+  std::vector<std::vector<Index> > seeds_after_merging_; // if merged by area
   std::vector<bool> is_pinched_;
 };
 
