@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_EDGES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_EDGES_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/features/Smoothed_turns.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 
 #include <CGAL/number_type_config.h>
@@ -87,16 +88,15 @@ struct Feature_edges
 class Feature_detection
 {
 public:
-  explicit Feature_detection(const Flat_mesh& m) : m_(m), result_(m) {}
+  explicit Feature_detection(const Flat_mesh& m) : m_(m), result_(m), is_marked_(m.number_of_vertices(), false) {}
 
   // Adds the edge after corner `c` of face `f`.
   void add_edge(Index f, Index c)
   {
-    const Index g = m_.face_across[c];
-    if (g == NONE)
+    if (m_.face_across[c] == NONE)
       return;
-    result_.is_feature[c] = true;
-    result_.is_feature[m_.corner_of(g, m_.corner_vertex[m_.next_corner(f, c)])] = true;
+    add_inner_edge(f, c);
+    is_marked_[m_.corner_vertex[c]] = is_marked_[m_.corner_vertex[m_.next_corner(f, c)]] = true;
   }
 
   void add_corner(Index v)
@@ -129,12 +129,12 @@ public:
   {
     for_each_inner_edge([&](Index f, Index c) {
       if (patch(f) != patch(m_.face_across[c]))
-        add_edge(f, c);
+        add_inner_edge(f, c);
     });
   }
 
   // Adds as corners the vertices whose number of feature edges is not two, and where lines reach the border or turn
-  // sharply.
+  // sharply. Lines that only separate patches are smoothed.
   Feature_edges result()
   {
     neighbors_ = result_.neighbors(m_);
@@ -143,18 +143,19 @@ public:
         result_.is_corner[v] = true;
     std::vector<Index> turns;
     for (std::size_t v = 0; v < m_.number_of_vertices(); ++v)
-      if (neighbors_[v].size() == 2 && !result_.is_corner[v] && turns_sharply(Index(v)))
+      if (is_marked_[v] && neighbors_[v].size() == 2 && !result_.is_corner[v] && turns_sharply(Index(v)))
         turns.push_back(Index(v));
-    for (const Index v : turns)
-      result_.is_corner[v] = true;
+    add_corners(turns);
+    add_corners(Smoothed_turns(m_, neighbors_, result_.is_corner).run([&](Index v) {
+      return !is_marked_[v] && neighbors_[v].size() == 2 && !result_.is_corner[v];
+    }));
     std::vector<Index> halfway;
     result_.for_each_edge(m_, [&](Index v, Index w, Index, Index) {
       if (m_.is_on_border(v) && m_.is_on_border(w))
         for (const auto& ends : {std::make_pair(v, w), std::make_pair(w, v)})
           add_halfway(ends.first, ends.second, halfway);
     });
-    for (const Index v : halfway)
-      result_.is_corner[v] = true;
+    add_corners(halfway);
     return result_;
   }
 
@@ -166,6 +167,18 @@ private:
       for (const Index c : m_.corners(f))
         if (m_.face_across[c] != NONE && f < m_.face_across[c])
           visit(Index(f), c);
+  }
+
+  void add_inner_edge(Index f, Index c)
+  {
+    result_.is_feature[c] = true;
+    result_.is_feature[m_.corner_of(m_.face_across[c], m_.corner_vertex[m_.next_corner(f, c)])] = true;
+  }
+
+  void add_corners(const std::vector<Index>& vertices)
+  {
+    for (const Index v : vertices)
+      result_.is_corner[v] = true;
   }
 
   const Vector& point(Index corner) const { return m_.points[m_.corner_vertex[corner]]; }
@@ -182,7 +195,7 @@ private:
   }
 
   // Returns whether a line turns by more than 60 degrees, measured both between adjacent edges and between chords of several
-  // edges: on regular meshes, borders of regions zigzag without turning.
+  // edges: on regular meshes, marked edges may zigzag without turning.
   bool turns_sharply(Index v) const
   {
     return turns_between(neighbors_[v][0], v, neighbors_[v][1]) && turns_between(some_edges_on(v, 0), v, some_edges_on(v, 1));
@@ -207,6 +220,7 @@ private:
 
   const Flat_mesh& m_;
   Feature_edges result_;
+  std::vector<char> is_marked_;                // per vertex, whether it has feature edges other than borders of patches
   std::vector<std::vector<Index> > neighbors_; // per vertex, along feature edges
 };
 
