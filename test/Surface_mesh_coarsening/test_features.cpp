@@ -660,6 +660,21 @@ BOOST_AUTO_TEST_CASE(detection)
   }
 }
 
+// A roof with a vertex on its ridge that only one side has, and one on its border: a face of zero area closes each gap.
+BOOST_AUTO_TEST_CASE(faces_of_zero_area)
+{
+  const Soup soup{{{0, 0, 1}, {2, 0, 1}, {1, 0, 1}, {1, -1, 0}, {1, 1, 0}, {1.5, 0.5, 0.5}},
+                  {{0, 3, 1}, {0, 1, 2}, {2, 1, 4}, {0, 2, 4}, {4, 1, 5}}};
+  const Model model(soup, 30);
+  const Prepared p(model);
+  std::set<std::pair<Index, Index> > edges;
+  BOOST_REQUIRE(p.input.cells);
+  p.input.cells->edges().for_each_edge(p.input.cells->base().mesh, [&](Index v, Index w, Index, Index) {
+    edges.insert(std::minmax(v, w));
+  });
+  BOOST_TEST((edges == std::set<std::pair<Index, Index> >{{0, 2}, {1, 2}}));
+}
+
 // A vertex between two faces only, in the middle of an edge: at a corner, on a line, or between sharp edges only.
 BOOST_AUTO_TEST_CASE(vertices_between_two_faces)
 {

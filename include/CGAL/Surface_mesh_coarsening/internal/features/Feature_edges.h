@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Smoothed_turns.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -111,12 +112,10 @@ public:
   {
     const double cosine = std::cos(degrees * CGAL_PI / 180);
     for_each_inner_edge([&](Index f, Index c) {
-      const Index g = m_.face_across[c], next = m_.next_corner(f, c);
-      const Index o = m_.corner_of(g, m_.corner_vertex[next]);
-      const Vector& p = point(c);
-      const Vector edge = point(next) - p;
-      const Vector n = cross(edge, point(m_.next_corner(f, next)) - p);
-      const Vector m = cross(edge, p - point(m_.next_corner(g, m_.next_corner(g, o))));
+      const Index g = m_.face_across[c];
+      const Vector n = normal_beside(f, c), m = normal_beside(g, m_.corner_of(g, m_.corner_vertex[m_.next_corner(f, c)]));
+      if (dot(n, n) == 0 || dot(m, m) == 0)
+        return;
       const double product = dot(n, m), bound = cosine * cosine * dot(n, n) * dot(m, m);
       if (degrees == 0 || (cosine < 0 ? product < 0 && product * product >= bound : product < 0 || product * product <= bound))
         add_edge(f, c);
@@ -179,6 +178,46 @@ private:
   {
     for (const Index v : vertices)
       result_.is_corner[v] = true;
+  }
+
+  // Returns the normal of face `f` beside the edge after corner `c`. A face of zero area has the normal of the face across its longest
+  // edge, so a sharp line beside such faces is found once. Returns a null vector if there is no face across.
+  Vector normal_beside(Index f, Index c) const
+  {
+    constexpr double tiny = 1e-6; // the height in units of the longest edge: slivers of rounded coordinates have no normal
+    constexpr int max_faces = 8;
+    for (int i = 0; i < max_faces; ++i) {
+      const Index next = m_.next_corner(f, c), longest = longest_edge(f);
+      const double square = squared_length(f, longest), bound = tiny * tiny * square * square;
+      const Vector n = cross(point(next) - point(c), point(m_.next_corner(f, next)) - point(c));
+      if (dot(n, n) > bound)
+        return n;
+      const Vector whole = vector_area(m_, f); // some corners of a polygon may be collinear
+      if (dot(whole, whole) > bound)
+        return whole;
+      const Index across = m_.face_across[longest];
+      if (across == NONE)
+        break;
+      c = m_.corner_of(across, m_.corner_vertex[m_.next_corner(f, longest)]);
+      f = across;
+    }
+    return {{0, 0, 0}};
+  }
+
+  double squared_length(Index f, Index c) const
+  {
+    const Vector d = point(m_.next_corner(f, c)) - point(c);
+    return dot(d, d);
+  }
+
+  // Returns the corner before the longest edge of a face.
+  Index longest_edge(Index f) const
+  {
+    Index longest = m_.first_corner[f];
+    for (const Index c : m_.corners(f))
+      if (squared_length(f, c) > squared_length(f, longest))
+        longest = c;
+    return longest;
   }
 
   const Vector& point(Index corner) const { return m_.points[m_.corner_vertex[corner]]; }
