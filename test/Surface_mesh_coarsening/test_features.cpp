@@ -675,6 +675,24 @@ BOOST_AUTO_TEST_CASE(faces_of_zero_area)
   BOOST_TEST((edges == std::set<std::pair<Index, Index> >{{0, 2}, {1, 2}}));
 }
 
+// The apex of a cone is a corner, but no vertex of a sphere is.
+BOOST_AUTO_TEST_CASE(tips)
+{
+  Soup cone = cylinder(40, 20, true);
+  double top = 0, bottom = 0;
+  for (const auto& p : cone.points) {
+    top = (std::max)(top, p[2]);
+    bottom = (std::min)(bottom, p[2]);
+  }
+  for (auto& p : cone.points)
+    for (int i = 0; i < 2; ++i)
+      p[i] *= 1e-3 + (top - p[2]) / (top - bottom);
+  cone.points.back()[2] += 1e-3 * (top - bottom);
+  const Model model(cone, 30);
+  BOOST_TEST(graph_of(model).corners.count(model.mesh.point(Vertex(cone.points.size() - 1))) == 1u);
+  BOOST_TEST(graph_of(Model(generated::triangle_sphere(3), 30)).corners.empty());
+}
+
 // A vertex between two faces only, in the middle of an edge: at a corner, on a line, or between sharp edges only.
 BOOST_AUTO_TEST_CASE(vertices_between_two_faces)
 {

@@ -122,6 +122,16 @@ public:
     });
   }
 
+  // Adds as corners the tips: vertices without sharp edges where the normals of faces on opposite sides differ by `degrees` or
+  // more, such as the apex of a cone.
+  void add_tips(double degrees)
+  {
+    const double cosine = std::cos(0.5 * degrees * CGAL_PI / 180);
+    for (std::size_t v = 0; v < m_.number_of_vertices(); ++v)
+      if (!is_marked_[v] && !m_.is_on_border(Index(v)) && is_tip(Index(v), cosine))
+        add_corner(Index(v));
+  }
+
   // Adds the edges between faces of different patches. `patch(f)` is the patch of face `f`.
   template <class Patch>
   void add_patch_borders(const Patch& patch)
@@ -218,6 +228,24 @@ private:
       if (squared_length(f, c) > squared_length(f, longest))
         longest = c;
     return longest;
+  }
+
+  // Returns whether each face around is inclined against the mean normal by at least the angle.
+  bool is_tip(Index v, double cosine) const
+  {
+    Vector mean{{0, 0, 0}};
+    std::vector<Vector> normals;
+    for (const Index f : m_.faces_around(v)) {
+      const Index c = m_.corner_of(f, v);
+      const Vector a = point(m_.next_corner(f, c)) - point(c), b = point(m_.previous_corner(f, c)) - point(c), n = cross(a, b);
+      const double length = std::sqrt(dot(n, n));
+      if (!(length > 0))
+        continue;
+      normals.push_back((1 / length) * n);
+      mean = mean + std::atan2(length, dot(a, b)) * normals.back();
+    }
+    const double bound = cosine * std::sqrt(dot(mean, mean));
+    return normals.size() > 2 && std::all_of(normals.begin(), normals.end(), [&](const Vector& n) { return dot(n, mean) <= bound; });
   }
 
   const Vector& point(Index corner) const { return m_.points[m_.corner_vertex[corner]]; }
