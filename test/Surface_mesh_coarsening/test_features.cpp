@@ -472,6 +472,100 @@ BOOST_AUTO_TEST_CASE(patches_on_a_sphere)
   check_all(model, 6, 12, 0, 6, 8);
 }
 
+namespace {
+
+typedef test::Kernel::Vector_3 Vector;
+
+// A model whose faces belong to the patches at the sums of their corners.
+struct Patched : Model
+{
+  template <class Patch_at>
+  Patched(const Soup& soup, const Patch_at& patch_at) : Model(soup)
+  {
+    for (const Face f : mesh.faces()) {
+      Vector center = CGAL::NULL_VECTOR;
+      for (const Vertex v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+        center = center + (mesh.point(v) - CGAL::ORIGIN) / mesh.degree(f);
+      patch[f] = patch_at(center);
+    }
+  }
+};
+
+// The nearest of 12 directions that are spread over a sphere.
+int parcel_at(const Vector& p)
+{
+  constexpr int number = 12;
+  int nearest = 0;
+  double largest = -1;
+  for (int i = 0; i < number; ++i) {
+    const double z = 1 - (2. * i + 1) / number, r = std::sqrt(1 - z * z), angle = 2.4 * i;
+    const double product = p * Vector(r * std::cos(angle), r * std::sin(angle), z);
+    if (product > largest) {
+      largest = product;
+      nearest = i;
+    }
+  }
+  return nearest;
+}
+
+} // namespace
+
+// The lines between patches zigzag along the edges of faces. Corners are the junctions of three patches only.
+BOOST_AUTO_TEST_CASE(corners_of_zigzags_between_patches)
+{
+  for (const unsigned level : {4, 5, 6}) {
+    const Patched model(generated::triangle_sphere(level), parcel_at);
+    std::set<Point> junctions;
+    for (const Vertex v : model.mesh.vertices()) {
+      const auto around = model.mesh.halfedges_around_target(model.mesh.halfedge(v));
+      if (std::count_if(around.begin(), around.end(), [&](auto h) {
+            return model.patch[model.mesh.face(h)] != model.patch[model.mesh.face(model.mesh.opposite(h))];
+          }) > 2)
+        junctions.insert(model.mesh.point(v));
+    }
+    BOOST_TEST(junctions.size() > 12u);
+    BOOST_TEST((graph_of(model).corners == junctions));
+  }
+}
+
+// At any resolution, an inclined square has four corners and a disc has none.
+BOOST_AUTO_TEST_CASE(turns_of_lines_between_patches)
+{
+  for (const int n : {30, 60, 120}) {
+    const Soup soup = generated::triangulated(generated::grid(n, n));
+    const auto from_middle = [n](const Vector& p) { return p / n - Vector(0.49, 0.52, 0); };
+    const Graph square = graph_of(Patched(soup, [&](const Vector& p) {
+      const Vector q = from_middle(p);
+      return int(std::abs(0.9 * q.x() + 0.4 * q.y()) < 0.3 && std::abs(0.4 * q.x() - 0.9 * q.y()) < 0.3);
+    }));
+    BOOST_TEST(square.corners.size() == 4u);
+    BOOST_TEST(square.lines.size() == 4u);
+    const Graph disc = graph_of(Patched(soup, [&](const Vector& p) { return int(from_middle(p).squared_length() < 0.1); }));
+    BOOST_TEST(disc.corners.size() == 0u);
+    BOOST_TEST(disc.loops == 1u);
+  }
+}
+
+// Refusals say what the vertices are needed for.
+BOOST_AUTO_TEST_CASE(refusals_name_corners)
+{
+  const auto message = [](const Model& model) {
+    try {
+      coarsened(model, 3);
+    } catch (const SMC::Unreachable_number_of_vertices& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  const Patched parcels(generated::triangle_sphere(4), parcel_at);
+  const std::string lead = "3 vertices were asked for, but the input, with ";
+  const std::string corners = std::to_string(graph_of(parcels).corners.size()) + " corners of features to keep, needs ";
+  BOOST_TEST(message(parcels).find(lead + corners) == 0u);
+  BOOST_TEST(message(Model(cylinder(24, 10, true), 30)) ==
+             lead + "1 connected component and feature lines to keep, needs 6");
+  BOOST_TEST(message(Model(generated::octahedron())) == lead + "1 connected component, needs 4");
+}
+
 BOOST_AUTO_TEST_CASE(constrained_vertices_and_edges)
 {
   Model model(generated::with_noise(generated::triangulated(generated::torus(30, 20)), 0.001));
@@ -564,6 +658,39 @@ BOOST_AUTO_TEST_CASE(detection)
       });
     BOOST_TEST(found == std::size_t(std::count(sharp.begin(), sharp.end(), true)));
   }
+}
+
+// A roof with a vertex on its ridge that only one side has, and one on its border: a face of zero area closes each gap.
+BOOST_AUTO_TEST_CASE(faces_of_zero_area)
+{
+  const Soup soup{{{0, 0, 1}, {2, 0, 1}, {1, 0, 1}, {1, -1, 0}, {1, 1, 0}, {1.5, 0.5, 0.5}},
+                  {{0, 3, 1}, {0, 1, 2}, {2, 1, 4}, {0, 2, 4}, {4, 1, 5}}};
+  const Model model(soup, 30);
+  const Prepared p(model);
+  std::set<std::pair<Index, Index> > edges;
+  BOOST_REQUIRE(p.input.cells);
+  p.input.cells->edges().for_each_edge(p.input.cells->base().mesh, [&](Index v, Index w, Index, Index) {
+    edges.insert(std::minmax(v, w));
+  });
+  BOOST_TEST((edges == std::set<std::pair<Index, Index> >{{0, 2}, {1, 2}}));
+}
+
+// The apex of a cone is a corner, but no vertex of a sphere is.
+BOOST_AUTO_TEST_CASE(tips)
+{
+  Soup cone = cylinder(40, 20, true);
+  double top = 0, bottom = 0;
+  for (const auto& p : cone.points) {
+    top = (std::max)(top, p[2]);
+    bottom = (std::min)(bottom, p[2]);
+  }
+  for (auto& p : cone.points)
+    for (int i = 0; i < 2; ++i)
+      p[i] *= 1e-3 + (top - p[2]) / (top - bottom);
+  cone.points.back()[2] += 1e-3 * (top - bottom);
+  const Model model(cone, 30);
+  BOOST_TEST(graph_of(model).corners.count(model.mesh.point(Vertex(cone.points.size() - 1))) == 1u);
+  BOOST_TEST(graph_of(Model(generated::triangle_sphere(3), 30)).corners.empty());
 }
 
 // A vertex between two faces only, in the middle of an edge: at a corner, on a line, or between sharp edges only.

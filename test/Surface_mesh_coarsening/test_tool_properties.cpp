@@ -13,6 +13,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <numeric>
 #include <set>
 #include <sstream>
 #include <string>
@@ -123,6 +124,60 @@ std::string textured_obj()
     os << '\n';
   }
   return os.str();
+}
+
+// A sphere whose faces are labelled by the nearest of some points; points that are far apart have the same label.
+std::string parcels_ply()
+{
+  const generated::Soup soup = generated::triangle_sphere(5);
+  constexpr std::size_t parcels = 36, labels = 18;
+  std::ostringstream os;
+  os << "ply\nformat ascii 1.0\nelement vertex " << soup.points.size()
+     << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << soup.polygons.size()
+     << "\nproperty list uchar int vertex_indices\nproperty int label\nend_header\n";
+  for (const auto& p : soup.points)
+    os << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  for (const auto& polygon : soup.polygons) {
+    std::size_t nearest = 0;
+    double largest = -2;
+    for (std::size_t i = 0; i < parcels; ++i) {
+      const double z = 1 - (2 * double(i) + 1) / parcels, r = std::sqrt(1 - z * z), angle = 2.4 * double(i);
+      double product = 0;
+      for (const std::size_t v : polygon)
+        product += r * std::cos(angle) * soup.points[v][0] + r * std::sin(angle) * soup.points[v][1] + z * soup.points[v][2];
+      if (product > largest) {
+        largest = product;
+        nearest = i;
+      }
+    }
+    os << "3 " << polygon[0] << ' ' << polygon[1] << ' ' << polygon[2] << ' ' << nearest % labels << '\n';
+  }
+  return os.str();
+}
+
+// Returns the number of regions of adjacent faces with the same value of the first field of faces.
+std::size_t number_of_regions(const Soup& soup)
+{
+  const auto& label = soup.of_polygons.at(0).values;
+  std::vector<std::size_t> parent(soup.polygons.size());
+  std::iota(parent.begin(), parent.end(), std::size_t(0));
+  const auto root = [&](std::size_t f) {
+    while (parent[f] != f)
+      f = parent[f] = parent[parent[f]];
+    return f;
+  };
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> face_at;
+  for (std::size_t f = 0; f < soup.polygons.size(); ++f)
+    for (std::size_t i = 0; i < soup.polygons[f].size(); ++i) {
+      const std::size_t a = soup.polygons[f][i], b = soup.polygons[f][(i + 1) % soup.polygons[f].size()];
+      const auto other = face_at.emplace(std::minmax(a, b), f).first->second;
+      if (label[other] == label[f])
+        parent[root(f)] = root(other);
+    }
+  std::size_t regions = 0;
+  for (std::size_t f = 0; f < parent.size(); ++f)
+    regions += parent[f] == f;
+  return regions;
 }
 
 } // namespace
@@ -447,6 +502,20 @@ BOOST_AUTO_TEST_CASE(borders_of_materials_are_kept_on_request)
   const Tool_outcome outcome = shop.run("in.obj out.obj -n 60 --patches colour");
   BOOST_CHECK_EQUAL(outcome.status, 1);
   BOOST_CHECK(outcome.names("has no whole numbers 'colour' of faces"));
+}
+
+BOOST_AUTO_TEST_CASE(patches_are_those_of_the_input)
+{
+  const Tool_directory shop;
+  shop.write("in.ply", parcels_ply());
+  BOOST_CHECK_EQUAL(number_of_regions(parse_soup(test::content_of(shop / "in.ply"), "ply")), 36u);
+  for (const char* number : {"100", "200", "400"}) {
+    check_done(shop.run(std::string("in.ply out.ply --patches label -n ") + number));
+    BOOST_CHECK_EQUAL(number_of_regions(parse_soup(test::content_of(shop / "out.ply"), "ply")), 36u);
+  }
+  const Tool_outcome outcome = shop.run("in.ply out.ply --patches label -n 20");
+  BOOST_CHECK_EQUAL(outcome.status, 1);
+  BOOST_CHECK(outcome.names("corners of features to keep"));
 }
 
 BOOST_AUTO_TEST_CASE(textures_go_from_obj_to_ply)

@@ -184,6 +184,36 @@ void make_levels(const Mesh& input, const Options& options, const Clustering& cl
   }
 }
 
+// Extracts the result with its properties.
+template <class Clustering>
+void extract(Clustering& clustering, const Mesh& input, const Options& options, const std::vector<std::int64_t>& patch_of,
+             Coarsening_result& result)
+{
+  const auto is_on_line = result.mesh.add_property_map<Edge, bool>("e:is on a line", false).first;
+  const auto is_corner = result.mesh.add_property_map<Vertex, bool>("v:is a corner", false).first;
+  const auto patch = result.mesh.add_property_map<Face, std::int64_t>("f:patch", 0).first;
+  with_placement_and_traits(input, options, [&](const auto& placement, const auto& traits) {
+    clustering.extract_embedded_dual_mesh(
+      result.mesh, placement,
+      traits.edge_is_constrained_map(is_on_line).vertex_is_constrained_map(is_corner).face_patch_map(patch));
+  });
+  result.report = clustering.report();
+  for (Vertex v : result.mesh.vertices()) {
+    const auto around = result.mesh.halfedges_around_target(result.mesh.halfedge(v));
+    result.vertices_on_features += is_corner[v] || std::any_of(around.begin(), around.end(), [&](Halfedge h) {
+      return is_on_line[result.mesh.edge(h)];
+    });
+  }
+  const std::vector<std::int64_t> patch_of_result(patch.begin(), patch.end());
+  result.mesh.remove_all_property_maps();
+  result.labels.reserve(input.number_of_faces());
+  for (Face f : input.faces())
+    result.labels.push_back(clustering.cluster(f));
+  carry_properties(input, result.labels, result.mesh);
+  if (!options.patches.empty())
+    write_patches(input, patch_of, options.patches, patch_of_result, result.mesh);
+}
+
 template <class Energy>
 Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_visitor& visitor)
 {
@@ -224,24 +254,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
     clustering.seed_from_level(*options.neighborhood_level);
   clustering.grow();
   clustering.minimize(rounds, options.convergence_tolerance);
-  const auto is_on_line = result.mesh.add_property_map<Edge, bool>("e:is on a line", false).first;
-  const auto is_corner = result.mesh.add_property_map<Vertex, bool>("v:is a corner", false).first;
-  with_placement_and_traits(input, options, [&](const auto& placement, const auto& traits) {
-    clustering.extract_embedded_dual_mesh(
-      result.mesh, placement, traits.edge_is_constrained_map(is_on_line).vertex_is_constrained_map(is_corner));
-  });
-  result.report = clustering.report();
-  for (Vertex v : result.mesh.vertices()) {
-    const auto around = result.mesh.halfedges_around_target(result.mesh.halfedge(v));
-    result.vertices_on_features += is_corner[v] || std::any_of(around.begin(), around.end(), [&](Halfedge h) {
-      return is_on_line[result.mesh.edge(h)];
-    });
-  }
-  result.mesh.remove_all_property_maps();
-  result.labels.reserve(input.number_of_faces());
-  for (Face f : input.faces())
-    result.labels.push_back(clustering.cluster(f));
-  carry_properties(input, result.labels, result.mesh);
+  extract(clustering, input, options, patch_of, result);
   if (options.levels > 0)
     make_levels(input, options, clustering, result);
   return result;

@@ -3,7 +3,9 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_EDGES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_EDGES_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/features/Smoothed_turns.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -87,16 +89,15 @@ struct Feature_edges
 class Feature_detection
 {
 public:
-  explicit Feature_detection(const Flat_mesh& m) : m_(m), result_(m) {}
+  explicit Feature_detection(const Flat_mesh& m) : m_(m), result_(m), is_marked_(m.number_of_vertices(), false) {}
 
   // Adds the edge after corner `c` of face `f`.
   void add_edge(Index f, Index c)
   {
-    const Index g = m_.face_across[c];
-    if (g == NONE)
+    if (m_.face_across[c] == NONE)
       return;
-    result_.is_feature[c] = true;
-    result_.is_feature[m_.corner_of(g, m_.corner_vertex[m_.next_corner(f, c)])] = true;
+    add_inner_edge(f, c);
+    is_marked_[m_.corner_vertex[c]] = is_marked_[m_.corner_vertex[m_.next_corner(f, c)]] = true;
   }
 
   void add_corner(Index v)
@@ -111,16 +112,24 @@ public:
   {
     const double cosine = std::cos(degrees * CGAL_PI / 180);
     for_each_inner_edge([&](Index f, Index c) {
-      const Index g = m_.face_across[c], next = m_.next_corner(f, c);
-      const Index o = m_.corner_of(g, m_.corner_vertex[next]);
-      const Vector& p = point(c);
-      const Vector edge = point(next) - p;
-      const Vector n = cross(edge, point(m_.next_corner(f, next)) - p);
-      const Vector m = cross(edge, p - point(m_.next_corner(g, m_.next_corner(g, o))));
+      const Index g = m_.face_across[c];
+      const Vector n = normal_beside(f, c), m = normal_beside(g, m_.corner_of(g, m_.corner_vertex[m_.next_corner(f, c)]));
+      if (dot(n, n) == 0 || dot(m, m) == 0)
+        return;
       const double product = dot(n, m), bound = cosine * cosine * dot(n, n) * dot(m, m);
       if (degrees == 0 || (cosine < 0 ? product < 0 && product * product >= bound : product < 0 || product * product <= bound))
         add_edge(f, c);
     });
+  }
+
+  // Adds as corners the tips: vertices without sharp edges where the normals of faces on opposite sides differ by `degrees` or
+  // more, such as the apex of a cone.
+  void add_tips(double degrees)
+  {
+    const double cosine = std::cos(0.5 * degrees * CGAL_PI / 180);
+    for (std::size_t v = 0; v < m_.number_of_vertices(); ++v)
+      if (!is_marked_[v] && !m_.is_on_border(Index(v)) && is_tip(Index(v), cosine))
+        add_corner(Index(v));
   }
 
   // Adds the edges between faces of different patches. `patch(f)` is the patch of face `f`.
@@ -129,12 +138,12 @@ public:
   {
     for_each_inner_edge([&](Index f, Index c) {
       if (patch(f) != patch(m_.face_across[c]))
-        add_edge(f, c);
+        add_inner_edge(f, c);
     });
   }
 
   // Adds as corners the vertices whose number of feature edges is not two, and where lines reach the border or turn
-  // sharply.
+  // sharply. Lines that only separate patches are smoothed.
   Feature_edges result()
   {
     neighbors_ = result_.neighbors(m_);
@@ -143,18 +152,19 @@ public:
         result_.is_corner[v] = true;
     std::vector<Index> turns;
     for (std::size_t v = 0; v < m_.number_of_vertices(); ++v)
-      if (neighbors_[v].size() == 2 && !result_.is_corner[v] && turns_sharply(Index(v)))
+      if (is_marked_[v] && neighbors_[v].size() == 2 && !result_.is_corner[v] && turns_sharply(Index(v)))
         turns.push_back(Index(v));
-    for (const Index v : turns)
-      result_.is_corner[v] = true;
+    add_corners(turns);
+    add_corners(Smoothed_turns(m_, neighbors_, result_.is_corner).run([&](Index v) {
+      return !is_marked_[v] && neighbors_[v].size() == 2 && !result_.is_corner[v];
+    }));
     std::vector<Index> halfway;
     result_.for_each_edge(m_, [&](Index v, Index w, Index, Index) {
       if (m_.is_on_border(v) && m_.is_on_border(w))
         for (const auto& ends : {std::make_pair(v, w), std::make_pair(w, v)})
           add_halfway(ends.first, ends.second, halfway);
     });
-    for (const Index v : halfway)
-      result_.is_corner[v] = true;
+    add_corners(halfway);
     return result_;
   }
 
@@ -166,6 +176,76 @@ private:
       for (const Index c : m_.corners(f))
         if (m_.face_across[c] != NONE && f < m_.face_across[c])
           visit(Index(f), c);
+  }
+
+  void add_inner_edge(Index f, Index c)
+  {
+    result_.is_feature[c] = true;
+    result_.is_feature[m_.corner_of(m_.face_across[c], m_.corner_vertex[m_.next_corner(f, c)])] = true;
+  }
+
+  void add_corners(const std::vector<Index>& vertices)
+  {
+    for (const Index v : vertices)
+      result_.is_corner[v] = true;
+  }
+
+  // Returns the normal of face `f` beside the edge after corner `c`. A face of zero area has the normal of the face across its longest
+  // edge, so a sharp line beside such faces is found once. Returns a null vector if there is no face across.
+  Vector normal_beside(Index f, Index c) const
+  {
+    constexpr double tiny = 1e-6; // the height in units of the longest edge: slivers of rounded coordinates have no normal
+    constexpr int max_faces = 8;
+    for (int i = 0; i < max_faces; ++i) {
+      const Index next = m_.next_corner(f, c), longest = longest_edge(f);
+      const double square = squared_length(f, longest), bound = tiny * tiny * square * square;
+      const Vector n = cross(point(next) - point(c), point(m_.next_corner(f, next)) - point(c));
+      if (dot(n, n) > bound)
+        return n;
+      const Vector whole = vector_area(m_, f); // some corners of a polygon may be collinear
+      if (dot(whole, whole) > bound)
+        return whole;
+      const Index across = m_.face_across[longest];
+      if (across == NONE)
+        break;
+      c = m_.corner_of(across, m_.corner_vertex[m_.next_corner(f, longest)]);
+      f = across;
+    }
+    return {{0, 0, 0}};
+  }
+
+  double squared_length(Index f, Index c) const
+  {
+    const Vector d = point(m_.next_corner(f, c)) - point(c);
+    return dot(d, d);
+  }
+
+  // Returns the corner before the longest edge of a face.
+  Index longest_edge(Index f) const
+  {
+    Index longest = m_.first_corner[f];
+    for (const Index c : m_.corners(f))
+      if (squared_length(f, c) > squared_length(f, longest))
+        longest = c;
+    return longest;
+  }
+
+  // Returns whether each face around is inclined against the mean normal by at least the angle.
+  bool is_tip(Index v, double cosine) const
+  {
+    Vector mean{{0, 0, 0}};
+    std::vector<Vector> normals;
+    for (const Index f : m_.faces_around(v)) {
+      const Index c = m_.corner_of(f, v);
+      const Vector a = point(m_.next_corner(f, c)) - point(c), b = point(m_.previous_corner(f, c)) - point(c), n = cross(a, b);
+      const double length = std::sqrt(dot(n, n));
+      if (!(length > 0))
+        continue;
+      normals.push_back((1 / length) * n);
+      mean = mean + std::atan2(length, dot(a, b)) * normals.back();
+    }
+    const double bound = cosine * std::sqrt(dot(mean, mean));
+    return normals.size() > 2 && std::all_of(normals.begin(), normals.end(), [&](const Vector& n) { return dot(n, mean) <= bound; });
   }
 
   const Vector& point(Index corner) const { return m_.points[m_.corner_vertex[corner]]; }
@@ -182,7 +262,7 @@ private:
   }
 
   // Returns whether a line turns by more than 60 degrees, measured both between adjacent edges and between chords of several
-  // edges: on regular meshes, borders of regions zigzag without turning.
+  // edges: on regular meshes, marked edges may zigzag without turning.
   bool turns_sharply(Index v) const
   {
     return turns_between(neighbors_[v][0], v, neighbors_[v][1]) && turns_between(some_edges_on(v, 0), v, some_edges_on(v, 1));
@@ -207,6 +287,7 @@ private:
 
   const Flat_mesh& m_;
   Feature_edges result_;
+  std::vector<char> is_marked_;                // per vertex, whether it has feature edges other than borders of patches
   std::vector<std::vector<Index> > neighbors_; // per vertex, along feature edges
 };
 

@@ -17,8 +17,10 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::shared_ptr<const Feature_edges>
 find_features(const Clustering_input& input, const Feature_request& request, const std::vector<long long>& patches)
 {
   Feature_detection detection(input.mesh);
-  if (request.angle < 180)
+  if (request.angle < 180) {
     detection.add_sharp_edges(request.angle);
+    detection.add_tips(request.angle);
+  }
   if (!patches.empty())
     detection.add_patch_borders([&](Index f) { return patches[input.parent_of(f)]; });
   for (const Feature_request::Edge& e : request.edges)

@@ -277,8 +277,8 @@ private:
     find_minimum();
     const std::size_t least = sum(min_);
     throw Unreachable_number_of_vertices(std::to_string(number_) + (number_ == 1 ? " vertex was" : " vertices were") +
-                                           " asked for, but the input, with " + std::to_string(min_.size()) +
-                                           (min_.size() == 1 ? " connected component" : " connected components") + ", needs " +
+                                           " asked for, but the input, with " +
+                                           needs_of_vertices(uncut_input_->items.mesh.components) + ", needs " +
                                            std::to_string(least),
                                          least);
   }

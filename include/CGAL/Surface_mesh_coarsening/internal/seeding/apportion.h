@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -28,6 +29,20 @@ inline std::size_t fewest_vertices(const Component& c)
   if (g == 2)
     n = 10;
   return (std::max)({3 * c.loops, n - (std::min)(n, c.loops), c.feature_clusters});
+}
+
+// Names what needs the vertices of the smallest number: corners first, because they outnumber the other needs.
+inline std::string needs_of_vertices(const std::vector<Component>& components)
+{
+  const auto counted = [](std::size_t n, const char* noun) { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); };
+  std::size_t corners = 0, on_features = 0;
+  for (const Component& c : components) {
+    corners += c.feature_corners;
+    on_features += c.feature_clusters;
+  }
+  if (corners > 0)
+    return counted(corners, "corner") + " of features to keep";
+  return counted(components.size(), "connected component") + (on_features > 0 ? " and feature lines to keep" : "");
 }
 
 // Apportions `total` in proportion to `shares`, with `least[i] <= result[i] <= most[i]`. `total` must lie between the sums of
