@@ -480,6 +480,15 @@ BOOST_AUTO_TEST_CASE(choices)
   BOOST_TEST(exact["clustering"]["converged"] == true);
 }
 
+// Flips and exchanges leave few of the triangles between the clusters.
+BOOST_AUTO_TEST_CASE(certificate_of_a_prism)
+{
+  const Workshop shop;
+  shop.write("in.off", generated::prism(200));
+  shop.run_well("in.off out.off -n 100 --report r.json");
+  BOOST_TEST(shop.report("r.json")["certificate"]["kept"] == true);
+}
+
 BOOST_AUTO_TEST_CASE(report_and_certificate)
 {
   const Workshop shop;

@@ -16,8 +16,11 @@
 #include "support/mesh_files.h"
 
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -29,6 +32,7 @@
 #include <optional>
 #include <random>
 #include <set>
+#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_tool_support)
@@ -297,7 +301,7 @@ BOOST_AUTO_TEST_CASE(certificate_of_a_dual)
     std::reverse(triangle.begin(), triangle.end());
   dual.polygons = Polygons(triangles);
   const Certificate turned = certify(cube, labels, to_mesh(dual));
-  BOOST_TEST(!turned.orientation_kept);
+  BOOST_TEST(!turned.orientation_kept());
   BOOST_TEST(!turned.kept());
 
   triangles.pop_back();
@@ -321,7 +325,38 @@ BOOST_AUTO_TEST_CASE(certificate_of_a_turned_component)
   for (std::size_t i = 8; i < 16; ++i)
     std::reverse(triangles[i].begin(), triangles[i].end());
   dual.polygons = Polygons(triangles);
-  BOOST_TEST(!certify(cubes, labels, to_mesh(dual)).orientation_kept);
+  BOOST_TEST(!certify(cubes, labels, to_mesh(dual)).orientation_kept());
+}
+
+// The result of the library for a mesh with flat faces of many sides, a border and components within each other, as it is, and
+// with one component reversed. Flips and exchanges leave few of the triangles between the clusters.
+BOOST_AUTO_TEST_CASE(certificate_of_results_with_flips)
+{
+  Mesh input = mesh_of(generated::prism(200));
+  for (const generated::Soup& s : {generated::grid(12, 12), generated::with_noise(generated::triangle_sphere(3), 0.3),
+                                   generated::triangle_sphere(3), generated::torus(12, 8)})
+    input += mesh_of(s);
+  std::vector<std::size_t> labels(input.number_of_faces());
+  const auto cluster =
+    boost::make_function_property_map<Face>([&](Face f) -> std::size_t& { return labels[static_cast<std::size_t>(f)]; });
+  for (const std::size_t n : {60u, 150u, 300u}) {
+    Mesh output;
+    CGAL::Surface_mesh_coarsening::coarsen_mesh(input, n, output,
+                                                CGAL::Surface_mesh_coarsening::parameters::face_cluster_map(cluster));
+    const Certificate good = certify(input, labels, output);
+    BOOST_TEST(good.change().value_or("") == "");
+    const Mesh_components components = mesh_components(output);
+    for (std::size_t c = 0; c < components.counts.size(); ++c) {
+      std::vector<Face> faces;
+      for (Face f : output.faces())
+        if (components.of_face[f] == c)
+          faces.push_back(f);
+      PMP::reverse_face_orientations(faces, output);
+      const Certificate turned = certify(input, labels, output);
+      BOOST_TEST(turned.change().value_or("").find("is reversed") != std::string::npos);
+      PMP::reverse_face_orientations(faces, output);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(certificate_of_joined_and_lost_components)

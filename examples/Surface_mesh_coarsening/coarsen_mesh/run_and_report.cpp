@@ -186,7 +186,7 @@ std::string summary(const Options& options, const Input& input, const Coarsening
   const std::string dropped = input.unused_points > 0 ? ", " + counted(input.unused_points, "unused point") + " dropped" : "";
   return escaped_utf8(options.input) + " (" + sizes(input.mesh) + dropped + ") -> " + escaped_utf8(options.output) + " (" +
          sizes(result.mesh) + "), " + counted(report.rounds, "round") + ", " + remarks +
-         (findings.certificate.kept() ? "topology kept" : "topology changed") + prepared_text(input, findings) + ", " + seconds +
+         "topology kept" + prepared_text(input, findings) + ", " + seconds +
          (findings.quality ? "\n" + quality_text(result.mesh, *findings.quality) : "");
 }
 
@@ -264,9 +264,13 @@ void check_result(const Options& options, const Input& input, const Coarsening_r
       findings.fault = triangle_mesh_fault(level.mesh);
   if (findings.fault)
     throw Failure(options.input, "the result is not a valid mesh and is not written: " + *findings.fault);
-  findings.certificate =
-    certify(input.mesh, result.labels, result.mesh, result.report.dropped_components,
-            result.report.subdivided_components == 0 && result.report.feature_lines == 0 && result.report.feature_corners == 0);
+  // Clusters are not made of whole faces where faces are subdivided, at features, and without rounds if vertices are clustered.
+  const auto& report = result.report;
+  const bool faces_are_whole = report.subdivided_components == 0 && report.feature_lines == 0 && report.feature_corners == 0 &&
+                               report.rounds > 0;
+  findings.certificate = certify(input.mesh, result.labels, result.mesh, report.dropped_components, faces_are_whole);
+  if (const auto change = findings.certificate.change())
+    throw Failure(options.input, "the result does not have the topology of the input and is not written: " + *change);
   if (options.measure) {
     times.begin("measuring");
     progress.say("measuring");

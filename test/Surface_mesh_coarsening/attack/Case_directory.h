@@ -100,6 +100,7 @@ inline void check_failure(const Case_directory& directory, const test::Tool_outc
 {
   require(outcome.status != 128 + SIGXCPU && outcome.status != 124, "more than 60 s of processor time, or 300 s");
   require(outcome.status == 1 || outcome.status == 2, "status " + std::to_string(outcome.status) + ": " + outcome.err);
+  require(!outcome.names("is not written: "), "the tool refuses its own result: " + outcome.err);
   require(outcome.is_one_line_error(), "the message is not one line: " + outcome.out + outcome.err);
   require(outcome.err.compare(0, 14, "coarsen_mesh: ") == 0, "no message of the tool: " + outcome.err);
   require(std::all_of(outcome.err.begin(), outcome.err.end() - 1, [](char c) { return c >= 32 && c < 127; }),

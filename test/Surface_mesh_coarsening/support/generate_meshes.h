@@ -297,6 +297,22 @@ inline Soup bipyramid(std::size_t n)
   return s;
 }
 
+// Two polygons of `n` sides, joined by squares or rectangles.
+inline Soup prism(std::size_t n)
+{
+  Soup s{{}, {{}, {}}};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * pi * double(i) / double(n);
+    for (const double z : {0., 1.})
+      s.points.push_back({std::cos(angle), std::sin(angle), z});
+    s.polygons[0].insert(s.polygons[0].begin(), 2 * i);
+    s.polygons[1].push_back(2 * i + 1);
+    const std::size_t j = (i + 1) % n;
+    s.polygons.push_back({2 * i, 2 * j, 2 * j + 1, 2 * i + 1});
+  }
+  return s;
+}
+
 inline Soup many_tetrahedra(std::size_t n)
 {
   Soup s;

@@ -7,7 +7,9 @@
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace coarsening_support {
 namespace {
@@ -30,54 +32,136 @@ void count_border_loops(const Mesh& mesh, Mesh_components& components)
 }
 
 using Triple = std::array<std::size_t, 3>;
+using Ring = std::vector<std::size_t>; // neighbors in the order of the faces' orientation
 
-// Rotates the triple so that its smallest number comes first.
-Triple turned_to_smallest(Triple t)
+// The neighbors of the clusters. The border counts as the neighbor `border`. A cluster whose boundary is not one loop has none.
+std::vector<Ring> rings_of_clusters(const Mesh& mesh, const std::vector<std::size_t>& labels, std::size_t border)
 {
-  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  return t;
-}
-
-// Returns the labels around an inner vertex, in the order of the faces' orientation, if there are three.
-std::optional<Triple> triple_point(const Mesh& mesh, Vertex v, const std::vector<std::size_t>& labels)
-{
-  std::vector<std::size_t> runs;
-  for (Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v))) {
-    if (mesh.is_border(h))
-      return std::nullopt;
-    const std::size_t label = labels[mesh.face(h)];
-    if (runs.empty() || runs.back() != label)
-      runs.push_back(label);
-  }
-  if (runs.size() > 1 && runs.front() == runs.back())
-    runs.pop_back();
-  if (runs.size() != 3 || runs[0] == runs[2])
-    return std::nullopt;
-  return Triple{runs[2], runs[1], runs[0]}; // the circulator is opposite to the faces' orientation
-}
-
-// Returns whether most triangles of each component of the coarse mesh are oriented like the input where their three clusters
-// meet. In a reversed component, all have the opposite orientation; in a correct one, flips of edges may move triangles, and
-// may reverse one where three clusters lie around a handle.
-bool is_orientation_kept(const Mesh& input, const std::vector<std::size_t>& labels, const Mesh& output,
-                                const Mesh_components& components)
-{
-  std::vector<Triple> triangles;
-  for (const auto& p : to_soup(output).polygons)
-    if (p.size() == 3)
-      triangles.push_back(turned_to_smallest({p[0], p[1], p[2]}));
-  std::sort(triangles.begin(), triangles.end());
-  const auto is_there = [&triangles](const Triple& t) {
-    return std::binary_search(triangles.begin(), triangles.end(), turned_to_smallest(t));
-  };
-  std::vector<std::ptrdiff_t> facing(components.counts.size(), 0);
-  for (Vertex v : input.vertices()) {
-    const auto t = input.is_isolated(v) ? std::nullopt : triple_point(input, v, labels);
-    if (!t || (*t)[0] >= components.of_vertex.size() || components.of_vertex[(*t)[0]] >= facing.size())
+  const auto label = [&](Halfedge h) { return mesh.is_border(h) ? border : labels[mesh.face(h)]; };
+  const auto is_boundary = [&](Halfedge h) { return label(h) != label(mesh.opposite(h)); };
+  std::vector<Ring> rings(border);
+  std::vector<std::size_t> loops(border, 0);
+  std::vector<bool> walked(mesh.num_halfedges(), false);
+  for (Halfedge start : mesh.halfedges()) {
+    const std::size_t x = label(start);
+    if (walked[start] || x >= border || !is_boundary(start))
       continue;
-    facing[components.of_vertex[(*t)[0]]] += is_there(*t) ? 1 : is_there({(*t)[0], (*t)[2], (*t)[1]}) ? -1 : 0;
+    ++loops[x];
+    for (Halfedge h = start; !walked[h];) {
+      walked[h] = true;
+      rings[x].push_back(label(mesh.opposite(h)));
+      for (h = mesh.next(h); !is_boundary(h);)
+        h = mesh.next(mesh.opposite(h));
+    }
   }
-  return std::all_of(facing.begin(), facing.end(), [](std::ptrdiff_t n) { return n >= 0; });
+  for (std::size_t x = 0; x < border; ++x)
+    if (loops[x] > 1)
+      rings[x].clear();
+  return rings;
+}
+
+Ring ring_of_vertex(const Mesh& mesh, Vertex v, std::size_t border)
+{
+  Ring ring;
+  const Halfedge start = mesh.opposite(mesh.halfedge(v));
+  Halfedge h = start;
+  do {
+    ring.push_back(mesh.target(h));
+    if (mesh.is_border(h))
+      ring.push_back(border);
+    h = mesh.opposite(mesh.prev(h));
+  } while (h != start);
+  return ring;
+}
+
+// The neighbors that have one place in a ring, sorted, with their places.
+std::vector<std::pair<std::size_t, std::size_t> > places(Ring ring)
+{
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  if (ring.size() > 1 && ring.front() == ring.back())
+    ring.pop_back();
+  std::vector<std::pair<std::size_t, std::size_t> > all, single;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    all.emplace_back(ring[i], i);
+  std::sort(all.begin(), all.end());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if ((i == 0 || all[i - 1].first != all[i].first) && (i + 1 == all.size() || all[i + 1].first != all[i].first))
+      single.push_back(all[i]);
+  return single;
+}
+
+// Returns k - 2 if k >= 2 common neighbors have the same cyclic order in both rings, -(k - 2) if the order is opposite, and a
+// number in between for other orders.
+std::ptrdiff_t agreement(const Ring& of_cluster, const Ring& of_vertex)
+{
+  const auto of_neighbor = places(of_cluster);
+  std::vector<std::size_t> common;
+  for (const std::size_t neighbor : of_vertex) {
+    const auto found = std::lower_bound(of_neighbor.begin(), of_neighbor.end(), std::make_pair(neighbor, std::size_t(0)));
+    if (found != of_neighbor.end() && found->first == neighbor)
+      common.push_back(found->second);
+  }
+  std::ptrdiff_t result = 0;
+  for (std::size_t i = 0; i < common.size(); ++i)
+    result += common[i] < common[(i + 1) % common.size()] ? 1 : -1;
+  return common.size() < 3 ? 0 : result;
+}
+
+Vector area_vector(const Mesh& mesh, Face f)
+{
+  const Halfedge first = mesh.halfedge(f);
+  const Point& p = mesh.point(mesh.target(first));
+  Vector sum(0, 0, 0);
+  for (Halfedge h = mesh.next(first); mesh.next(h) != first; h = mesh.next(h))
+    sum += CGAL::cross_product(mesh.point(mesh.target(h)) - p, mesh.point(mesh.target(mesh.next(h))) - p);
+  return sum;
+}
+
+// Returns, for each component of the coarse mesh, whether the normals of its vertices point away from the normals of their
+// clusters: the sum of the dot products is less than half of its least possible value.
+std::vector<bool> have_opposite_normals(const Mesh& input, const std::vector<std::size_t>& labels, const Mesh& output,
+                                        const Mesh_components& components)
+{
+  std::vector<Vector> of_cluster(output.number_of_vertices(), Vector(0, 0, 0)), of_vertex = of_cluster;
+  for (Face f : input.faces())
+    if (labels[f] < of_cluster.size())
+      of_cluster[labels[f]] += area_vector(input, f);
+  for (Face f : output.faces())
+    for (Vertex v : output.vertices_around_face(output.halfedge(f)))
+      of_vertex[v] += area_vector(output, f);
+  std::vector<double> sum(components.counts.size(), 0), largest = sum;
+  for (Vertex v : output.vertices())
+    if (!output.is_isolated(v)) {
+      sum[components.of_vertex[v]] += of_cluster[v] * of_vertex[v];
+      largest[components.of_vertex[v]] += std::sqrt(of_cluster[v].squared_length() * of_vertex[v].squared_length());
+    }
+  std::vector<bool> result;
+  for (std::size_t c = 0; c < sum.size(); ++c)
+    result.push_back(sum[c] < -0.5 * largest[c]);
+  return result;
+}
+
+// Returns, for each component of the coarse mesh, whether its vertices have their neighbors in the same cyclic order as the
+// clusters in the input. The flip of an edge removes a neighbor from the rings of two vertices and adds one to the rings of two
+// others, so it does not change the order of the neighbors that remain. An exchange of vertices does not either, since it removes
+// a neighbor and adds it elsewhere. Hence three common neighbors show the orientation unless one of them left the ring
+// and came back at another place; the sum over all vertices decides. Coordinates play no part then: flat, folded and intersecting
+// surfaces are no exceptions. If no vertex has three common neighbors left, as on flat faces of few vertices, normals decide if
+// they are clearly opposite; on crumpled surfaces, whose normals show nothing, they are not.
+std::vector<bool> keep_orientation(const Mesh& input, const std::vector<std::size_t>& labels, const Mesh& output,
+                                   const Mesh_components& components)
+{
+  const std::size_t border = output.number_of_vertices();
+  const std::vector<Ring> rings = rings_of_clusters(input, labels, border);
+  std::vector<std::ptrdiff_t> sum(components.counts.size(), 0);
+  for (Vertex v : output.vertices())
+    if (!output.is_isolated(v))
+      sum[components.of_vertex[v]] += agreement(rings[v], ring_of_vertex(output, v, border));
+  const std::vector<bool> are_opposite = have_opposite_normals(input, labels, output, components);
+  std::vector<bool> result;
+  for (std::size_t c = 0; c < sum.size(); ++c)
+    result.push_back(sum[c] > 0 || (sum[c] == 0 && !are_opposite[c]));
+  return result;
 }
 
 } // namespace
@@ -161,13 +245,40 @@ Certificate certify(const Mesh& input, const std::vector<std::size_t>& labels, c
   }
   result.one_to_one = result.one_to_one && std::count(source.begin(), source.end(), none) == 0 &&
                       std::size_t(std::count(dropped.begin(), dropped.end(), true)) == dropped_components;
+  const std::vector<bool> keeps_orientation =
+    faces_are_whole ? keep_orientation(input, labels, output, after) : std::vector<bool>(after.counts.size(), true);
   for (std::size_t b = 0; b < before.counts.size(); ++b) {
-    result.components.push_back({before.counts[b], std::nullopt, dropped[b]});
-    if (partner[b] != none)
+    result.components.push_back({before.counts[b], std::nullopt, dropped[b], true});
+    if (partner[b] != none) {
       result.components.back().after = after.counts[partner[b]];
+      result.components.back().orientation_kept = keeps_orientation[partner[b]];
+    }
   }
-  result.orientation_kept = !faces_are_whole || is_orientation_kept(input, labels, output, after);
   return result;
+}
+
+std::optional<std::string> Certificate::change() const
+{
+  if (!one_to_one)
+    return "its components do not correspond to the components of the input one to one";
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const Pair& p = components[i];
+    const std::string component = "component " + std::to_string(i);
+    const auto changed = [&](const char* what, auto from, auto to) {
+      return component + " has " + what + " " + std::to_string(to) + " instead of " + std::to_string(from);
+    };
+    if (p.dropped)
+      continue;
+    if (!p.after)
+      return component + " is missing";
+    if (p.before.genus() != p.after->genus())
+      return changed("genus", p.before.genus(), p.after->genus());
+    if (p.before.border_loops != p.after->border_loops)
+      return changed("number of border loops", p.before.border_loops, p.after->border_loops);
+    if (!p.orientation_kept)
+      return component + " is reversed";
+  }
+  return std::nullopt;
 }
 
 } // namespace coarsening_support

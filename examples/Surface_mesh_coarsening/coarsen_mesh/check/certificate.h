@@ -50,25 +50,27 @@ struct Certificate
     Component_counts before;
     std::optional<Component_counts> after; // empty if the component is removed
     bool dropped = false;                  // on request: its faces have the label after the last
+    bool orientation_kept = true;
     bool kept() const
     {
-      return after && before.genus() == after->genus() && before.border_loops == after->border_loops;
+      return after && orientation_kept && before.genus() == after->genus() && before.border_loops == after->border_loops;
     }
   };
-  std::vector<Pair> components;
-  bool one_to_one = true; // components correspond one to one, and the right number was removed
-  bool orientation_kept = true;
+  std::vector<Pair> components; // in the order of their first faces
+  bool one_to_one = true;       // components correspond one to one, and the right number was removed
 
-  bool kept() const
+  // Describes the first change of the topology.
+  std::optional<std::string> change() const;
+  bool kept() const { return !change(); }
+  bool orientation_kept() const
   {
-    return one_to_one && orientation_kept &&
-           std::all_of(components.begin(), components.end(), [](const Pair& p) { return p.kept() || p.dropped; });
+    return std::all_of(components.begin(), components.end(), [](const Pair& p) { return p.orientation_kept; });
   }
 };
 
 // Compares the topology of the coarse mesh with the input's. Vertex `i` of the output represents label `i`; faces of the
-// `dropped_components` removed components have the number of vertices as their label. A subdivided face has the label of
-// its largest part; such labels do not show where three clusters meet.
+// `dropped_components` removed components have the number of vertices as their label. A face divided between clusters has the
+// label of its largest part; such labels do not show the order of neighbors, so the orientation is not compared then.
 Certificate certify(const Mesh& input, const std::vector<std::size_t>& labels, const Mesh& output,
                     std::size_t dropped_components = 0, bool faces_are_whole = true);
 

@@ -120,7 +120,7 @@ Json certificate_of(const Certificate& certificate)
                           {"kept", pair.kept()}});
   return {{"kept", certificate.kept()},
           {"components_one_to_one", certificate.one_to_one},
-          {"orientation_kept", certificate.orientation_kept},
+          {"orientation_kept", certificate.orientation_kept()},
           {"components", components}};
 }
 
