@@ -127,9 +127,13 @@ void check_number(const Options& options)
   const bool has_number = options.vertices || options.vertex_ratio;
   if (has_number && options.neighborhood_level)
     throw Wrong_usage("--vertices and --neighborhood-level exclude each other");
-  if (!has_number && !options.neighborhood_level && !options.maximum_distance && !options.asks_range)
-    throw Wrong_usage("how many vertices? Give --vertices N, --vertices P%, --maximum-distance D or --neighborhood-level K; "
-                      "--range prints the possible numbers for INPUT");
+  if (options.faces && (has_number || options.neighborhood_level || options.maximum_distance))
+    throw Wrong_usage("--faces excludes --vertices, --neighborhood-level and --maximum-distance");
+  if (options.keep_small && (!options.vertex_ratio || options.maximum_distance))
+    throw Wrong_usage("--keep-small goes with --vertices P%");
+  if (!has_number && !options.faces && !options.neighborhood_level && !options.maximum_distance && !options.asks_range)
+    throw Wrong_usage("how many vertices? Give --vertices N, --vertices P%, --faces N, --maximum-distance D or "
+                      "--neighborhood-level K; --range prints the possible numbers for INPUT");
 }
 
 // Returns the view (1, 0.5, 0.8) of a model with vertical y axis, rotated with the model by the shortest rotation from the
@@ -160,11 +164,14 @@ po::options_description described_options()
   // clang-format off
   result.add_options()
     ("vertices,n", text()->value_name("N"), "number of vertices of the result, or a part of the input's, such as 10%")
+    ("keep-small", "with --vertices P%: components that cannot be reduced to this part stay as they are, triangulated")
+    ("faces", text()->value_name("N"),
+     "instead of --vertices: number of triangles of the result; the nearest possible number, if N is not possible")
     ("range", "instead of writing OUTPUT, print the smallest and the largest number that --vertices can take for INPUT")
     ("neighborhood-level,k", text()->value_name("K"),
      "instead of --vertices: one vertex for every seed whose neighborhood of K layers of faces is free")
     ("maximum-distance", text()->value_name("D"),
-     "instead of --vertices: as few vertices as keep the result within this distance of the input, both ways, in parts of the "
+     "instead of --vertices: as few vertices (with --vertices: at most that many) as keep the result within this distance of the input, both ways, in parts of the "
      "diagonal of the input's bounding box (0.01 is one percent); the distance is bounded, not sampled")
     ("maximum-distance-absolute", text()->value_name("D"), "the same in the mesh's unit of length")
     ("levels", text()->value_name("L")->default_value("0"),
@@ -349,12 +356,15 @@ Options checked_options(const po::variables_map& values)
   options.format = lower_case(given(values, "format").value_or(""));
   if (const auto text = given(values, "vertices"))
     read_vertices(*text, options);
+  if (const auto text = given(values, "faces"))
+    options.faces = to_count("faces", *text, 1, any);
+  options.keep_small = values.count("keep-small") > 0;
   if (const auto text = given(values, "neighborhood-level"))
     options.neighborhood_level = static_cast<unsigned>(to_count("neighborhood-level", *text, 0, 1000000));
   for (const char* option : {"maximum-distance", "maximum-distance-absolute"})
     if (const auto text = given(values, option)) {
-      if (options.vertices || options.vertex_ratio || options.neighborhood_level || options.maximum_distance)
-        throw Wrong_usage(std::string("--") + option + " excludes --vertices, --neighborhood-level and the other distance");
+      if (options.neighborhood_level || options.maximum_distance)
+        throw Wrong_usage(std::string("--") + option + " excludes --neighborhood-level and the other distance");
       options.maximum_distance = to_size(option, *text);
       if (!(*options.maximum_distance > 0))
         throw Wrong_usage(std::string("--") + option + " takes a number greater than 0, not '" + *text + "'");
@@ -407,8 +417,8 @@ Options checked_options(const po::variables_map& values)
   if (const auto text = given(values, "threads"))
     options.threads = static_cast<unsigned>(to_count("threads", *text, 1, 1000000));
   for (const char* option : {"features", "patches", "keep", "keep-borders"})
-    if (values.count(option) && (options.levels > 0 || options.maximum_distance))
-      throw Wrong_usage("--" + std::string(option) + " goes with a number of vertices or a level, and without --levels");
+    if (values.count(option) && options.levels > 0)
+      throw Wrong_usage("--" + std::string(option) + " cannot be combined with --levels");
   check_number(options);
   return options;
 }

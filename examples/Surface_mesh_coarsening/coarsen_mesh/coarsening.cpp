@@ -137,6 +137,32 @@ std::vector<std::int64_t> wanted_patches(const Mesh& input, const Options& optio
   return std::move(*result);
 }
 
+// Calls `use` with the placement and the parameters of the result, and counts its vertices on features.
+template <class Use>
+void with_feature_maps(const Mesh& input, const Options& options, Coarsening_result& result, const Use& use)
+{
+  const auto is_on_line = result.mesh.add_property_map<Edge, bool>("e:is on a line", false).first;
+  const auto is_corner = result.mesh.add_property_map<Vertex, bool>("v:is a corner", false).first;
+  with_placement_and_traits(input, options, [&](const auto& placement, const auto& traits) {
+    use(placement, traits.edge_is_constrained_map(is_on_line).vertex_is_constrained_map(is_corner));
+  });
+  for (Vertex v : result.mesh.vertices()) {
+    const auto around = result.mesh.halfedges_around_target(result.mesh.halfedge(v));
+    result.vertices_on_features += is_corner[v] || std::any_of(around.begin(), around.end(), [&](Halfedge h) {
+      return is_on_line[result.mesh.edge(h)];
+    });
+  }
+  result.mesh.remove_all_property_maps();
+}
+
+std::size_t maximum_vertices(const Mesh& input, const Options& options)
+{
+  if (options.vertex_ratio)
+    return static_cast<std::size_t>(
+      (std::max)(std::round(*options.vertex_ratio * static_cast<double>(input.number_of_vertices())), 1.));
+  return options.vertices.value_or((std::numeric_limits<std::size_t>::max)());
+}
+
 template <class NamedParameters>
 void coarsen_to_distance(const Mesh& input, const Options& options, const NamedParameters& np, Coarsening_result& result)
 {
@@ -144,12 +170,13 @@ void coarsen_to_distance(const Mesh& input, const Options& options, const NamedP
   result.labels.resize(input.number_of_faces());
   const auto clusters = boost::make_function_property_map<Face>(
     [&](Face f) -> std::size_t& { return result.labels[static_cast<std::size_t>(f)]; });
-  with_placement_and_traits(input, options, [&](const auto& placement, const auto& traits) {
+  with_feature_maps(input, options, result, [&](const auto& placement, const auto& np_out) {
     const SMC::Distance_report report = SMC::coarsen_mesh_to_distance<CGAL::Parallel_if_available_tag>(
-      input, (std::min)(*options.maximum_distance * unit, (std::numeric_limits<double>::max)()), result.mesh,
-      np.vertex_placement(placement).face_cluster_map(clusters), traits);
+      input, (std::min)(*options.maximum_distance * unit, (std::numeric_limits<double>::max)()),
+      maximum_vertices(input, options), result.mesh, np.vertex_placement(placement).face_cluster_map(clusters), np_out);
     result.report = report.clustering;
     result.distance_bound = report.distance_bound;
+    result.is_within_distance = report.is_within_distance;
   });
 }
 
@@ -216,25 +243,17 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
   if (options.vertices)
     clustering.seed_faces_or_cells(*options.vertices);
   else if (options.vertex_ratio)
-    clustering.seed_from_ratio(*options.vertex_ratio);
+    clustering.seed_from_ratio(*options.vertex_ratio, options.keep_small);
+  else if (options.faces)
+    clustering.seed_from_number_of_faces(*options.faces, rounds, options.convergence_tolerance);
   else
     clustering.seed_from_level(*options.neighborhood_level);
   clustering.grow();
   clustering.minimize(rounds, options.convergence_tolerance);
-  const auto is_on_line = result.mesh.add_property_map<Edge, bool>("e:is on a line", false).first;
-  const auto is_corner = result.mesh.add_property_map<Vertex, bool>("v:is a corner", false).first;
-  with_placement_and_traits(input, options, [&](const auto& placement, const auto& traits) {
-    clustering.extract_embedded_dual_mesh(
-      result.mesh, placement, traits.edge_is_constrained_map(is_on_line).vertex_is_constrained_map(is_corner));
+  with_feature_maps(input, options, result, [&](const auto& placement, const auto& np_out) {
+    clustering.extract_embedded_dual_mesh(result.mesh, placement, np_out);
   });
   result.report = clustering.report();
-  for (Vertex v : result.mesh.vertices()) {
-    const auto around = result.mesh.halfedges_around_target(result.mesh.halfedge(v));
-    result.vertices_on_features += is_corner[v] || std::any_of(around.begin(), around.end(), [&](Halfedge h) {
-      return is_on_line[result.mesh.edge(h)];
-    });
-  }
-  result.mesh.remove_all_property_maps();
   result.labels.reserve(input.number_of_faces());
   for (Face f : input.faces())
     result.labels.push_back(clustering.cluster(f));

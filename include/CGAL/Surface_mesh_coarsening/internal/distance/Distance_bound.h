@@ -40,8 +40,8 @@ public:
     surface_.prepare();
   }
 
-  // Returns a bound that exceeds the distance by at most `error`. If the distance exceeds `limit`, may return any number between
-  // them; then `far`, if it is not null, receives points that are too far.
+  // Returns a bound that exceeds the distance by at most `error`, or by at most a 32nd part. If the distance exceeds `limit`, may
+  // return any number between them; then `far`, if it is not null, receives points that are too far.
   double operator()(const std::vector<Vector>& positions, const std::vector<Triangle>& triangles, double error, double limit,
                     std::vector<Far_point>* far) const
   {
@@ -152,7 +152,8 @@ private:
       const Part part = undecided.back();
       undecided.pop_back();
       // A bound beyond the limit must not be due to the error.
-      if (part.bound <= (std::max)((std::min)(reached + error, limit), reached + (std::max)(error / 16, rounding)))
+      const double permitted = (std::max)(error, reached / 32);
+      if (part.bound <= (std::max)((std::min)(reached + permitted, limit), reached + (std::max)(error / 256, rounding)))
         bound = (std::max)(bound, part.bound);
       else
         divide(part, measure);
