@@ -18,7 +18,7 @@ class GlobalVertexPlacement
 {
 public:
   /// Optional: a default constructible model of `VertexPlacement` that takes less time, with vertices nearly as close to the
-  /// surface. Clusters of removed vertices start from it.
+  /// surface. `CGAL::Surface_mesh_coarsening::coarsen_distributed_mesh()` starts from it.
   typedef unspecified_type Start;
 
   /// places all vertices.
