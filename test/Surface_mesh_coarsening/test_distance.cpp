@@ -18,6 +18,9 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_distance)
@@ -59,7 +62,7 @@ BOOST_AUTO_TEST_CASE(bounds_hold)
   }
 }
 
-// Clusterings with exchanged vertices take fewer vertices than levels do.
+// Fewer vertices suffice if they are exchanged.
 BOOST_AUTO_TEST_CASE(fewer_vertices_with_error_feedback)
 {
   Mesh mesh;
@@ -69,10 +72,10 @@ BOOST_AUTO_TEST_CASE(fewer_vertices_with_error_feedback)
   const auto np = SMC::parameters::cluster_weight(SMC::Weighted_area_weight())
                     .vertex_placement(SMC::Fitted_placement())
                     .face_cluster_map(cluster);
-  Mesh of_level, output;
-  const std::size_t level = SMC::coarsen_mesh_to_distance(mesh, distance, of_level, np.error_feedback(0)).vertices;
+  Mesh plain, output;
+  const std::size_t without = SMC::coarsen_mesh_to_distance(mesh, distance, plain, np.error_feedback(0)).vertices;
   const SMC::Distance_report report = SMC::coarsen_mesh_to_distance(mesh, distance, output, np);
-  BOOST_TEST(report.vertices < 0.9 * double(level));
+  BOOST_TEST(report.vertices < 0.9 * double(without));
   BOOST_TEST(report.vertices == output.number_of_vertices());
   BOOST_TEST(report.vertices == report.clustering.clusters);
   BOOST_TEST(CGAL::is_valid_polygon_mesh(output));
@@ -160,6 +163,58 @@ BOOST_AUTO_TEST_CASE(tolerances_that_the_input_meets_are_met)
   }
 }
 
+// The numbers are tried in an order that does not depend on the distance.
+BOOST_AUTO_TEST_CASE(a_larger_distance_never_takes_more_vertices)
+{
+  using namespace generated;
+  for (const Soup& soup : {cube_grid(4), triangle_sphere(3), with_holes(triangle_sphere(3), 2), with_noise(torus(16, 12), 0.02),
+                           joined(triangle_sphere(2), translated(triangle_sphere(2), 3, 0, 0))}) {
+    const Mesh mesh = test::to_mesh(triangulated(soup));
+    const double diagonal = SMC::measure_coarsening(mesh, mesh, 10).diagonal;
+    std::size_t last = mesh.number_of_vertices();
+    for (double distance = 1e-6 * diagonal; distance < diagonal; distance *= distance < 1e-3 * diagonal ? 10 : 1.3) {
+      Mesh output;
+      const SMC::Distance_report report = SMC::coarsen_mesh_to_distance(mesh, distance, output);
+      BOOST_CHECK_LE(report.vertices, last);
+      BOOST_CHECK(report.is_within_distance);
+      BOOST_CHECK_LE(report.distance_bound, distance);
+      last = report.vertices;
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(features_are_kept_within_a_distance)
+{
+  const Mesh mesh = test::to_mesh(generated::triangulated(generated::cube_grid(6)));
+  Mesh output;
+  const auto is_corner = output.add_property_map<Mesh::Vertex_index, bool>("v:is corner", false).first;
+  const auto is_line = output.add_property_map<Mesh::Edge_index, bool>("e:is line", false).first;
+  const SMC::Distance_report report =
+    SMC::coarsen_mesh_to_distance(mesh, 1e-6, output, SMC::parameters::feature_angle(30.),
+                                  SMC::parameters::vertex_is_constrained_map(is_corner).edge_is_constrained_map(is_line));
+  BOOST_CHECK_LE(report.distance_bound, 1e-6);
+  BOOST_CHECK_EQUAL(report.vertices, output.number_of_vertices());
+  BOOST_CHECK_EQUAL(std::count_if(output.vertices().begin(), output.vertices().end(), [&](auto v) { return is_corner[v]; }), 8);
+  BOOST_CHECK_GE(std::count_if(output.edges().begin(), output.edges().end(), [&](auto e) { return is_line[e]; }), 12);
+}
+
+BOOST_AUTO_TEST_CASE(a_number_limits_the_search)
+{
+  const Mesh mesh = test::to_mesh(generated::triangle_sphere(4));
+  Mesh free, fewer, more;
+  const std::size_t n = SMC::coarsen_mesh_to_distance(mesh, 0.02, free).vertices;
+  const SMC::Distance_report by_number = SMC::coarsen_mesh_to_distance(mesh, 0.02, n / 2, fewer);
+  BOOST_CHECK_EQUAL(fewer.number_of_vertices(), n / 2);
+  BOOST_CHECK(!by_number.is_within_distance);
+  BOOST_CHECK_GT(by_number.distance_bound, 0.02);
+  BOOST_CHECK_LE(SMC::measure_coarsening(mesh, fewer, 20000).maximum_distance, by_number.distance_bound);
+  const SMC::Distance_report by_distance = SMC::coarsen_mesh_to_distance(mesh, 0.02, 2 * n, more);
+  BOOST_CHECK(by_distance.is_within_distance);
+  BOOST_CHECK_LE(by_distance.distance_bound, 0.02);
+  BOOST_CHECK_LE(double(more.number_of_vertices()), 1.1 * double(n));
+  BOOST_CHECK_THROW(SMC::coarsen_mesh_to_distance(mesh, 0.02, 3, more), SMC::Unreachable_number_of_vertices);
+}
+
 BOOST_AUTO_TEST_CASE(a_surface_without_area_is_refused)
 {
   const Mesh line = test::to_mesh(generated::scaled(generated::triangle_sphere(2), 1, 0, 0));
@@ -168,8 +223,7 @@ BOOST_AUTO_TEST_CASE(a_surface_without_area_is_refused)
   BOOST_CHECK_EQUAL(output.number_of_vertices(), 4u);
 }
 
-// A torus needs more vertices than the initial number of the search.
-BOOST_AUTO_TEST_CASE(the_smallest_number_may_be_larger_than_the_first)
+BOOST_AUTO_TEST_CASE(a_torus_needs_what_its_topology_needs)
 {
   const Mesh mesh = test::to_mesh(generated::triangulated(generated::torus(9, 9)));
   Mesh output;

@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
                                 "in.off out.off --range",
                                 "--range",
                                 "in.off out.off -n 10% -k 1",
-                                "in.off out.off -n 10% --maximum-distance 1",
+                                "in.off out.off -n 10% --faces 10",
                                 "in.off out.off -n 99999999999999999999999",
                                 "in.off out.off -k -1",
                                 "in.off out.off -n 6 --rounds x",

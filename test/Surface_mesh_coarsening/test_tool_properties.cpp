@@ -626,7 +626,8 @@ BOOST_AUTO_TEST_CASE(distances_take_the_place_of_numbers)
   BOOST_CHECK_LT(coarse, 200u);
   BOOST_CHECK_LT(coarse, parse_soup(test::content_of(shop / "fine.off"), "off").points.size());
   for (const char* wrong : {"--maximum-distance 0", "--maximum-distance -1", "--maximum-distance x",
-                            "--maximum-distance 0.1 -n 20", "--maximum-distance 0.1 --maximum-distance-absolute 1",
+                            "--maximum-distance 0.1 -k 2", "--maximum-distance 0.1 --maximum-distance-absolute 1",
+                            "--maximum-distance 0.1 --faces 20", "--faces 20 -n 20", "-n 20 --keep-small",
                             "--maximum-distance 0.1 --levels 2"})
     BOOST_CHECK_EQUAL(shop.run(std::string("in.off out.off ") + wrong).status, 2);
   // The input itself is within any distance that exceeds rounding errors.
@@ -651,6 +652,40 @@ BOOST_AUTO_TEST_CASE(distances_take_the_place_of_numbers)
   // Relative distances are reported as relative.
   BOOST_CHECK(shop.run("in.off out.off --maximum-distance 1e-30").names("no result within 1e-30 of the diagonal ("));
   BOOST_CHECK(shop.run("in.off out.off --maximum-distance 0.02").out.find(" of the diagonal (") != std::string::npos);
+  // A number beside the distance is the maximum.
+  const Tool_outcome limited = shop.run("in.off out.off --maximum-distance 0.001 -n 20 --report r.json");
+  BOOST_CHECK_EQUAL(parse_soup(test::content_of(shop / "out.off"), "off").points.size(), 20u);
+  BOOST_CHECK(limited.out.find("where the number of vertices ended the search") != std::string::npos);
+  BOOST_CHECK(shop.report("r.json")["output"]["is_within_distance"] == false);
+}
+
+BOOST_AUTO_TEST_CASE(numbers_of_faces)
+{
+  using namespace generated;
+  const Tool_directory shop;
+  shop.write("closed.off", mesh_files::off(triangle_sphere(4)));
+  shop.write("open.off", mesh_files::off(grid(20, 20)));
+  check_done(shop.run("closed.off out.off --faces 100"));
+  BOOST_CHECK_EQUAL(parse_soup(test::content_of(shop / "out.off"), "off").faces.size(), 100u);
+  check_done(shop.run("closed.off out.off --faces 101"));
+  BOOST_CHECK_EQUAL(parse_soup(test::content_of(shop / "out.off"), "off").faces.size(), 102u);
+  check_done(shop.run("open.off out.off --faces 60"));
+  BOOST_CHECK_LE(std::abs(double(parse_soup(test::content_of(shop / "out.off"), "off").faces.size()) - 60), 1);
+}
+
+BOOST_AUTO_TEST_CASE(small_components_are_kept)
+{
+  using namespace generated;
+  const Tool_directory shop;
+  Soup soup = joined(triangle_sphere(4), translated(tetrahedron(), 4, 0, 0));
+  soup = joined(soup, translated(single_triangle(), 8, 0, 0));
+  shop.write("in.off", mesh_files::off(soup));
+  BOOST_CHECK_EQUAL(shop.run("in.off out.off -n 0.2%").status, 1);
+  check_done(shop.run("in.off out.off -n 2% --keep-small"));
+  const Soup output = parse_soup(test::content_of(shop / "out.off"), "off");
+  BOOST_CHECK_EQUAL(output.points.size(), std::size_t(std::lround(0.02 * double(triangle_sphere(4).points.size()))) + 7);
+  for (std::size_t v = triangle_sphere(4).points.size(); v < soup.points.size(); ++v)
+    BOOST_CHECK(std::find(output.points.begin(), output.points.end(), soup.points[v]) != output.points.end());
 }
 
 BOOST_AUTO_TEST_CASE(neighboring_tiles_fit)
@@ -666,8 +701,9 @@ BOOST_AUTO_TEST_CASE(neighboring_tiles_fit)
   BOOST_CHECK_EQUAL(edges("left.off").size(), 20u);
   BOOST_CHECK(edges("left_out.off") == edges("left.off"));
   BOOST_CHECK(edges("right_out.off") == edges("left.off"));
-  for (const char* other : {"--levels 1", "--maximum-distance 0.1"})
-    BOOST_CHECK_EQUAL(shop.run(std::string("left.off out.off --keep-borders ") + other).status, 2);
+  BOOST_CHECK_EQUAL(shop.run("left.off out.off --keep-borders -n 130 --levels 1").status, 2);
+  check_done(shop.run("left.off left_out.off --keep-borders --maximum-distance 0.01"));
+  BOOST_CHECK(edges("left_out.off") == edges("left.off"));
 }
 
 BOOST_AUTO_TEST_CASE(marked_vertices_are_kept)

@@ -18,8 +18,7 @@ class GlobalVertexPlacement
 {
 public:
   /// Optional: a default constructible model of `VertexPlacement` that takes less time, with vertices nearly as close to the
-  /// surface. `CGAL::Surface_mesh_coarsening::coarsen_mesh_to_distance()` uses it for the first estimates of the number of
-  /// vertices.
+  /// surface. `CGAL::Surface_mesh_coarsening::coarsen_distributed_mesh()` starts from it.
   typedef unspecified_type Start;
 
   /// places all vertices.

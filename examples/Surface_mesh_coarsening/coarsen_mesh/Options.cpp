@@ -128,9 +128,13 @@ void check_number(const Options& options)
   const bool has_number = options.vertices || options.vertex_ratio;
   if (options.vertex_ratio && options.neighborhood_level)
     throw Wrong_usage("--neighborhood-level goes with a whole number of --vertices, not with a part");
-  if (!has_number && !options.neighborhood_level && !options.maximum_distance && !options.asks_range)
-    throw Wrong_usage("how many vertices? Give --vertices N, --vertices P%, --maximum-distance D or --neighborhood-level K; "
-                      "--range prints the possible numbers for INPUT");
+  if (options.faces && (has_number || options.neighborhood_level || options.maximum_distance))
+    throw Wrong_usage("--faces excludes --vertices, --neighborhood-level and --maximum-distance");
+  if (options.keep_small && (!options.vertex_ratio || options.maximum_distance))
+    throw Wrong_usage("--keep-small goes with --vertices P%");
+  if (!has_number && !options.faces && !options.neighborhood_level && !options.maximum_distance && !options.asks_range)
+    throw Wrong_usage("how many vertices? Give --vertices N, --vertices P%, --faces N, --maximum-distance D or "
+                      "--neighborhood-level K; --range prints the possible numbers for INPUT");
 }
 
 // Returns the view (1, 0.5, 0.8) of a model with vertical y axis, rotated with the model by the shortest rotation from the
@@ -239,15 +243,19 @@ std::optional<std::string> given(const po::variables_map& values, const std::str
 
 void read_size(const po::variables_map& values, Options& options)
 {
+  const std::size_t any = (std::numeric_limits<std::size_t>::max)();
   options.asks_range = values.count("range") > 0;
   if (const auto text = given(values, "vertices"))
     read_vertices(*text, options);
+  if (const auto text = given(values, "faces"))
+    options.faces = to_count("faces", *text, 1, any);
+  options.keep_small = values.count("keep-small") > 0;
   if (const auto text = given(values, "neighborhood-level"))
     options.neighborhood_level = static_cast<unsigned>(to_count("neighborhood-level", *text, 0, 1000000));
   for (const char* option : {"maximum-distance", "maximum-distance-absolute"})
     if (const auto text = given(values, option)) {
-      if (options.vertices || options.vertex_ratio || options.neighborhood_level || options.maximum_distance)
-        throw Wrong_usage(std::string("--") + option + " excludes --vertices, --neighborhood-level and the other distance");
+      if (options.neighborhood_level || options.maximum_distance)
+        throw Wrong_usage(std::string("--") + option + " excludes --neighborhood-level and the other distance");
       options.maximum_distance = to_positive(option, *text);
       options.distance_is_relative = option == std::string("maximum-distance");
     }
@@ -293,7 +301,7 @@ void read_kept(const po::variables_map& values, Options& options)
   options.keep_borders = values.count("keep-borders") > 0;
   for (const char* option : {"features", "patches", "keep", "keep-borders"})
     if (values.count(option) && (options.levels > 0 || options.maximum_distance))
-      throw Wrong_usage("--" + std::string(option) + " goes with a number of vertices or a level, and without --levels");
+      throw Wrong_usage("--" + std::string(option) + " cannot be combined with --levels");
 }
 
 void read_preparation(const po::variables_map& values, Options& options)

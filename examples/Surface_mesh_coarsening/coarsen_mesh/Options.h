@@ -31,9 +31,11 @@ struct Options
   std::string format; // of standard input and output
   std::optional<std::size_t> vertices;
   std::optional<double> vertex_ratio; // of the input's
+  bool keep_small = false;            // components that cannot be reduced to the ratio
+  std::optional<std::size_t> faces;
   bool asks_range = false;            // of the numbers of vertices that are possible, and for no output
   std::optional<unsigned> neighborhood_level;
-  std::optional<double> maximum_distance; // instead of a number of vertices
+  std::optional<double> maximum_distance; // with a number of vertices: the maximum number
   bool distance_is_relative = true;       // to the diagonal of the bounding box
   std::size_t levels = 0;                 // coarser ones to be written beside the result
   std::optional<std::size_t> rounds; // as many as it takes when not given

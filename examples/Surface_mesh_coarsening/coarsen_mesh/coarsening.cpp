@@ -138,19 +138,54 @@ std::vector<std::int64_t> wanted_patches(const Mesh& input, const Options& optio
   return std::move(*result);
 }
 
+// Calls `use` with the placement and the parameters of the result, whose mesh, labels and report it fills. Then carries the
+// properties over.
+template <class Use>
+void extract(const Mesh& input, const Options& options, const std::vector<std::int64_t>& patch_of, Coarsening_result& result,
+             const Use& use)
+{
+  const auto is_on_line = result.mesh.add_property_map<Edge, bool>("e:is on a line", false).first;
+  const auto is_corner = result.mesh.add_property_map<Vertex, bool>("v:is a corner", false).first;
+  const auto patch = result.mesh.add_property_map<Face, std::int64_t>("f:patch", 0).first;
+  with_placement_and_traits(input, options, [&](const auto& placement, const auto& traits) {
+    use(placement, traits.edge_is_constrained_map(is_on_line).vertex_is_constrained_map(is_corner).face_patch_map(patch));
+  });
+  for (Vertex v : result.mesh.vertices()) {
+    const auto around = result.mesh.halfedges_around_target(result.mesh.halfedge(v));
+    result.vertices_on_features += is_corner[v] || std::any_of(around.begin(), around.end(), [&](Halfedge h) {
+      return is_on_line[result.mesh.edge(h)];
+    });
+  }
+  const std::vector<std::int64_t> patch_of_result(patch.begin(), patch.end());
+  result.mesh.remove_all_property_maps();
+  carry_properties(input, result.labels, result.mesh);
+  if (!options.patches.empty())
+    write_patches(input, patch_of, options.patches, patch_of_result, result.mesh);
+}
+
+std::size_t maximum_vertices(const Mesh& input, const Options& options)
+{
+  if (options.vertex_ratio)
+    return static_cast<std::size_t>(
+      (std::max)(std::round(*options.vertex_ratio * static_cast<double>(input.number_of_vertices())), 1.));
+  return options.vertices.value_or((std::numeric_limits<std::size_t>::max)());
+}
+
 template <class NamedParameters>
-void coarsen_to_distance(const Mesh& input, const Options& options, const NamedParameters& np, Coarsening_result& result)
+void coarsen_to_distance(const Mesh& input, const Options& options, const std::vector<std::int64_t>& patch_of,
+                         const NamedParameters& np, Coarsening_result& result)
 {
   const double unit = options.distance_is_relative ? diagonal(input) : 1;
   result.labels.resize(input.number_of_faces());
   const auto clusters = boost::make_function_property_map<Face>(
     [&](Face f) -> std::size_t& { return result.labels[static_cast<std::size_t>(f)]; });
-  with_placement_and_traits(input, options, [&](const auto& placement, const auto& traits) {
+  extract(input, options, patch_of, result, [&](const auto& placement, const auto& np_out) {
     const SMC::Distance_report report = SMC::coarsen_mesh_to_distance<CGAL::Parallel_if_available_tag>(
-      input, (std::min)(*options.maximum_distance * unit, (std::numeric_limits<double>::max)()), result.mesh,
-      np.vertex_placement(placement).face_cluster_map(clusters), traits);
+      input, (std::min)(*options.maximum_distance * unit, (std::numeric_limits<double>::max)()),
+      maximum_vertices(input, options), result.mesh, np.vertex_placement(placement).face_cluster_map(clusters), np_out);
     result.report = report.clustering;
     result.distance_bound = report.distance_bound;
+    result.is_within_distance = report.is_within_distance;
   });
 }
 
@@ -184,36 +219,6 @@ void make_levels(const Mesh& input, const Options& options, const Clustering& cl
   }
 }
 
-// Extracts the result with its properties.
-template <class Clustering>
-void extract(Clustering& clustering, const Mesh& input, const Options& options, const std::vector<std::int64_t>& patch_of,
-             Coarsening_result& result)
-{
-  const auto is_on_line = result.mesh.add_property_map<Edge, bool>("e:is on a line", false).first;
-  const auto is_corner = result.mesh.add_property_map<Vertex, bool>("v:is a corner", false).first;
-  const auto patch = result.mesh.add_property_map<Face, std::int64_t>("f:patch", 0).first;
-  with_placement_and_traits(input, options, [&](const auto& placement, const auto& traits) {
-    clustering.extract_embedded_dual_mesh(
-      result.mesh, placement,
-      traits.edge_is_constrained_map(is_on_line).vertex_is_constrained_map(is_corner).face_patch_map(patch));
-  });
-  result.report = clustering.report();
-  for (Vertex v : result.mesh.vertices()) {
-    const auto around = result.mesh.halfedges_around_target(result.mesh.halfedge(v));
-    result.vertices_on_features += is_corner[v] || std::any_of(around.begin(), around.end(), [&](Halfedge h) {
-      return is_on_line[result.mesh.edge(h)];
-    });
-  }
-  const std::vector<std::int64_t> patch_of_result(patch.begin(), patch.end());
-  result.mesh.remove_all_property_maps();
-  result.labels.reserve(input.number_of_faces());
-  for (Face f : input.faces())
-    result.labels.push_back(clustering.cluster(f));
-  carry_properties(input, result.labels, result.mesh);
-  if (!options.patches.empty())
-    write_patches(input, patch_of, options.patches, patch_of_result, result.mesh);
-}
-
 template <class Energy>
 Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_visitor& visitor)
 {
@@ -238,9 +243,8 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
                     .vertex_is_constrained_map(boost::make_function_property_map<Vertex>([&](Vertex v) { return is_kept[v] != 0; }))
                     .visitor(std::ref(visitor));
   if (options.maximum_distance) {
-    coarsen_to_distance(input, options,
+    coarsen_to_distance(input, options, patch_of,
                         np.number_of_iterations(rounds).convergence_tolerance(options.convergence_tolerance), result);
-    carry_properties(input, result.labels, result.mesh);
     return result;
   }
   Clustering clustering(input, np);
@@ -249,12 +253,19 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
   else if (options.vertices)
     clustering.seed_faces_or_cells(*options.vertices);
   else if (options.vertex_ratio)
-    clustering.seed_from_ratio(*options.vertex_ratio);
+    clustering.seed_from_ratio(*options.vertex_ratio, options.keep_small);
+  else if (options.faces)
+    clustering.seed_from_number_of_faces(*options.faces, rounds, options.convergence_tolerance);
   else
     clustering.seed_from_level(*options.neighborhood_level);
   clustering.grow();
   clustering.minimize(rounds, options.convergence_tolerance);
-  extract(clustering, input, options, patch_of, result);
+  extract(input, options, patch_of, result, [&](const auto& placement, const auto& np_out) {
+    clustering.extract_embedded_dual_mesh(result.mesh, placement, np_out);
+    result.report = clustering.report();
+    for (Face f : input.faces())
+      result.labels.push_back(clustering.cluster(f));
+  });
   if (options.levels > 0)
     make_levels(input, options, clustering, result);
   return result;

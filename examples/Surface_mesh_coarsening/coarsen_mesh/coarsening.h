@@ -30,6 +30,7 @@ struct Coarsening_result
   CGAL::Surface_mesh_coarsening::Coarsening_report report;
   std::size_t vertices_on_features = 0;
   std::optional<double> distance_bound; // if a distance was asked for
+  bool is_within_distance = true;       // not if the number of vertices ended the search
   std::vector<Coarser_level> levels;
 };
 

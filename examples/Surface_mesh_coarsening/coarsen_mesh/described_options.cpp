@@ -31,10 +31,12 @@ po::options_description size_options()
   po::options_description result("Size of the result");
   result.add_options()
     ("vertices,n", text("N"), "number of vertices of the result, or a part of the input's, such as 10%")
+    ("keep-small", "with --vertices P%: components that cannot be reduced to this part stay as they are, triangulated")
+    ("faces", text("N"), "instead of --vertices: number of triangles of the result; the nearest possible number, if N is not possible")
     ("range", "instead of writing OUTPUT, print the smallest and the largest number that --vertices can take for INPUT")
     ("maximum-distance", text("D"),
-     "instead of --vertices: as few vertices as keep the result within this distance of the input, both ways, in parts of the "
-     "diagonal of the input's bounding box (0.01 is one percent); the distance is bounded, not sampled")
+     "instead of --vertices: as few vertices (with --vertices: at most that many) as keep the result within this distance of "
+     "the input, both ways, in parts of the diagonal of the input's bounding box (0.01 is one percent); the distance is bounded, not sampled")
     ("maximum-distance-absolute", text("D"), "the same in the mesh's unit of length")
     ("neighborhood-level,k", text("K"),
      "one vertex for every seed whose neighborhood of K layers of faces is free; with --vertices N, these seeds are merged to N")

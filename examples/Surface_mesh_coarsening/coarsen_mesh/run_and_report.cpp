@@ -178,7 +178,8 @@ std::string summary(const Options& options, const Input& input, const Coarsening
     remarks += counted(report.feature_lines, "feature line") + " and " + counted(report.feature_corners, "corner") + " kept by " +
                counted_vertices(result.vertices_on_features) + ", ";
   if (result.distance_bound)
-    remarks += distance_text(options, length_text(options, input.mesh, *result.distance_bound)) + ", ";
+    remarks += distance_text(options, length_text(options, input.mesh, *result.distance_bound)) +
+               (result.is_within_distance ? ", " : ", where the number of vertices ended the search, ");
   if (!result.levels.empty())
     remarks += counted(result.levels.size(), "level") + ", ";
   if (report.dropped_components > 0)
@@ -308,7 +309,7 @@ void round_to_files(const Options& options, const Mesh& input, Coarsening_result
     return;
   *result.distance_bound += moved;
   const double unit = options.distance_is_relative ? diagonal(input) : 1;
-  if (*result.distance_bound > *options.maximum_distance * unit)
+  if (result.is_within_distance && *result.distance_bound > *options.maximum_distance * unit)
     throw Failure(options.output, "cannot be written " + requested_distance_text(options, input) +
                                     ": the numbers of the format " + upper_case(type) + " move vertices by up to " +
                                     shown(moved) + " (use .ply, .off or .obj, which keep all digits)");

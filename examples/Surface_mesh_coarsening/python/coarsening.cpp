@@ -29,7 +29,9 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 namespace coarsening_python {
@@ -100,15 +102,21 @@ std::vector<Coarsening> coarsen_to_distance(const Mesh& input, const Options& op
   std::vector<Coarsening> results(1);
   Coarsening& result = results[0];
   result.labels.resize(input.number_of_faces());
+  std::size_t most = (std::numeric_limits<std::size_t>::max)();
+  if (options.vertex_ratio)
+    most = std::size_t((std::max)(std::round(*options.vertex_ratio * double(input.number_of_vertices())), 1.));
+  else if (!options.vertices.empty())
+    most = options.vertices.front();
   with_placement(options.placement, [&](const auto& placement) {
     const SMC::Distance_report report = SMC::coarsen_mesh_to_distance<CGAL::Parallel_if_available_tag>(
-      input, *options.maximum_distance, result.mesh,
+      input, *options.maximum_distance, most, result.mesh,
       np.number_of_iterations(options.iterations.value_or(Defaults::number_of_iterations))
         .convergence_tolerance(options.convergence_tolerance)
         .vertex_placement(placement)
         .face_cluster_map(map_to(result.labels)));
     result.report = report.clustering;
     result.distance_bound = report.distance_bound;
+    result.is_within_distance = report.is_within_distance;
   });
   return results;
 }
@@ -122,7 +130,10 @@ void make_clusters(Clustering& clustering, const Options& options, const Fields&
     return;
   }
   if (options.vertex_ratio)
-    clustering.seed_from_ratio(*options.vertex_ratio);
+    clustering.seed_from_ratio(*options.vertex_ratio, options.keep_small);
+  else if (options.faces)
+    clustering.seed_from_number_of_faces(*options.faces, options.iterations.value_or(Defaults::number_of_iterations),
+                                         options.convergence_tolerance);
   else if (options.level)
     clustering.seed_from_level(*options.level);
   else

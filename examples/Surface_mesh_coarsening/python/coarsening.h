@@ -22,17 +22,18 @@ using namespace coarsening_support;
 
 struct Options
 {
-  // One of these, or the clusters of `Fields`. The numbers of vertices are those of the levels, from fine to coarse.
+  // One of these, or the clusters of `Fields`; a number or ratio beside a distance is the maximum. The numbers of vertices are
+  // the numbers of the levels, from fine to coarse.
   std::vector<std::size_t> vertices;
   std::optional<double> vertex_ratio, maximum_distance;
-  std::optional<std::size_t> level;
+  std::optional<std::size_t> level, faces;
   std::string energy, weight, placement;
   bool paper = false; // in what no other option names
   double maximum_density = 10;
   double feature_angle = 180;
   std::size_t error_feedback = 0, local_repairs = 0;
   double minimum_component_area = 0;
-  bool subdivide = false, repair_output = true, keep_borders = false;
+  bool subdivide = false, repair_output = true, keep_borders = false, keep_small = false;
   std::optional<std::size_t> iterations;
   double convergence_tolerance = 0;
   int threads = 0; // all if 0
@@ -54,6 +55,7 @@ struct Coarsening
   std::vector<std::int64_t> boundary_counts; // of each vertex of the input; not with a distance, nor of coarser levels
   CGAL::Surface_mesh_coarsening::Coarsening_report report;
   std::optional<double> distance_bound; // if a distance was requested
+  bool is_within_distance = true;
 };
 
 // Coarsens to each number of vertices, all from the clustering with the first number, or to the distance.

@@ -47,7 +47,8 @@ py::dict described(const Coarsening& result)
                   "exchanged_vertices"_a = r.exchanged_vertices, "intersections_found"_a = r.intersections_found,
                   "intersections_left"_a = r.intersections_left, "reversals_found"_a = r.reversals_found,
                   "reversals_left"_a = r.reversals_left, "feature_lines"_a = r.feature_lines,
-                  "feature_corners"_a = r.feature_corners, "distance_bound"_a = result.distance_bound);
+                  "feature_corners"_a = r.feature_corners, "distance_bound"_a = result.distance_bound,
+                  "is_within_distance"_a = result.is_within_distance);
 }
 
 Integer_array to_array(const std::vector<std::int64_t>& values)
@@ -248,6 +249,8 @@ void define_options(py::module_& m)
     .def_readwrite("maximum_distance", &Options::maximum_distance)
     .def_readwrite("vertex_ratio", &Options::vertex_ratio)
     .def_readwrite("level", &Options::level)
+    .def_readwrite("faces", &Options::faces)
+    .def_readwrite("keep_small", &Options::keep_small)
     .def_readwrite("energy", &Options::energy)
     .def_readwrite("paper", &Options::paper)
     .def_readwrite("local_repairs", &Options::local_repairs)

@@ -16,16 +16,15 @@ struct Distance_report
 {
   /// the number of vertices of the output.
   std::size_t vertices = 0;
-  /// an upper bound of the two-sided Hausdorff distance between the input and the output, at most the requested
-  /// distance.
+  /// whether the bound of the distance is at most the requested distance. If not, the maximum number of vertices ended the search.
+  bool is_within_distance = true;
+  /// an upper bound of the two-sided Hausdorff distance between the input and the output.
   double distance_bound = 0;
-  /// the report of the clustering of which the output is the dual or a level. Its number of clusters is the number of the output.
+  /// the report of the clustering of which the output is the dual.
   Coarsening_report clustering;
   /// the number of clusterings that were minimized.
   std::size_t clusterings = 0;
-  /// the number of results whose distance was estimated.
-  std::size_t estimates = 0;
-  /// the number of results whose distance was bounded.
+  /// the number of times that a distance was bounded.
   std::size_t bounds = 0;
 };
 

@@ -126,12 +126,31 @@ public:
 
   /// finds seeds for a number of clusters that is `vertex_ratio` times the number of vertices of the mesh, rounded, and at least
   /// 1, as `seed_faces_or_cells()` does. Vertices of removed components do not count.
+  ///
+  /// If `keeps_small_components` is `true`, components whose topology needs more vertices than their part stay as they are, as
+  /// features: their vertices are corners and their edges are lines. The ratio then applies to the other components.
   /// \return the number of seeds
   /// \throws Invalid_input if the ratio is not positive and finite.
   /// \throws Unreachable_number_of_vertices as `seed()` does.
-  std::size_t seed_from_ratio(double vertex_ratio)
+  std::size_t seed_from_ratio(double vertex_ratio, bool keeps_small_components = false)
   {
-    return seed_faces_or_cells(internal::number_of_vertices(state_, vertex_ratio));
+    return seed_faces_or_cells(keeps_small_components ? internal::keep_small_components(state_, vertex_ratio)
+                                                      : internal::number_of_vertices(state_, vertex_ratio));
+  }
+
+  /// finds seeds for a number of clusters whose dual has `number_of_faces` triangles, or nearly as many, as
+  /// `seed_faces_or_cells()` does. The number follows from Euler's formula. A closed mesh gets an even number of triangles. With
+  /// borders, the function clusters the mesh for up to 8 numbers of vertices, and selects the number that comes nearest.
+  /// \param number_of_faces the number of triangles
+  /// \param number_of_iterations, convergence_tolerance the later arguments of `minimize()`
+  /// \return the number of seeds
+  /// \throws Unreachable_number_of_vertices as `seed()` does.
+  std::size_t seed_from_number_of_faces(std::size_t number_of_faces,
+                                        std::size_t number_of_iterations = Coarsening_defaults::number_of_iterations,
+                                        double convergence_tolerance = Coarsening_defaults::convergence_tolerance)
+  {
+    return seed_faces_or_cells(
+      internal::vertices_for_faces(state_, number_of_faces, {number_of_iterations, convergence_tolerance}));
   }
 
   /// The number of faces per cluster that the subdivision with parameter `subdivide_input` provides. A cluster of this many

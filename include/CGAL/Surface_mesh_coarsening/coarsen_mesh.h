@@ -299,9 +299,11 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
 }
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// coarsens a polygon mesh to a fraction of its vertices, to the number of seeds of a level, or to the number of given clusters.
+/// coarsens a polygon mesh to a fraction of its vertices, to a number of faces, to the number of seeds of a level, or to the number
+/// of given clusters.
 ///
-/// One of the following parameters in `np_in` replaces the number of vertices. Otherwise the function behaves as the overload
+/// One of the following parameters in `np_in` replaces the number of vertices; `keep_small_components` goes with `vertex_ratio`.
+/// Otherwise the function behaves as the overload
 /// with a number of vertices.
 ///
 /// \cgalNamedParamsBegin
@@ -310,6 +312,20 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
 ///                           `0.1`. The resulting number is rounded, and at least 1. Isolated vertices and vertices of removed
 ///                           components do not count.}
 ///     \cgalParamType{`double`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{keep_small_components}
+///     \cgalParamDescription{whether components whose topology needs more vertices than `vertex_ratio` gives them stay as they are,
+///                           triangulated, instead of `Unreachable_number_of_vertices` being thrown. The ratio then applies to the
+///                           other components.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{The maps of `np_out` contain the vertices and edges of these components as corners and lines.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_faces}
+///     \cgalParamDescription{the number of triangles of the output. A closed surface has an even number of triangles. If the input
+///                           has borders, the mesh is clustered for up to 8 numbers of vertices. The result has the nearest
+///                           number of triangles found.}
+///     \cgalParamType{`std::size_t`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{neighborhood_level}
 ///     \cgalParamDescription{the level of the neighborhoods of the seeds. The number of vertices is the number of seeds whose
@@ -337,17 +353,27 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, OutputFaceGraph& output,
 {
   using namespace internal;
   constexpr bool has_ratio = has_parameter<internal_np::vertex_ratio_t, NamedParametersIn>,
+                 has_faces = has_parameter<internal_np::number_of_faces_t, NamedParametersIn>,
                  has_level = has_parameter<internal_np::neighborhood_level_t, NamedParametersIn>,
                  has_clusters = has_parameter<internal_np::start_from_face_clusters_t, NamedParametersIn>;
-  static_assert(has_ratio || has_level || has_clusters,
-                "how many vertices? Give a number, or one of the parameters vertex_ratio and neighborhood_level");
-  static_assert(!(has_ratio && has_level), "the parameters vertex_ratio and neighborhood_level exclude each other");
+  static_assert(has_ratio || has_faces || has_level || has_clusters,
+                "how many vertices? Give a number, or one of the parameters vertex_ratio, number_of_faces and neighborhood_level");
+  static_assert(int(has_ratio) + int(has_faces) + int(has_level) < 2,
+                "the parameters vertex_ratio, number_of_faces and neighborhood_level exclude each other");
   accept_parameters<NamedParametersIn, Coarsening_parameters, Coarsen_mesh_parameters,
-                    Parameter_list<internal_np::vertex_ratio_t, internal_np::neighborhood_level_t> >();
+                    Parameter_list<internal_np::vertex_ratio_t, internal_np::keep_small_components_t,
+                                   internal_np::number_of_faces_t, internal_np::neighborhood_level_t> >();
   accept_parameters<NamedParametersOut, Output_parameters>();
   return internal::coarsen_mesh<ConcurrencyTag>(input, output, np_in, np_out, 0, [&](auto& clustering) {
     if constexpr (has_ratio)
-      clustering.seed_from_ratio(get_parameter(np_in, internal_np::vertex_ratio_p));
+      clustering.seed_from_ratio(get_parameter(np_in, internal_np::vertex_ratio_p),
+                                 choose_parameter(get_parameter(np_in, internal_np::keep_small_components_p), false));
+    else if constexpr (has_faces)
+      clustering.seed_from_number_of_faces(get_parameter(np_in, internal_np::number_of_faces_p),
+                                           choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
+                                                            Coarsening_defaults::number_of_iterations),
+                                           choose_parameter(get_parameter(np_in, internal_np::convergence_tolerance_p),
+                                                            Coarsening_defaults::convergence_tolerance));
     else if constexpr (has_level)
       clustering.seed_from_level(get_parameter(np_in, internal_np::neighborhood_level_p));
     else

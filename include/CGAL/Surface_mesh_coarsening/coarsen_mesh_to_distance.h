@@ -7,12 +7,11 @@
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance.h>
-#include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Vertex_sources.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/emit.h>
 
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -20,37 +19,66 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// The placement for the first estimates of the number of vertices: `Start` of the placement if it has this type, otherwise the
-// placement itself.
-template <class Placement, class = void>
-struct Quick_placement
+template <class ConcurrencyTag, class FaceGraph, class OutputFaceGraph, class NamedParametersIn, class NamedParametersOut>
+Distance_report coarsen_to_goal(const FaceGraph& input, Distance_goal goal, OutputFaceGraph& output,
+                                const NamedParametersIn& np_in, const NamedParametersOut& np_out)
 {
-  typedef Placement type;
-};
-template <class Placement>
-struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
-{
-  typedef typename Placement::Start type;
-};
+  accept_parameters<NamedParametersIn, Coarsening_parameters>();
+  accept_parameters<NamedParametersOut, Output_parameters>();
+  typedef Energy_choice<NamedParametersIn> Energy;
+  typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Fitted_placement> Placement;
+  typedef Mwcvd_clustering<FaceGraph, Energy, ConcurrencyTag> Clustering;
+  typedef typename GetGeomTraits<OutputFaceGraph, NamedParametersOut>::type Traits;
+  if (!(goal.distance > 0 && std::isfinite(goal.distance)))
+    throw Invalid_input("the maximum distance is " + number_text(goal.distance));
+  goal.end = {choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
+                               Coarsening_defaults::number_of_iterations),
+              choose_parameter(get_parameter(np_in, internal_np::convergence_tolerance_p),
+                               Coarsening_defaults::convergence_tolerance)};
+  if (!(goal.end.tolerance >= 0))
+    throw Invalid_input("the convergence tolerance is " + std::to_string(goal.end.tolerance));
+
+  const auto source_map = get_parameter(np_out, internal_np::vertex_source);
+  check_input_stays<std::decay_t<decltype(source_map)> >(input, output);
+  Distance_report report;
+  Clustering clustering(typename Clustering::Accepted(), input, np_in);
+  const Placement placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
+  Clustering_state& state = clustering.state();
+  state.may_cluster_cells = state.may_cluster_cells && exchanges_vertices<Placement>;
+  const Placed_dual dual =
+    find_within_distance(state, placement_model(placement), output_coordinates<Traits>(state.frame), goal, report);
+  Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
+  emit(state, dual, output, np_out, [&](const std::vector<Vector>& positions) {
+    const std::vector<Index> clusters = clusters_of_base_faces(state);
+    sources.find(input, clustering.numbering(), state.base_input(), clusters, positions, state.cancellation());
+    write_face_clusters(clustering.numbering(), state.base_input(), clusters, report.vertices,
+                        get_parameter(np_in, internal_np::face_cluster));
+    write_vertex_clusters(clustering.numbering(), state.base_input(), clusters, report.vertices,
+                          get_parameter(np_in, internal_np::vertex_to_cluster));
+  });
+  sources.write(output);
+  report.clustering = clustering.report();
+  return report;
+}
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// coarsens a polygon mesh to as few vertices as a bound of the distance permits.
 ///
 /// The output is the coarsest result found whose two-sided Hausdorff distance to the input is at most `maximum_distance`. The
-/// function merges a fine clustering to levels of detail (see `Cluster_levels`), and brackets the number of vertices among these
-/// levels. It estimates distances at points of both surfaces, first with the placement's `Start`, if it has one (see
-/// `GlobalVertexPlacement`), then with the placement. The distance of the result is bounded over both surfaces, not only at points.
-/// If the bound is too large, the search continues with a finer level.
-/// If the placement exchanges vertices (parameter `error_feedback`), the levels only predict the number of vertices. The mesh is
-/// clustered for up to four numbers, because the result of a clustering of its own is closer to the input than a level. Where
-/// such a result is too far from the input, its vertices move toward the input. If none of these results is within the distance,
-/// the levels are searched.
+/// function bisects a list of numbers of vertices, from the least that the topology permits to the number of vertices of the
+/// input, with a ratio of at most 1.08 between consecutive numbers. The list does not depend on the distance, so a larger distance
+/// never leads to more vertices. For each number, the mesh is clustered, and the distance of the result is bounded over both
+/// surfaces, not only at points. If the placement exchanges vertices (parameter `error_feedback`), it does so only where the
+/// result without exchange is not close enough. Where a result is somewhat too far from the input, its vertices move toward the
+/// input.
+///
+/// With the number of all vertices, `coarsen_mesh()` returns the surface of the input. Hence the function finds a result within
+/// every distance above rounding errors, unless faces must be clustered (see `Mwcvd_clustering::seed_faces_or_cells()`), or the
+/// placement is not `Fitted_placement`.
 ///
 /// The distance is measured between surfaces: polygons of the input are triangulated as fans around the corner with the smallest
 /// number, and degenerate triangles do not count. Otherwise the output has the properties of the output of
@@ -80,56 +108,37 @@ struct Quick_placement<Placement, std::void_t<typename Placement::Start> >
 /// The output does not change if an exception is thrown.
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph,
           class NamedParametersIn = parameters::Default_named_parameters,
-          class NamedParametersOut = parameters::Default_named_parameters>
+          class NamedParametersOut = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , std::enable_if_t<!std::is_integral<OutputFaceGraph>::value>* = nullptr // an `int` is a number of vertices
+#endif
+          >
 Distance_report coarsen_mesh_to_distance(const FaceGraph& input, double maximum_distance, OutputFaceGraph& output,
                                          const NamedParametersIn& np_in = parameters::default_values(),
                                          const NamedParametersOut& np_out = parameters::default_values())
 {
-  using namespace internal;
-  accept_parameters<NamedParametersIn, Coarsening_parameters>();
-  accept_parameters<NamedParametersOut, Geometry_parameters, Parameter_list<internal_np::vertex_source_t> >();
-  typedef Energy_choice<NamedParametersIn> Energy;
-  typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Fitted_placement> Placement;
-  typedef Mwcvd_clustering<FaceGraph, Energy, ConcurrencyTag> Clustering;
-  typedef typename GetGeomTraits<OutputFaceGraph, NamedParametersOut>::type Traits;
-  if (!(maximum_distance > 0 && std::isfinite(maximum_distance)))
-    throw Invalid_input("the maximum distance is " + number_text(maximum_distance));
+  return internal::coarsen_to_goal<ConcurrencyTag>(input, {maximum_distance, {}}, output, np_in, np_out);
+}
 
-  const auto source_map = get_parameter(np_out, internal_np::vertex_source);
-  check_input_stays<std::decay_t<decltype(source_map)> >(input, output);
-  Distance_report report;
-  Clustering clustering(typename Clustering::Accepted(), input, np_in);
-  const Minimization_end end{choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
-                                              Coarsening_defaults::number_of_iterations),
-                             choose_parameter(get_parameter(np_in, internal_np::convergence_tolerance_p),
-                                              Coarsening_defaults::convergence_tolerance)};
-  if (!(end.tolerance >= 0))
-    throw Invalid_input("the convergence tolerance is " + std::to_string(end.tolerance));
-  const Placement placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
-  const typename Quick_placement<Placement>::type quick_placement{};
-  constexpr bool has_quick_placement = !std::is_same<std::decay_t<decltype(quick_placement)>, Placement>::value;
-  Clustering_state& state = clustering.state();
-  state.may_cluster_cells = state.may_cluster_cells && exchanges_vertices<Placement>;
-  const Dual_within_distance dual =
-    find_within_distance(state, placement_model(placement),
-                         has_quick_placement ? std::make_optional(placement_model(quick_placement)) : std::nullopt,
-                         output_coordinates<Traits>(state.frame), maximum_distance, end, num_vertices(input), report);
-
-  report.clustering = clustering.report();
-  report.clustering.clusters = report.vertices;
-  Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
-  Face_graph_filler<OutputFaceGraph, NamedParametersOut> filler(dual.positions, state.frame, dual.triangles, output,
-                                                                np_out);
-  state.visitor.throw_if_cancelled();
-  const std::vector<Index>& clusters = dual.clusters_of_base_faces;
-  sources.find(input, clustering.numbering(), state.base_input(), clusters, dual.positions, state.cancellation());
-  write_face_clusters(clustering.numbering(), state.base_input(), clusters, report.vertices,
-                      get_parameter(np_in, internal_np::face_cluster));
-  write_vertex_clusters(clustering.numbering(), state.base_input(), clusters, report.vertices,
-                        get_parameter(np_in, internal_np::vertex_to_cluster));
-  filler.commit();
-  sources.write(output);
-  return report;
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// coarsens a polygon mesh to as few vertices as a bound of the distance permits, but to at most `maximum_number_of_vertices`
+/// vertices.
+///
+/// If this number of vertices is too small for the distance, the output has this number of vertices, and
+/// `Distance_report::is_within_distance` is `false`. The bound of its distance is in the report. Otherwise the function behaves
+/// as the overload without a number.
+///
+/// \throws Unreachable_number_of_vertices if the topology of the input needs more vertices.
+template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph,
+          class NamedParametersIn = parameters::Default_named_parameters,
+          class NamedParametersOut = parameters::Default_named_parameters>
+Distance_report coarsen_mesh_to_distance(const FaceGraph& input, double maximum_distance,
+                                         std::size_t maximum_number_of_vertices, OutputFaceGraph& output,
+                                         const NamedParametersIn& np_in = parameters::default_values(),
+                                         const NamedParametersOut& np_out = parameters::default_values())
+{
+  return internal::coarsen_to_goal<ConcurrencyTag>(input, {maximum_distance, {}, maximum_number_of_vertices}, output, np_in,
+                                                   np_out);
 }
 
 } // namespace Surface_mesh_coarsening

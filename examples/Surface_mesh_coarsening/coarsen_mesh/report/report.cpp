@@ -54,6 +54,8 @@ Json parameters_of(const Options& options)
   result["vertices"] = options.vertices ? Json(*options.vertices) : Json();
   result["vertex_ratio"] = options.vertex_ratio ? Json(*options.vertex_ratio) : Json();
   result["neighborhood_level"] = options.neighborhood_level ? Json(*options.neighborhood_level) : Json();
+  result["faces"] = options.faces ? Json(*options.faces) : Json();
+  result["keep_small"] = options.keep_small;
   result["maximum_distance"] = options.maximum_distance ? Json(*options.maximum_distance) : Json();
   result["maximum_distance_is_relative"] = options.distance_is_relative;
   result["levels"] = options.levels;
@@ -216,6 +218,7 @@ std::string report_text(const Options& options, const Input& input, const Coarse
   report["clustering"]["vertices_on_features"] = result.vertices_on_features;
   report["output"] = sizes_of(options.output, result.mesh);
   report["output"]["distance_bound"] = result.distance_bound ? Json(*result.distance_bound) : Json();
+  report["output"]["is_within_distance"] = result.distance_bound ? Json(result.is_within_distance) : Json();
   report["output"]["relative_distance_bound"] =
     result.distance_bound ? Json(*result.distance_bound / diagonal(input.mesh)) : Json();
   report["levels"] = levels_of(options, input, result);

@@ -195,6 +195,8 @@ def _set_target(options: "_core.Options", fields: "_core.Fields", mesh: Arrays, 
         if not 0 <= reduction < 1:
             raise ValueError(f"target_reduction is {reduction}, not in [0, 1)")
         options.vertex_ratio = 1 - reduction
+    elif name == "number_of_faces":
+        options.faces = whole(value, name, 1)
     elif name == "level":
         options.level = whole(value, name)
     elif name == "start_clusters":
@@ -202,6 +204,10 @@ def _set_target(options: "_core.Options", fields: "_core.Fields", mesh: Arrays, 
     else:
         distance = real(value, name) * (diagonal(mesh) if name == "maximum_distance" else 1)
         options.maximum_distance = min(distance, float(np.finfo(float).max))
+
+
+# The targets that may be given together with a distance.
+_LIMITS = ("n", "vertex_ratio", "target_reduction")
 
 
 def _relative_to(length: float, error: UnreachableDistance) -> UnreachableDistance:
@@ -220,6 +226,7 @@ def coarsen(
     *,
     vertex_ratio: Optional[float] = None,
     target_reduction: Optional[float] = None,
+    number_of_faces: Optional[int] = None,
     level: Optional[int] = None,
     maximum_distance: Optional[float] = None,
     maximum_distance_absolute: Optional[float] = None,
@@ -229,9 +236,11 @@ def coarsen(
     keep_edges: Any = None,
     keep_vertices: Any = None,
     keep_borders: bool = False,
+    keep_small: bool = False,
     **settings: Unpack[Settings],
 ) -> Coarsening:
-    """Coarsens a mesh to `n` vertices, or to one of the next six arguments instead.
+    """Coarsens a mesh to `n` vertices, or to one of the next seven arguments instead. A distance may be given together with `n`,
+    `vertex_ratio` or `target_reduction`, which is then the maximum.
 
     points: vertices, of shape (v, 3); or a mesh, which stands for `points` and `faces`: any object with the attributes `faces` and
         `vertices` (trimesh) or `points` (PyVista)
@@ -240,6 +249,7 @@ def coarsen(
     n: the number of vertices of the result
     vertex_ratio: the number of vertices of the result divided by the number of vertices of the input
     target_reduction: the part of the vertices to be removed, 1 - vertex_ratio
+    number_of_faces: the number of triangles of the result; the nearest possible number, if this number is not possible
     level: the level of the neighborhoods of the seeds, which gives the number of vertices (section 6 of the paper)
     maximum_distance: as few vertices as keep the result within this distance of the input, both ways, in parts of the diagonal
         of the input's bounding box
@@ -250,6 +260,7 @@ def coarsen(
     keep_edges: edges to keep as lines, as pairs of vertices, of shape (k, 2)
     keep_vertices: vertices to keep at their points, as their numbers or a mask of shape (v,)
     keep_borders: whether to keep all vertices and edges of borders
+    keep_small: with `vertex_ratio` or `target_reduction`, whether components that cannot be reduced to it stay as they are
     settings: any of the following, which are settings of `coarsen_levels()`, too
     energy: "weighted", the default, "quadric" or "normals"
     weight: "uniform", "area", the default, "maximum", "exact-maximum" or "variance"
@@ -282,27 +293,28 @@ def coarsen(
         "n": number[0] if number else None,
         "vertex_ratio": vertex_ratio,
         "target_reduction": target_reduction,
+        "number_of_faces": number_of_faces,
         "level": level,
         "maximum_distance": maximum_distance,
         "maximum_distance_absolute": maximum_distance_absolute,
         "start_clusters": start_clusters,
     }
     given = [name for name, value in targets.items() if value is not None]
-    if len(given) != 1 or len(number) > 1:
+    is_pair = len(given) == 2 and given[0] in _LIMITS and given[1].startswith("maximum_distance")
+    if len(given) != 1 and not is_pair or len(number) > 1:
         raise TypeError(f"coarsen() takes either of {', '.join(targets)}, not {' and '.join(given) or 'none'}")
-    has_distance = given[0].startswith("maximum_distance")
-    kept = {"features": features, "patches": patches, "keep_edges": keep_edges, "keep_vertices": keep_vertices}
-    for name in [name for name, value in kept.items() if value is not None] + (["keep_borders"] if keep_borders else []):
-        if has_distance:
-            raise ValueError(f"coarsen() cannot keep {name} where {given[0]} is given; give a number of vertices")
+    if keep_small and (is_pair or given[0] not in ("vertex_ratio", "target_reduction")):
+        raise ValueError("keep_small goes with vertex_ratio or target_reduction, without a distance")
     options = _options(dict(settings))
     mesh = mesh_arrays(points, faces)
     fields = _fields(mesh, options, features, patches, keep_edges, keep_vertices, keep_borders)
-    _set_target(options, fields, mesh, given[0], targets[given[0]])
+    options.keep_small = flag(keep_small, "keep_small")
+    for name in given:
+        _set_target(options, fields, mesh, name, targets[name])
     try:
         return _coarsen(mesh, options, fields, dict(settings))[0]
     except UnreachableDistance as e:
-        if given[0] == "maximum_distance":
+        if given[-1] == "maximum_distance":
             raise _relative_to(diagonal(mesh), e) from None
         raise
 

@@ -126,6 +126,37 @@ def test_distance():
     smc.coarsen(*small, maximum_distance=e.value.nearest)
 
 
+def test_distance_with_a_number():
+    points, faces = torus()
+    free = smc.coarsen(points, faces, maximum_distance=0.02)
+    assert free.report["is_within_distance"]
+    n = len(free.points)
+    fewer = smc.coarsen(points, faces, n // 2, maximum_distance=0.02)
+    assert len(fewer.points) == n // 2 and not fewer.report["is_within_distance"]
+    assert fewer.report["distance_bound"] > free.report["distance_bound"]
+    more = smc.coarsen(points, faces, 2 * n, maximum_distance=0.02)
+    assert len(more.points) < 1.2 * n and more.report["is_within_distance"]
+
+
+def test_number_of_faces():
+    points, faces = torus()
+    assert len(smc.coarsen(points, faces, number_of_faces=300).faces) == 300
+    sheet, quads = folded_sheet()
+    assert abs(len(smc.coarsen(sheet, quads, number_of_faces=101).faces) - 101) <= 1
+
+
+def test_small_components_are_kept():
+    points, faces = torus()
+    quad = np.array([[20.0, 0, 0], [21, 0, 0], [21, 1, 0], [20, 1, 0]])
+    all_points = np.concatenate([points, quad])
+    all_faces = np.concatenate([faces, [[len(points) + i for i in range(4)]]])
+    with pytest.raises(smc.UnreachableNumberOfVertices):
+        smc.coarsen(all_points, all_faces, vertex_ratio=0.001)
+    result = smc.coarsen(all_points, all_faces, vertex_ratio=0.01, keep_small=True)
+    assert len(result.points) == 28
+    assert {tuple(p) for p in quad} <= {tuple(p) for p in result.points}
+
+
 def test_measure_of_a_mesh_itself():
     points, faces = torus()
     quality = smc.measure(points, faces, points, np.concatenate([faces[:, [0, 1, 2]], faces[:, [2, 3, 0]]]), samples=1000)
@@ -244,7 +275,7 @@ def test_errors():
     with pytest.raises(TypeError, match="either"):
         smc.coarsen(points, faces)
     with pytest.raises(TypeError, match="either"):
-        smc.coarsen(points, faces, 100, maximum_distance=1)
+        smc.coarsen(points, faces, 100, vertex_ratio=0.1)
     for number in (0, -5, 2.5):
         with pytest.raises(ValueError, match="number of vertices"):
             smc.coarsen(points, faces, number)
@@ -501,9 +532,8 @@ def test_kept_elements():
         smc.coarsen(flat, faces, 60, keep_edges=[[0, 1], [0, 400]])
     with pytest.raises(ValueError, match="keep_vertices have vertex 441 of 441 at entry 1"):
         smc.coarsen(flat, faces, 60, keep_vertices=[0, 441])
-    for name, value in (("features", 30), ("keep_edges", edges), ("keep_borders", True)):
-        with pytest.raises(ValueError, match=rf"coarsen\(\) cannot keep {name} where maximum_distance is given"):
-            smc.coarsen(flat, faces, maximum_distance=0.01, **{name: value})
+    within = smc.coarsen(flat, faces, maximum_distance=0.01, keep_vertices=[100, 200])
+    assert {tuple(flat[100]), tuple(flat[200])} <= {tuple(p) for p in within.points}
 
 
 def test_range_of_numbers():

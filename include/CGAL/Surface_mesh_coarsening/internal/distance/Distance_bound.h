@@ -40,8 +40,8 @@ public:
     surface_.prepare();
   }
 
-  // Returns a bound that exceeds the distance by at most `error`. If the distance exceeds `limit`, may return any number between
-  // them; then `far`, if it is not null, receives points that are too far.
+  // Returns a bound that exceeds the distance by at most `error`, or by at most a 32nd part. If the distance exceeds `limit`, may
+  // return any number between them; then `far`, if it is not null, receives points that are too far.
   double operator()(const std::vector<Vector>& positions, const std::vector<Triangle>& triangles, double error, double limit,
                     std::vector<Far_point>* far) const
   {
@@ -119,6 +119,8 @@ private:
     std::array<Vector, 3> corners;
     Index triangle, group;
     double bound;
+    std::size_t nearest = 0; // the triangle nearest to the center
+    int cuts = 0;            // since it was halved
   };
 
   static Vector center(const Part& part) { return (1. / 3) * (part.corners[0] + part.corners[1] + part.corners[2]); }
@@ -131,7 +133,8 @@ private:
     const double rounding = 1e-12 * from.largest_coordinate;
     double reached = 0; // by some point
     const double least = bound;
-    std::vector<Part> undecided;
+    std::vector<Part> undecided; // a heap: the part with the largest bound comes first, because it is likely to raise `reached`
+    const auto is_below = [](const Part& a, const Part& b) { return a.bound < b.bound; };
     const auto measure = [&](Part part) {
       cancellation_.poll(16);
       const double enough = (std::max)((std::min)(reached, limit), least);
@@ -140,8 +143,10 @@ private:
       reached = (std::max)(reached, distance);
       if (distance > limit)
         report(part, near);
-      else if (part.bound > enough)
+      else if (part.bound > enough) {
         undecided.push_back(part);
+        std::push_heap(undecided.begin(), undecided.end(), is_below);
+      }
     };
     // A few of the triangles, first, yield a distance below which the others need not be divided.
     constexpr std::size_t step = 8;
@@ -149,19 +154,25 @@ private:
       for (std::size_t t = first; t < from.number.size(); t += step)
         measure({from.corners(t), Index(t), from.group[t], 0});
     while (!undecided.empty() && reached <= limit) {
+      const double largest = undecided.front().bound, permitted = (std::max)(error, reached / 32);
+      // A bound beyond the limit must not be due to the error.
+      if (largest <= (std::max)((std::min)(reached + permitted, limit), reached + (std::max)(error / 256, rounding))) {
+        bound = (std::max)(bound, largest);
+        break;
+      }
+      std::pop_heap(undecided.begin(), undecided.end(), is_below);
       const Part part = undecided.back();
       undecided.pop_back();
-      // A bound beyond the limit must not be due to the error.
-      if (part.bound <= (std::max)((std::min)(reached + error, limit), reached + (std::max)(error / 16, rounding)))
-        bound = (std::max)(bound, part.bound);
-      else
-        divide(part, measure);
+      divide(part, to, measure);
     }
-    // If some point is too far, the halves of the undecided parts are measured once more, for other such points.
+    bound = (std::max)(bound, reached);
+    if (reached <= limit)
+      return;
+    // Some point is too far. The halves of the undecided parts are measured once more, for other such points.
     const std::vector<Part> rest = std::move(undecided);
     undecided.clear();
     for (const Part& part : rest)
-      divide(part, measure);
+      divide(part, to, measure);
     bound = (std::max)(bound, reached);
   }
 
@@ -184,13 +195,62 @@ private:
         squared = (std::max)(squared, closest_on_triangle(p, triangle[0], triangle[1], triangle[2]).squared_distance);
       part.bound = (std::min)(part.bound, std::sqrt(squared));
       part.group = to.group[nearest.face];
+      part.nearest = nearest.face;
     }
     return nearest;
   }
 
+  // Divides a part, where possible into what lies over its nearest triangle and what does not: over one triangle, the bound is
+  // exact. Repeated cuts of thin slices are followed by a halving.
+  template <class Visit>
+  static void divide(const Part& part, const Surface& to, const Visit& visit)
+  {
+    constexpr int max_cuts = 8;
+    if (part.cuts == max_cuts || !cut_at_edge(part, to, visit))
+      halve(part, visit);
+  }
+
+  // Cuts a part by the plane through an edge of its nearest triangle, upright on the triangle: the plane beyond which the part
+  // reaches farthest. Returns whether such a plane crosses the part.
+  template <class Visit>
+  static bool cut_at_edge(const Part& part, const Surface& to, const Visit& visit)
+  {
+    constexpr double least_part = 1e-3; // of the extent of the part, on each side
+    const std::array<Vector, 3> t = to.corners(part.nearest);
+    const Vector normal = cross(t[1] - t[0], t[2] - t[0]);
+    Vector heights{};
+    double farthest = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Vector outward = cross(t[(i + 1) % 3] - t[i], normal);
+      const double length = std::sqrt(dot(outward, outward));
+      Vector h;
+      for (int k = 0; k < 3; ++k)
+        h[k] = dot(outward, part.corners[k] - t[i]) / length;
+      const double highest = *std::max_element(h.begin(), h.end()), lowest = *std::min_element(h.begin(), h.end());
+      if (highest > farthest && (std::min)(highest, -lowest) > least_part * (highest - lowest)) {
+        farthest = highest;
+        heights = h;
+      }
+    }
+    if (!(farthest > 0))
+      return false;
+    int alone = 0;
+    while ((heights[alone] > 0) == (heights[(alone + 1) % 3] > 0) || (heights[alone] > 0) == (heights[(alone + 2) % 3] > 0))
+      ++alone;
+    const Vector &p = part.corners[alone], &q = part.corners[(alone + 1) % 3], &r = part.corners[(alone + 2) % 3];
+    const auto crossing = [&](const Vector& end, double height) {
+      return p + heights[alone] / (heights[alone] - height) * (end - p);
+    };
+    const Vector on_pq = crossing(q, heights[(alone + 1) % 3]), on_pr = crossing(r, heights[(alone + 2) % 3]);
+    for (const std::array<Vector, 3>& corners :
+         {std::array<Vector, 3>{{p, on_pq, on_pr}}, std::array<Vector, 3>{{on_pq, q, on_pr}}, std::array<Vector, 3>{{q, r, on_pr}}})
+      visit({corners, part.triangle, part.group, part.bound, part.nearest, part.cuts + 1});
+    return true;
+  }
+
   // Halves a part at its longest side.
   template <class Visit>
-  static void divide(const Part& part, const Visit& visit)
+  static void halve(const Part& part, const Visit& visit)
   {
     const auto& c = part.corners;
     const auto squared_length = [&](int i) { return dot(c[(i + 1) % 3] - c[i], c[(i + 1) % 3] - c[i]); };

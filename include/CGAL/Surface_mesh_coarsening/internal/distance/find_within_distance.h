@@ -7,27 +7,26 @@
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
 #include <cstddef>
-#include <optional>
-#include <vector>
+#include <limits>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The coarsest dual found within a distance.
-struct Dual_within_distance
+// What a search looks for. If `max_vertices` is given and is too small for the distance, the result has this number of vertices.
+struct Distance_goal
 {
-  std::vector<Triangle> triangles;
-  std::vector<Vector> positions;
-  std::vector<Index> clusters_of_base_faces;
+  static constexpr std::size_t any_number = (std::numeric_limits<std::size_t>::max)();
+  double distance; // in the unit of length of the mesh
+  Minimization_end end;
+  std::size_t max_vertices = any_number;
 };
 
-// Searches the levels of a fine clustering for the coarsest dual within a distance; throws if there is none. `quick` is a
-// placement that takes less time and is nearly as close. `vertices` is the maximum number of clusters.
-Dual_within_distance find_within_distance(Clustering_state& state, const Placement_model& placement,
-                                          const std::optional<Placement_model>& quick,
-                                          const Output_coordinates& output_coordinates, double distance,
-                                          const Minimization_end& end, std::size_t vertices, Distance_report& report);
+// Searches for the fewest vertices within a distance. The clusters of the result remain in the state. Throws if even as many
+// vertices as the mesh has are too far.
+Placed_dual find_within_distance(Clustering_state& state, const Placement_model& placement,
+                                 const Output_coordinates& output_coordinates, const Distance_goal& goal,
+                                 Distance_report& report);
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

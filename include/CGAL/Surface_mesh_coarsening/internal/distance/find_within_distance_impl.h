@@ -3,22 +3,192 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_FIND_WITHIN_DISTANCE_IMPL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_FIND_WITHIN_DISTANCE_IMPL_H
 
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_search.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_bound.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/place_and_exchange.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-CGAL_SURFACE_MESH_COARSENING_INLINE Dual_within_distance
-find_within_distance(Clustering_state& state, const Placement_model& placement, const std::optional<Placement_model>& quick,
-                     const Output_coordinates& output_coordinates, double distance, const Minimization_end& end,
-                     std::size_t vertices, Distance_report& report)
+// Bisects a list of numbers of vertices that does not depend on the distance. Whether the result for a number is within a larger
+// distance follows from whether it is within a smaller one: the steps toward the result do not depend on the distance, only
+// their end does. Hence a larger distance never leads to more vertices.
+class Distance_search
 {
-  Distance_search search(state, placement, quick, output_coordinates, distance, end, vertices, report);
-  search.run();
-  return {search.triangles(), search.positions(), search.clusters_of_base_faces()};
+public:
+  Distance_search(Clustering_state& state, const Placement_model& placement, const Output_coordinates& output_coordinates,
+                  const Distance_goal& goal, Distance_report& report)
+    : state_(state),
+      placement_(placement),
+      output_coordinates_(output_coordinates),
+      goal_(goal),
+      local_distance_((std::min)(state.frame.length_to_local(goal.distance), max_distance(state.base_input()))),
+      report_(report)
+  {}
+
+  Placed_dual run()
+  {
+    const std::vector<std::size_t> numbers = trial_numbers();
+    std::size_t first = 0, last = numbers.size() - 1, tried = numbers.size();
+    while (first < last) {
+      tried = (first + last) / 2;
+      if (is_within_distance(numbers[tried], false))
+        last = tried;
+      else
+        first = tried + 1;
+    }
+    if (tried != first && !is_within_distance(numbers[first], true) && numbers[first] < goal_.max_vertices)
+      throw Unreachable_distance("no result within a distance of " + number_text(goal_.distance) + " was found",
+                                 state_.frame.length_to_mesh(rounded_up * nearest_));
+    report_.vertices = numbers[first];
+    report_.is_within_distance = bound_ <= local_distance_;
+    report_.distance_bound = state_.frame.length_to_mesh(bound_);
+    return std::move(dual_);
+  }
+
+private:
+  // Every result is closer, because vertices lie near their clusters. Squares of much larger distances would overflow.
+  static double max_distance(const Clustering_input& input)
+  {
+    Bbox_3 box;
+    for (const Vector& p : input.mesh.points)
+      box += box_of_point(p);
+    return (std::max)(8 * std::sqrt(squared_diagonal(box)), (std::numeric_limits<double>::min)());
+  }
+
+  // Returns the numbers of vertices that may be the result, in geometric progression.
+  std::vector<std::size_t> trial_numbers() const
+  {
+    constexpr double max_ratio = 1.08;
+    const auto range = vertex_number_range(state_);
+    const std::size_t most = (std::min)({range.second, number_of_vertices(state_, 1), goal_.max_vertices}),
+                      least = (std::min)(range.first, most);
+    const double ratio = double(most) / double(least);
+    std::size_t steps = 1;
+    while (std::pow(ratio, 1. / double(steps)) > max_ratio)
+      steps *= 2;
+    std::vector<std::size_t> numbers{least};
+    for (std::size_t i = 1; i <= steps; ++i) {
+      const auto n = std::size_t(std::round(double(least) * std::pow(ratio, double(i) / double(steps))));
+      if (n > numbers.back() && n < most)
+        numbers.push_back(n);
+    }
+    if (most > numbers.back())
+      numbers.push_back(most);
+    return numbers;
+  }
+
+  // Computes the result for a number of vertices, as far as the answer needs it, or completely.
+  bool is_within_distance(std::size_t n, bool is_last)
+  {
+    // The exchange of vertices lowers the largest distance less.
+    constexpr double largest_gain = 4;
+    nearest_ = infinite;
+    try {
+      seed(state_, {Seeding::FOR_NUMBER, n, true});
+      grow(state_);
+    } catch (const Unreachable_number_of_vertices&) {
+      if (is_last)
+        throw;
+      return false;
+    }
+    minimize(state_, goal_.end);
+    ++report_.clusterings;
+    Repair_budget budget = repair_budget(state_);
+    if (may_exchange_vertices(state_, placement_)) {
+      dual_ = place(state_, placement_, output_coordinates_, budget);
+      prepare_bounds();
+      if (bound_distance() <= local_distance_)
+        return true;
+      if (bound_ > largest_gain * local_distance_ && !is_last)
+        return false;
+    }
+    dual_ = place_and_exchange(state_, placement_, output_coordinates_, budget);
+    prepare_bounds();
+    bound_distance();
+    approach(budget);
+    return bound_ <= local_distance_;
+  }
+
+  // Moves vertices where the result is too far: the fit minimizes the mean of the squared distances, and a few places determine
+  // the maximum.
+  void approach(Repair_budget& budget)
+  {
+    constexpr int max_steps = 3;
+    constexpr double max_ratio = 2, far = 0.75;
+    std::unique_ptr<Bordered_surface> surface;
+    for (int i = 0; i < max_steps && bound_ > local_distance_ && bound_ <= max_ratio * local_distance_; ++i) {
+      const std::size_t left = dual_.number_left();
+      const double limit = far * bound_;
+      std::vector<Far_point> far_points;
+      bound(limit / 32, limit, &far_points);
+      if (!surface)
+        surface = bordered_surface(state_, dual_);
+      approach_far_points(far_points, limit, *surface->faces, surface->border, dual_.triangles, dual_.positions);
+      dual_.counts = repair_exchanged(state_, *surface, placement_, output_coordinates_, dual_, budget);
+      bound_distance();
+      if (dual_.number_left() > left)
+        return;
+    }
+  }
+
+  void prepare_bounds()
+  {
+    bound_of_.emplace(state_.base_input().mesh, clusters_of_base_faces(state_), dual_.positions.size(), state_.cancellation());
+  }
+
+  // Bounds the distance of the dual. A bound beyond the requested distance does not depend on the requested distance.
+  double bound_distance()
+  {
+    bound_ = bound(local_distance_ / 32, local_distance_, nullptr);
+    if (bound_ > local_distance_)
+      bound_ = bound(0, infinite, nullptr);
+    nearest_ = (std::min)(nearest_, bound_);
+    return bound_;
+  }
+
+  // Bounds the distance after rounding to the output; see `Distance_bound`.
+  double bound(double error, double limit, std::vector<Far_point>* far)
+  {
+    std::vector<Vector> rounded;
+    for (const Vector& p : dual_.positions)
+      rounded.push_back(state_.frame.to_local(output_coordinates_(p)));
+    ++report_.bounds;
+    return (*bound_of_)(rounded, dual_.triangles, error, limit, far);
+  }
+
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+  // Makes the nearest distance attainable in spite of the error of its bound.
+  static constexpr double rounded_up = 1.002;
+  Clustering_state& state_;
+  Placement_model placement_;
+  Output_coordinates output_coordinates_;
+  Distance_goal goal_;
+  double local_distance_;
+  Distance_report& report_;
+  Placed_dual dual_;
+  std::optional<Distance_bound> bound_of_;
+  double bound_ = infinite, nearest_ = infinite;
+};
+
+CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual
+find_within_distance(Clustering_state& state, const Placement_model& placement, const Output_coordinates& output_coordinates,
+                     const Distance_goal& goal, Distance_report& report)
+{
+  return Distance_search(state, placement, output_coordinates, goal, report).run();
 }
 
 } // namespace internal

@@ -34,6 +34,13 @@ std::pair<std::size_t, std::size_t> vertex_number_range(const Clustering_state& 
 // Returns `ratio` times the number of vertices of the mesh, without removed components.
 std::size_t number_of_vertices(const Clustering_state& state, double ratio);
 
+// Keeps the components whose topology needs more than `ratio` times their vertices as they are. Returns `ratio` times the number of
+// vertices of the other components, and all vertices of these.
+std::size_t keep_small_components(Clustering_state& state, double ratio);
+
+// Returns the number of vertices whose result has a number of faces, or nearly this number.
+std::size_t vertices_for_faces(Clustering_state& state, std::size_t faces, const Minimization_end& end);
+
 // Grows the clusters from the seeds to the requested number (section 8.1) and starts the minimization.
 void grow(Clustering_state& state);
 

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/choose_items.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/place_and_exchange.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/vertex_numbers_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Initial_clustering.h>
@@ -144,44 +145,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void seed(Clustering_state& state, const See
   state.seeding = seeding;
   run_with_any_items(state, [&] { seed_items(state, seeding); }, [] {});
   state.visitor.stage_ends(Coarsening_stage::SEEDING);
-}
-
-CGAL_SURFACE_MESH_COARSENING_INLINE std::pair<std::size_t, std::size_t> vertex_number_range(const Clustering_state& state)
-{
-  Coarsening_report unused;
-  const std::optional<Featured_input> faces =
-    has_vertex_cells(state.input)
-      ? std::make_optional(with_items(state.input, Feature_cells::AT_FEATURES, state.cancellation()))
-      : std::nullopt;
-  const Featured_input& input = faces ? *faces : state.input;
-  const auto unclustered = [&] {
-    return Initial_clustering(input, state.merges_by_area, unused, state.cancellation(), state.execution);
-  };
-  auto range = unclustered().range();
-  if (!state.subdivides_input)
-    return range;
-  range.second = Initial_clustering::max_clusters_of_subdivided(faces_per_cluster);
-  // Pieces of faces may permit fewer clusters than the faces, but are only made for numbers that are too large for the faces.
-  std::size_t sufficient = input.items.mesh.number_of_faces() / faces_per_cluster; // clusters for the faces as they are
-  while (range.first > sufficient) {
-    Initial_clustering finer = unclustered();
-    finer.subdivide(sufficient + 1, faces_per_cluster);
-    const std::size_t least = sufficient + 1;
-    sufficient = finer.input().items.mesh.number_of_faces() / faces_per_cluster;
-    range.first = (std::max)(least, finer.range().first);
-  }
-  return range;
-}
-
-CGAL_SURFACE_MESH_COARSENING_INLINE std::size_t number_of_vertices(const Clustering_state& state, double ratio)
-{
-  std::size_t vertices = 0;
-  for (const Component& c : state.base_input().mesh.components)
-    vertices += c.vertices;
-  const double number = std::round(ratio * double(vertices));
-  if (!(ratio > 0 && number < double(NONE)))
-    throw Invalid_input("the vertex ratio is " + number_text(ratio));
-  return (std::max)(std::size_t(number), std::size_t(1));
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE void grow(Clustering_state& state)

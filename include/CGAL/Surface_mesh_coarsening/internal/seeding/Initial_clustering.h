@@ -79,6 +79,13 @@ public:
     return {sum(min_), sum(max_)};
   }
 
+  // Returns the smallest attainable number of clusters of each component.
+  std::vector<std::size_t> minima()
+  {
+    find_minimum();
+    return min_;
+  }
+
   // The largest number of clusters for which faces can be subdivided: the last subdivision has up to four times as many pieces,
   // with four corners each.
   static constexpr std::size_t max_clusters_of_subdivided(std::size_t faces_each)
