@@ -300,7 +300,7 @@ void read_kept(const po::variables_map& values, Options& options)
   options.keep = given(values, "keep").value_or("");
   options.keep_borders = values.count("keep-borders") > 0;
   for (const char* option : {"features", "patches", "keep", "keep-borders"})
-    if (values.count(option) && (options.levels > 0 || options.maximum_distance))
+    if (values.count(option) && options.levels > 0)
       throw Wrong_usage("--" + std::string(option) + " cannot be combined with --levels");
 }
 

@@ -134,6 +134,8 @@ void make_clusters(Clustering& clustering, const Options& options, const Fields&
   else if (options.faces)
     clustering.seed_from_number_of_faces(*options.faces, options.iterations.value_or(Defaults::number_of_iterations),
                                          options.convergence_tolerance);
+  else if (options.level && !options.vertices.empty())
+    clustering.seed_from_level(*options.level, options.vertices.front());
   else if (options.level)
     clustering.seed_from_level(*options.level);
   else

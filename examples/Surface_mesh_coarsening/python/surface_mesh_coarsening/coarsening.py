@@ -240,7 +240,7 @@ def coarsen(
     **settings: Unpack[Settings],
 ) -> Coarsening:
     """Coarsens a mesh to `n` vertices, or to one of the next seven arguments instead. A distance may be given together with `n`,
-    `vertex_ratio` or `target_reduction`, which is then the maximum.
+    `vertex_ratio` or `target_reduction`, which is then the maximum. A level may be given together with `n`: its seeds are merged.
 
     points: vertices, of shape (v, 3); or a mesh, which stands for `points` and `faces`: any object with the attributes `faces` and
         `vertices` (trimesh) or `points` (PyVista)
@@ -300,7 +300,7 @@ def coarsen(
         "start_clusters": start_clusters,
     }
     given = [name for name, value in targets.items() if value is not None]
-    is_pair = len(given) == 2 and given[0] in _LIMITS and given[1].startswith("maximum_distance")
+    is_pair = len(given) == 2 and given[0] in _LIMITS and given[1].startswith("maximum_distance") or given == ["n", "level"]
     if len(given) != 1 and not is_pair or len(number) > 1:
         raise TypeError(f"coarsen() takes either of {', '.join(targets)}, not {' and '.join(given) or 'none'}")
     if keep_small and (is_pair or given[0] not in ("vertex_ratio", "target_reduction")):

@@ -434,7 +434,9 @@ def test_other_targets():
     assert level.report["level"] == 4 and len(level.points) >= level.report["seeds"] > 0
     start = smc.coarsen(points, faces, start_clusters=ratio.labels, iterations=0, error_feedback=0)
     assert len(start.points) == 240
-    for wrong in ({"n": 100, "level": 3}, {}):
+    merged = smc.coarsen(points, faces, 100, level=3)
+    assert len(merged.points) == 100 and merged.report["level"] == 3
+    for wrong in ({"n": 100, "vertex_ratio": 0.5}, {"level": 3, "maximum_distance": 0.1}, {}):
         with pytest.raises(TypeError, match="either"):
             smc.coarsen(points, faces, **wrong)
     for name, value in (("target_reduction", 1.0), ("vertex_ratio", np.nan), ("maximum_distance", np.nan), ("level", -1)):
