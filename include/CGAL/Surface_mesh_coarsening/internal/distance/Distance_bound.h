@@ -130,7 +130,8 @@ private:
   template <class Report>
   void one_way(const Surface& from, const Surface& to, double error, double limit, double& bound, const Report& report) const
   {
-    const double rounding = 1e-12 * from.largest_coordinate;
+    const double rounding = 1e-12 * from.largest_coordinate,
+                 least_error = std::isfinite(limit) ? (std::max)(limit / 8192, rounding) : rounding;
     double reached = 0; // by some point
     const double least = bound;
     std::vector<Part> undecided; // a heap: the part with the largest bound comes first, because it is likely to raise `reached`
@@ -156,7 +157,7 @@ private:
     while (!undecided.empty() && reached <= limit) {
       const double largest = undecided.front().bound, permitted = (std::max)(error, reached / 32);
       // A bound beyond the limit must not be due to the error.
-      if (largest <= (std::max)((std::min)(reached + permitted, limit), reached + (std::max)(error / 256, rounding))) {
+      if (largest <= (std::max)((std::min)(reached + permitted, limit), reached + least_error)) {
         bound = (std::max)(bound, largest);
         break;
       }

@@ -53,6 +53,8 @@ public:
     if (tried != first && !is_within_distance(numbers[first], true) && numbers[first] < goal_.max_vertices)
       throw Unreachable_distance("no result within a distance of " + number_text(goal_.distance) + " was found",
                                  state_.frame.length_to_mesh(rounded_up * nearest_));
+    if (bound_ <= local_distance_)
+      bound_ = bound(local_distance_ / 32, local_distance_, nullptr);
     report_.vertices = numbers[first];
     report_.is_within_distance = bound_ <= local_distance_;
     report_.distance_bound = state_.frame.length_to_mesh(bound_);
@@ -153,7 +155,7 @@ private:
   // Bounds the distance of the dual. A bound beyond the requested distance does not depend on the requested distance.
   double bound_distance()
   {
-    bound_ = bound(local_distance_ / 32, local_distance_, nullptr);
+    bound_ = bound(local_distance_, local_distance_, nullptr);
     if (bound_ > local_distance_)
       bound_ = bound(0, infinite, nullptr);
     nearest_ = (std::min)(nearest_, bound_);
