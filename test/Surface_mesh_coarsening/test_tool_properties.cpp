@@ -656,7 +656,7 @@ BOOST_AUTO_TEST_CASE(distances_take_the_place_of_numbers)
   const Tool_outcome limited = shop.run("in.off out.off --maximum-distance 0.001 -n 20 --report r.json");
   BOOST_CHECK_EQUAL(parse_soup(test::content_of(shop / "out.off"), "off").points.size(), 20u);
   BOOST_CHECK(limited.out.find("where the number of vertices ended the search") != std::string::npos);
-  BOOST_CHECK(shop.report("r.json")["output"]["is_within_distance"] == false);
+  BOOST_CHECK(test::content_of(shop / "r.json").find("\"is_within_distance\": false") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_of_faces)
@@ -666,26 +666,28 @@ BOOST_AUTO_TEST_CASE(numbers_of_faces)
   shop.write("closed.off", mesh_files::off(triangle_sphere(4)));
   shop.write("open.off", mesh_files::off(grid(20, 20)));
   check_done(shop.run("closed.off out.off --faces 100"));
-  BOOST_CHECK_EQUAL(parse_soup(test::content_of(shop / "out.off"), "off").faces.size(), 100u);
+  BOOST_CHECK_EQUAL(parse_soup(test::content_of(shop / "out.off"), "off").polygons.size(), 100u);
   check_done(shop.run("closed.off out.off --faces 101"));
-  BOOST_CHECK_EQUAL(parse_soup(test::content_of(shop / "out.off"), "off").faces.size(), 102u);
+  BOOST_CHECK_EQUAL(parse_soup(test::content_of(shop / "out.off"), "off").polygons.size(), 102u);
   check_done(shop.run("open.off out.off --faces 60"));
-  BOOST_CHECK_LE(std::abs(double(parse_soup(test::content_of(shop / "out.off"), "off").faces.size()) - 60), 1);
+  BOOST_CHECK_LE(std::abs(double(parse_soup(test::content_of(shop / "out.off"), "off").polygons.size()) - 60), 1);
 }
 
 BOOST_AUTO_TEST_CASE(small_components_are_kept)
 {
   using namespace generated;
   const Tool_directory shop;
-  Soup soup = joined(triangle_sphere(4), translated(tetrahedron(), 4, 0, 0));
+  generated::Soup soup = joined(triangle_sphere(4), translated(tetrahedron(), 4, 0, 0));
   soup = joined(soup, translated(single_triangle(), 8, 0, 0));
   shop.write("in.off", mesh_files::off(soup));
   BOOST_CHECK_EQUAL(shop.run("in.off out.off -n 0.2%").status, 1);
   check_done(shop.run("in.off out.off -n 2% --keep-small"));
-  const Soup output = parse_soup(test::content_of(shop / "out.off"), "off");
+  const auto output = parse_soup(test::content_of(shop / "out.off"), "off");
   BOOST_CHECK_EQUAL(output.points.size(), std::size_t(std::lround(0.02 * double(triangle_sphere(4).points.size()))) + 7);
   for (std::size_t v = triangle_sphere(4).points.size(); v < soup.points.size(); ++v)
-    BOOST_CHECK(std::find(output.points.begin(), output.points.end(), soup.points[v]) != output.points.end());
+    BOOST_CHECK(std::any_of(output.points.begin(), output.points.end(), [&](const auto& p) {
+      return p.x() == soup.points[v][0] && p.y() == soup.points[v][1] && p.z() == soup.points[v][2];
+    }));
 }
 
 BOOST_AUTO_TEST_CASE(neighboring_tiles_fit)
