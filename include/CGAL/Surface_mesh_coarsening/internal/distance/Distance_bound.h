@@ -40,7 +40,7 @@ public:
     surface_.prepare();
   }
 
-  // Returns a bound that exceeds the distance by at most `error` or, if `error` is 0, by at most an eighth of the distance. If the
+  // Returns a bound that exceeds the distance by at most `error` or, if `error` is 0, by at most a 32nd part of the distance. If the
   // distance exceeds `limit`, may return any number between them; then `far`, if it is not null, receives points that are too far.
   double operator()(const std::vector<Vector>& positions, const std::vector<Triangle>& triangles, double error, double limit,
                     std::vector<Far_point>* far) const
@@ -155,7 +155,7 @@ private:
       for (std::size_t t = first; t < from.number.size(); t += step)
         measure({from.corners(t), Index(t), from.group[t], 0});
     while (!undecided.empty() && reached <= limit) {
-      const double largest = undecided.front().bound, permitted = error > 0 ? error : reached / 8;
+      const double largest = undecided.front().bound, permitted = error > 0 ? error : reached / 32;
       // A bound beyond the limit must not be due to the error.
       if (largest <= (std::max)((std::min)(reached + permitted, limit), reached + least_error)) {
         bound = (std::max)(bound, largest);
