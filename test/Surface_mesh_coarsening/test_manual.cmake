@@ -183,7 +183,8 @@ check_constant(${manual} "more than one pair for ([0-9]+) vertices remains" inte
   "([0-9]+) \\* dual.number_left\\(\\) > state.number_of_clusters")
 check_constant(${manual} "reclusters the mesh, up to ([0-9]+) times" internal/pipeline/stages_impl.h "max_repetitions = ([0-9]+)")
 check_constant(${manual} "near curved borders, up to ([0-9]+) times" internal/mesh/Border_deviations.h "max_raised = ([0-9]+)")
-check_constant(${manual} "clusters the mesh for up to ([0-9]+) numbers" internal/distance/Distance_search.h "max_trials = ([0-9]+)")
+check_constant(${manual} "at most ([0-9]+) % larger than the number before" internal/distance/find_within_distance_impl.h
+  "max_ratio = 1\\.0([0-9]+)")
 check_constant(${manual} "rho_j\\^{([0-9]+)} \\)" Cluster_weight/Maximum_density_weight.h "double p = ([0-9]+)")
 check_constant(${theory} "f. p = ([0-9]+) .f" Cluster_weight/Maximum_density_weight.h "double p = ([0-9]+)")
 check_constant(${theory} "f. ([0-9]+) \\+ 26 g" internal/seeding/Component_plan.h "return ([0-9]+) \\+ 26")
