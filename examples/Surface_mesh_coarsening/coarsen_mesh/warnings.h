@@ -13,7 +13,7 @@
 namespace coarsen_mesh_tool {
 
 // What the user may not expect, one line each: what the repair changed, faults that are left in the result, fields that the
-// output does not have, threads that cannot be had.
+// output does not have, threads that are not available.
 std::vector<std::string> warnings_of(const Options& options, const Input& input, const Coarsening_result& result);
 
 // What helps if a number of vertices is too small for the components of the input, in parentheses; nothing if it has

@@ -84,7 +84,7 @@ void expect_stl_words(Text_scanner& text, std::initializer_list<std::string_view
   }
 }
 
-// The words up to the end of the line, without those that would be no name in OBJ.
+// The words up to the end of the line, without words that would be no name in OBJ.
 std::string solid_name(Text_scanner& text)
 {
   std::string name;

@@ -30,12 +30,12 @@ public:
       cancellation_(cancellation)
   {}
 
-  // Returns `least` if the distance is smaller. A larger `least` makes the function faster.
-  double distance(double least = 0) const { return std::sqrt(from_coarse(to_coarse(least * least))); }
+  double distance() const { return std::sqrt(from_coarse(to_coarse())); }
 
 private:
-  double to_coarse(double largest) const
+  double to_coarse() const
   {
+    double largest = 0;
     std::vector<Index> around;
     for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v) {
       cancellation_.poll(16);

@@ -46,9 +46,8 @@ public:
   Placed_level place(std::size_t level, const Placement_model& placement, bool with_repair,
                      const Output_coordinates& output_coordinates) const;
 
-  // Estimates the distance between a placed level and the mesh, in coordinates of the arrays. Returns `least` if the distance is
-  // smaller.
-  double estimate(const Placed_level& placed, double least = 0) const;
+  // Estimates the distance between a placed level and the mesh, in coordinates of the arrays.
+  double estimate(const Placed_level& placed) const;
 
 private:
   Cluster_labels labels(std::size_t level) const;

@@ -77,9 +77,9 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_level Level_hierarchy::place(std::siz
   return placed;
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE double Level_hierarchy::estimate(const Placed_level& placed, double least) const
+CGAL_SURFACE_MESH_COARSENING_INLINE double Level_hierarchy::estimate(const Placed_level& placed) const
 {
-  return Distance_estimate(placed.labels, placed.positions, placed.triangles, state_.cancellation()).distance(least);
+  return Distance_estimate(placed.labels, placed.positions, placed.triangles, state_.cancellation()).distance();
 }
 
 } // namespace internal
