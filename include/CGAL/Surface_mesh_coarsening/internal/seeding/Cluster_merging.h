@@ -10,13 +10,17 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
 
+#include <boost/iterator/counting_iterator.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -44,9 +48,14 @@ public:
   Cluster_merging(const Clustering_input& input, const Cluster_labels& labels, const FaceRange& faces, Index clusters,
                   bool by_threes, bool by_area, bool may_join_at_vertices, const Cancellation_point& cancellation,
                   Execution execution)
-    : cancellation_(cancellation), dual_(labels, faces, clusters, cancellation, execution), by_threes_(by_threes),
-      by_area_(by_area || !by_threes), may_join_at_vertices_(may_join_at_vertices), count_(clusters),
-      merged_into_(clusters), size_(clusters)
+    : cancellation_(cancellation),
+      dual_(labels, faces, clusters, cancellation, execution),
+      by_threes_(by_threes),
+      by_area_(by_area || !by_threes),
+      may_join_at_vertices_(may_join_at_vertices),
+      count_(clusters),
+      merged_into_(clusters),
+      size_(clusters)
   {
     is_queued_.assign(dual_.number_of_triangles(), false);
     std::iota(merged_into_.begin(), merged_into_.end(), Index(0));
@@ -136,6 +145,7 @@ public:
 
 private:
   typedef Dual_surface::Edge Edge;
+  typedef boost::counting_iterator<Edge> Edge_iterator;
   typedef std::pair<double, Index> Candidate; // summed size and triangle
 
   struct Size
@@ -188,6 +198,12 @@ private:
   // there are fewer than two.
   double key_of(Index t) const
   {
+    double least = -1;
+    if (by_threes_ && by_area_ && excess() > 1) {
+      for_each_triple_around(t, [&](const Triple& x) { least = least < 0 || x.size < least ? x.size : least; });
+      if (least >= 0)
+        return least;
+    }
     if (by_threes_ && excess() > 1) {
       Size sum;
       for (Edge e = 3 * t; e != 3 * t + 3; ++e)
@@ -195,7 +211,6 @@ private:
           sum = sum + size_[dual_.source(e)];
       return number_of(sum);
     }
-    double least = -1;
     for (Edge e = 3 * t; e != 3 * t + 3; ++e)
       if (is_candidate(e) && (least < 0 || size_of(e) < least))
         least = size_of(e);
@@ -250,14 +265,62 @@ private:
     is_queued_.assign(is_queued_.size(), false);
   }
 
+  // Three clusters that follow each other around a vertex. Those at the arc are merged first.
+  struct Triple
+  {
+    double size, size_at_arc;
+    Edge arc;
+    Index third;
+    bool operator<(const Triple& other) const
+    {
+      return std::tie(size, size_at_arc, arc, third) < std::tie(other.size, other.size_at_arc, other.arc, other.third);
+    }
+  };
+
+  // Calls `visit` for each triple around the vertex of `t`, where the fan has one triangle for each but two of the clusters.
+  template <class Visit>
+  void for_each_triple_around(Index t, const Visit& visit) const
+  {
+    std::vector<Edge> arcs;
+    const Index v = dual_.vertex(t);
+    Index u = t;
+    while (u > 0 && dual_.vertex(u - 1) == v)
+      --u;
+    for (; u < dual_.number_of_triangles() && dual_.vertex(u) == v; ++u)
+      if (dual_.is_triangle(u))
+        std::copy_if(Edge_iterator(3 * u), Edge_iterator(3 * u + 3), std::back_inserter(arcs),
+                     [this](Edge e) { return is_candidate(e); });
+    for (const Edge e : arcs)
+      for (const Edge f : arcs) {
+        const Index x = dual_.source(e), y = dual_.target(e), z = dual_.source(f), w = dual_.target(f);
+        const Index third = z == x || z == y ? w : z;
+        if ((third == z && w != x && w != y) || third == x || third == y)
+          continue;
+        visit(Triple{number_of(size_[x] + size_[y] + size_[third]), size_of(e), e, third});
+      }
+  }
+
+  std::optional<Triple> smallest_triple_around(Index t)
+  {
+    std::optional<Triple> smallest;
+    for_each_triple_around(t, [&](const Triple& x) {
+      if ((!smallest || x < *smallest) && dual_.may_contract(x.arc))
+        smallest = x;
+    });
+    return smallest;
+  }
+
   void merge_at(Index t)
   {
     const std::array<Index, 3> corners{{dual_.source(3 * t), dual_.source(3 * t + 1), dual_.source(3 * t + 2)}};
     const bool three = by_threes_ && excess() > 1;
-    const Edge e = smallest_of({3 * t, 3 * t + 1, 3 * t + 2});
+    std::optional<Triple> triple;
+    if (three && by_area_)
+      triple = smallest_triple_around(t);
+    const Edge e = triple ? triple->arc : smallest_of({3 * t, 3 * t + 1, 3 * t + 2});
     if (e == NONE)
       return;
-    const Index third = corners[(e + 2) % 3];
+    const Index third = triple ? triple->third : corners[(e + 2) % 3];
     Index merged = merge(e);
     if (three && !dual_.is_cap(third) && may_be_third(merged, third)) {
       Edge to_third = NONE;
@@ -302,7 +365,7 @@ private:
   std::optional<Feature_merging> features_;
   bool by_threes_, by_area_, may_join_at_vertices_, joins_at_vertices_ = false;
   std::size_t count_, wanted_ = 0;
-  std::vector<Index> common_vertices_; // of the merges of three clusters
+  std::vector<Index> common_vertices_;     // of the merges of three clusters
   mutable std::vector<Index> merged_into_; // with path compression
   std::vector<Size> size_;
   const Quadric_energy quadric_energy_{quadric_regularization};
