@@ -33,6 +33,7 @@ class Build_with_cmake(build_ext):
         build = (Path(self.build_temp) / "cmake").resolve()
         options = {
             "CMAKE_BUILD_TYPE": "Release",
+            "CMAKE_CXX_FLAGS_RELEASE": "-O2 -DNDEBUG",  # for a short build; the core has -O3
             "Python3_EXECUTABLE": sys.executable,
             "SURFACE_MESH_COARSENING_BUILD_BENCHMARKS": "OFF",
             "SURFACE_MESH_COARSENING_BUILD_EXAMPLES": "OFF",
