@@ -33,11 +33,13 @@ class Build_with_cmake(build_ext):
         build = (Path(self.build_temp) / "cmake").resolve()
         options = {
             "CMAKE_BUILD_TYPE": "Release",
+            "CMAKE_CXX_FLAGS_RELEASE": "-O2 -DNDEBUG",  # for a short build; the core has -O3
             "Python3_EXECUTABLE": sys.executable,
             "SURFACE_MESH_COARSENING_BUILD_BENCHMARKS": "OFF",
             "SURFACE_MESH_COARSENING_BUILD_EXAMPLES": "OFF",
             "SURFACE_MESH_COARSENING_BUILD_PYTHON": "ON",
             "SURFACE_MESH_COARSENING_BUILD_TESTS": "OFF",
+            "SURFACE_MESH_COARSENING_SHORT_BUILD": "ON",
         }
         arguments = [f"-D{name}={value}" for name, value in options.items()]
         subprocess.run(["cmake", "-S", ROOT, "-B", build, *arguments, *pybind11_arguments()], check=True)

@@ -3,6 +3,9 @@
 # Builds all tools.
 add_custom_target(tools)
 
+# Builds the programs of the long tests, where a short build leaves them out.
+add_custom_target(long_tests)
+
 # surface_mesh_coarsening_add_tool(NAME SOURCE...): a program in bin/ with the parts of coarsen_mesh.
 function(surface_mesh_coarsening_add_tool name)
   find_package(Boost REQUIRED COMPONENTS program_options)
@@ -31,5 +34,16 @@ function(surface_mesh_coarsening_add_run name)
   endif()
   if(TARGET coarsen_mesh)
     set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT COARSEN_MESH=$<TARGET_FILE:coarsen_mesh>)
+  endif()
+endfunction()
+
+# surface_mesh_coarsening_set_long(TESTS TEST... [PROGRAMS TARGET...]): sweeps of many cases, which only the workflow `long` runs,
+# and the programs that no other test runs.
+function(surface_mesh_coarsening_set_long)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "TESTS;PROGRAMS")
+  set_property(TEST ${arg_TESTS} APPEND PROPERTY LABELS long)
+  if(SURFACE_MESH_COARSENING_SHORT_BUILD AND arg_PROGRAMS)
+    set_target_properties(${arg_PROGRAMS} PROPERTIES EXCLUDE_FROM_ALL ON)
+    add_dependencies(long_tests ${arg_PROGRAMS})
   endif()
 endfunction()

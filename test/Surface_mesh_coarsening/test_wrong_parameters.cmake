@@ -17,6 +17,7 @@ foreach(text IN ITEMS "this named parameter cannot be used in this pack of this 
     "cluster_energy and cluster_weight cannot both be given"
     "the class has an energy where a cluster_weight is given, or a weight where a cluster_energy is given"
     "the parameters vertex_ratio, number_of_faces and neighborhood_level exclude each other"
+    "no member named [^\n]*neighborhood_level"
     vertex_source_t vertex_ratio_t repair_output_t number_of_iterations_t neighborhood_level_t error_feedback_t vertex_placement_t
     face_density_t)
   if(text MATCHES "_t$")

@@ -35,4 +35,5 @@ void call(const Mesh& input, Mesh& output, Mesh::Property_map<Mesh::Vertex_index
   SMC::coarsen_mesh(input, 9, output, p::face_density_map(counts));
   SMC::coarsen_mesh(input, 9, output, p::face_cluster_map(names));
   SMC::coarsen_mesh(input, output, p::neighborhood_level(3).vertex_ratio(0.1));
+  SMC::coarsen_mesh(input, output, CGAL::parameters::number_of_iterations(3).neighborhood_level(3)); // without adopt()
 }
