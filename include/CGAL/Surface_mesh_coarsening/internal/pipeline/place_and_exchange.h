@@ -49,9 +49,10 @@ inline std::unique_ptr<Bordered_surface> bordered_surface(const Clustering_state
   return std::make_unique<Bordered_surface>(clustered_faces(state, dual), state.places_on_borders);
 }
 
-inline Repair_budget repair_budget(const Clustering_state& state)
+// Returns one of some parts of the budget.
+inline Repair_budget repair_budget(const Clustering_state& state, std::size_t parts = 1)
 {
-  return Repair_budget(state.base_input().mesh.number_of_faces());
+  return Repair_budget(state.base_input().mesh.number_of_faces(), parts);
 }
 
 // Returns whether pairs of triangles still intersect, and are at most half as many as the clusters.
@@ -247,7 +248,7 @@ inline bool is_better_plain(Clustering_state& state, const Placement_model& plac
   clusters.undo();
   budget.spend(placement_tests * dual.triangles.size());
   // If the repairs after the exchange have spent the budget, the other placement may be repaired once more.
-  Repair_budget last_budget = repair_budget(state);
+  Repair_budget last_budget = budget.unspent();
   Placed_dual plain = place(state, placement, output_coordinates, budget.is_spent() ? last_budget : budget);
   const std::size_t left = plain.number_left();
   if ((has_many && left < dual.number_left()) ||
