@@ -11,8 +11,10 @@
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 
+#include <cmath>
 #include <cstddef>
 #include <ctime>
+#include <random>
 #include <string>
 
 BOOST_AUTO_TEST_SUITE(test_fit_work)
@@ -47,6 +49,39 @@ BOOST_AUTO_TEST_CASE(repair)
   constexpr double bound = 20;
   BOOST_CHECK_LE(seconds_each("bipyramid", test::to_mesh(bipyramid(1000)), 350), bound * usual);
   BOOST_CHECK_LE(seconds_each("tube", test::to_mesh(triangulated(tube(3, 1000))), 300), bound * usual);
+}
+
+// Neither exponents far from each other, nor coincident and coplanar points, nor large polygons take long: at most 100 times the
+// time per face of a sphere, and a tenth of a second. Three times that is allowed, since other processes disturb the measurement.
+BOOST_AUTO_TEST_CASE(difficult_numbers)
+{
+  using namespace generated;
+  const Soup usual = triangle_sphere(5), sphere = triangle_sphere(4), small = dual(triangle_sphere(1));
+  const double usual_seconds = seconds_each("sphere", test::to_mesh(usual), 400) * double(usual.points.size() + 400);
+  std::mt19937 engine(5);
+  const auto with_exponents = [&](const Soup& s, double largest, std::size_t every) {
+    std::size_t i = 0;
+    return with_points(s, [&](const Point& p) {
+      const double factor = i++ % every == 0 ? std::pow(10, largest * symmetric_random(engine)) : 1;
+      return Point{factor * p[0], factor * p[1], factor * p[2]};
+    });
+  };
+  const auto rounded = [](const Soup& s, double unit) {
+    return with_points(s, [=](const Point& p) {
+      return Point{unit * std::round(p[0] / unit), unit * std::round(p[1] / unit), unit * std::round(p[2] / unit)};
+    });
+  };
+  const auto check = [&](const std::string& name, const Soup& soup, std::size_t number) {
+    const double seconds = seconds_each(name, test::to_mesh(soup), number) * double(soup.points.size() + number);
+    const double faces = double(soup.polygons.size()) / double(usual.polygons.size());
+    BOOST_CHECK_LE(seconds, 3 * (100 * usual_seconds * faces + 0.1));
+  };
+  check("exponents", with_exponents(sphere, 300, 1), 100);
+  check("some exponents", with_exponents(sphere, 150, 97), 100);
+  check("tiny", scaled(with_noise(small, 0.05), 1e-150), small.points.size() / 2);
+  check("zero and one", rounded(with_noise(small, 0.5), 1), small.points.size() / 2);
+  check("rounded", rounded(sphere, 0.25), 200);
+  check("prism", prism(8000), 1000);
 }
 
 BOOST_AUTO_TEST_CASE(convex_bipyramid_does_not_intersect_itself)

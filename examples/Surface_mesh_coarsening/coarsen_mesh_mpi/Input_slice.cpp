@@ -98,6 +98,8 @@ void Input_slice::find_position(const boost::mpi::communicator& ranks, std::size
     try {
       for (std::uint64_t f = part.begin; f < part.end && position != unknown; ++f)
         position = file.read_face(position, f, vertices);
+      if (ranks.rank() + 1 == ranks.size() && position != unknown)
+        file.check_end(position);
     } catch (const Invalid_input& e) {
       fault = e.what();
       position = unknown;

@@ -158,9 +158,9 @@ void Ply_file::read_element(const std::string& name, std::uint64_t count, const 
                             std::uint64_t& position)
 {
   if (corners_ != none) {
-    faces_are_last_ = faces_are_last_ && count == 0;
     if (name == "vertex")
       fail("has its vertices after its faces");
+    add_last_element(name, count, properties);
     return;
   }
   if (name == "face") {
@@ -187,6 +187,26 @@ void Ply_file::read_element(const std::string& name, std::uint64_t count, const 
   position += count * size;
 }
 
+void Ply_file::add_last_element(const std::string& name, std::uint64_t count, const std::vector<Ply_property>& properties)
+{
+  faces_are_last_ = faces_are_last_ && count == 0;
+  for (const Ply_property& p : properties) {
+    has_last_lists_ = has_last_lists_ || (p.is_list && count > 0);
+    if (count > window_.size())
+      fail("is cut off: it ends after " + std::to_string(window_.size()) + " bytes, before its last element '" + name + "'");
+    bytes_after_faces_ += p.is_list ? 0 : count * size_of(p.type);
+  }
+}
+
+void Ply_file::check_end(std::uint64_t end_of_faces) const
+{
+  const std::uint64_t left = window_.size() - end_of_faces;
+  if (left < bytes_after_faces_)
+    fail("is cut off: it ends after " + std::to_string(window_.size()) + " bytes, in the elements after its faces");
+  if (left > bytes_after_faces_ && !has_last_lists_)
+    fail("has " + std::to_string(left - bytes_after_faces_) + " bytes after its last element");
+}
+
 void Ply_file::place_vertices(std::uint64_t count, const std::vector<Ply_property>& properties, std::uint64_t position)
 {
   std::size_t offset = 0;
@@ -197,6 +217,8 @@ void Ply_file::place_vertices(std::uint64_t count, const std::vector<Ply_propert
         coordinate_type_[i] = p.type;
       }
     if (p.name == "vertex_number") {
+      if (!is_whole(p.type))
+        fail("has a property vertex_number whose type is not whole");
       number_ = offset;
       number_type_ = p.type;
     }
@@ -228,8 +250,6 @@ std::uint64_t Ply_file::whole_number(const char* bytes, Ply_type type) const
   case Ply_type::UINT16: return value_of<std::uint16_t>(bytes, swaps_bytes_);
   case Ply_type::INT32: return std::uint64_t(value_of<std::int32_t>(bytes, swaps_bytes_));
   case Ply_type::UINT32: return value_of<std::uint32_t>(bytes, swaps_bytes_);
-  case Ply_type::FLOAT32:
-  case Ply_type::FLOAT64: return std::uint64_t(std::int64_t(number(bytes, type)));
   default: return value_of<std::uint64_t>(bytes, swaps_bytes_);
   }
 }

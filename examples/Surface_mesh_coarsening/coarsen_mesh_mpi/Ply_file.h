@@ -45,7 +45,8 @@ struct Ply_property
 class Ply_file
 {
 public:
-  // Throws Invalid_input if the file cannot be read, is not binary PLY, or is too short for its vertices.
+  // Throws Invalid_input if the file cannot be read, is not binary PLY, is too short for its vertices, or if their numbers are
+  // not whole.
   explicit Ply_file(const std::string& name);
 
   const std::string& name() const { return window_.name(); }
@@ -60,6 +61,10 @@ public:
 
   // Reads the vertices of the face at a position, and returns the position of the next face. `face` is its number, for messages.
   std::uint64_t read_face(std::uint64_t position, std::uint64_t face, std::vector<std::uint64_t>& vertices);
+
+  // Throws Invalid_input if the file has fewer or more bytes than its header says, given the position after the last face. Does
+  // not read lists that follow the faces.
+  void check_end(std::uint64_t end_of_faces) const;
 
   struct Vertex
   {
@@ -76,6 +81,7 @@ private:
   void read_header();
   void read_element(const std::string& name, std::uint64_t count, const std::vector<Ply_property>& properties,
                     std::uint64_t& position);
+  void add_last_element(const std::string& name, std::uint64_t count, const std::vector<Ply_property>& properties);
   void place_vertices(std::uint64_t count, const std::vector<Ply_property>& properties, std::uint64_t position);
   double number(const char* bytes, Ply_type type) const;
   std::uint64_t whole_number(const char* bytes, Ply_type type) const;
@@ -83,12 +89,12 @@ private:
 
   File_window window_, vertex_window_;
   bool swaps_bytes_ = false;
-  std::uint64_t vertices_ = 0, vertex_position_ = 0, faces_ = 0, face_position_ = 0;
+  std::uint64_t vertices_ = 0, vertex_position_ = 0, faces_ = 0, face_position_ = 0, bytes_after_faces_ = 0;
   std::size_t vertex_size_ = 0, coordinate_[3] = {none, none, none}, number_ = none; // offsets in a vertex
   Ply_type coordinate_type_[3] = {}, number_type_ = Ply_type::UINT32;
   std::vector<Ply_property> face_properties_;
   std::size_t corners_ = none; // the property with the vertices of a face
-  bool faces_are_last_ = true;
+  bool faces_are_last_ = true, has_last_lists_ = false;
 };
 
 } // namespace coarsen_mesh_mpi

@@ -14,11 +14,22 @@
 
 namespace attack {
 
+// Returns a sheet of random folds, whose triangles intersect almost everywhere.
+inline generated::Soup folded_sheet(Random& random)
+{
+  const double folds = random.between(0.1, 3), height = random.between(0, 1);
+  const auto fold = [&](double x) { return std::abs(std::remainder(x, 2 * folds)); };
+  const generated::Soup sheet = generated::triangulated(generated::grid(4 + random.below(12), 4 + random.below(12)));
+  return generated::with_points(generated::rotated(sheet, 0, random.between(0, 3)), [&](const generated::Point& p) {
+    return generated::Point{fold(p[0]), fold(p[1]), height * fold(p[0] + p[1])};
+  });
+}
+
 inline generated::Soup random_surface(Random& random)
 {
   using namespace generated;
   const std::size_t a = 1 + random.below(12), b = 1 + random.below(12);
-  switch (random.below(18)) {
+  switch (random.below(21)) {
   case 0: return tetrahedron();
   case 1: return single_triangle();
   case 2: return grid(a, b);
@@ -36,6 +47,12 @@ inline generated::Soup random_surface(Random& random)
   case 14: return with_holes(triangle_sphere(unsigned(2 + a % 3)), b);
   case 15: return thin_plate(a + 2, 0.01 * double(b));
   case 16: return joined(triangle_sphere(2), translated(random_surface(random), 5, 0, 0));
+  case 17: return folded_sheet(random);
+  case 18: return prism(10 * a + b + 2);
+  case 19: { // several components near each other
+    const Soup one = random_surface(random);
+    return joined(one, joined(scaled(one, random.between(0.5, 1.5)), translated(one, random.between(0, 0.1), 0, 0)));
+  }
   default: return many_tetrahedra(a);
   }
 }
@@ -49,12 +66,29 @@ inline double with_flipped_bit(double x, std::size_t bit)
   return x;
 }
 
+// Multiplies coordinates by powers of ten: those of all points, or of one in `every`.
+inline generated::Soup with_exponents(const generated::Soup& soup, double largest, std::size_t every, Random& random)
+{
+  return generated::with_points(soup, [&](const generated::Point& p) {
+    const double factor = random.one_in(every) ? std::pow(10., random.between(-largest, largest)) : 1;
+    return generated::Point{factor * p[0], factor * p[1], factor * p[2]};
+  });
+}
+
+// Rounds coordinates to multiples of `unit`: many points coincide, and many faces are coplanar.
+inline generated::Soup quantized(const generated::Soup& soup, double unit)
+{
+  const auto nearest = [&](double x) { return unit * std::round(x / unit); };
+  return generated::with_points(
+    soup, [&](const generated::Point& p) { return generated::Point{nearest(p[0]), nearest(p[1]), nearest(p[2])}; });
+}
+
 // Changes coordinates only: faces may self-intersect, shrink to points, or reach the ends of the range of doubles.
 inline void move_points(generated::Soup& soup, Random& random)
 {
   using namespace generated;
   const auto any = [&]() -> Point& { return soup.points[random.below(soup.points.size())]; };
-  switch (random.below(10)) {
+  switch (random.below(13)) {
   case 0: soup = with_noise(soup, std::pow(10., random.between(-12, 1)), unsigned(random.below(1000))); break;
   case 1: soup = scaled(soup, std::pow(10., random.between(-300, 300))); break;
   case 2: soup = translated(soup, std::pow(10., random.between(0, 18)), 0, -1e3); break;
@@ -68,6 +102,11 @@ inline void move_points(generated::Soup& soup, Random& random)
     break;
   }
   case 7: soup = rotated(soup, random.between(0, 6), random.between(0, 6)); break;
+  case 8: soup = with_exponents(soup, random.pick({3., 30., 150., 300.}), 1 + random.below(40), random); break;
+  case 9:
+    soup = with_noise(soup, random.between(0, 1), unsigned(random.below(1000)));
+    soup = quantized(soup, 1. / double(1 + random.below(4)));
+    break;
   default: break;
   }
 }

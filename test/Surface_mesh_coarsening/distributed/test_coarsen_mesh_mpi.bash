@@ -72,6 +72,10 @@ for ranks in 1 3; do
     cut_in_faces.ply out.off "${common[@]}"
   refuses "cut_in_triangles.ply: is cut off" $ranks cut_in_triangles.ply out.off "${common[@]}"
   refuses "cut_in_vertices.ply: is cut off" $ranks cut_in_vertices.ply out.off "${common[@]}"
+  refuses "longer_polygons.ply: has 4 bytes after its last element" $ranks longer_polygons.ply out.off "${common[@]}"
+  refuses "longer_triangles.ply: has 1 bytes after its last element" $ranks longer_triangles.ply out.off "${common[@]}"
+  refuses "fractions.ply: has a property vertex_number whose type is not whole" $ranks \
+    fractions.ply piece_0.ply out.off "${common[@]}"
   refuses "piece_3.ply: cannot be read" $ranks piece_0.ply piece_3.ply out.off "${common[@]}"
   refuses "face .* of .* is face .* of .*, too" $ranks piece_0.ply piece_1.ply again.ply out.off "${common[@]}"
   refuses "vertex [0-9]* has two positions, in face [0-9]* of piece_1.ply and in face [0-9]* of moved.ply" $ranks \

@@ -71,6 +71,27 @@ void cut_off(const std::string& file, const std::string& source, double part)
   std::ofstream(file, std::ios::binary) << bytes.substr(0, std::size_t(part * double(bytes.size())));
 }
 
+// Writes a piece whose vertices have numbers of the type double.
+void write_fractions(const std::string& file)
+{
+  std::ofstream stream(file, std::ios::binary);
+  stream << "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+         << "property double vertex_number\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const auto& p : generated::single_triangle().points) {
+    for (const double x : p)
+      write(stream, x);
+    write(stream, 0.5);
+  }
+  write(stream, std::uint8_t(3));
+  for (const std::int32_t v : {0, 1, 2})
+    write(stream, v);
+}
+
+void add_bytes(const std::string& file, const std::string& source, const std::string& bytes)
+{
+  std::ofstream(file, std::ios::binary) << std::ifstream(source, std::ios::binary).rdbuf() << bytes;
+}
+
 } // namespace
 
 int main()
@@ -91,6 +112,9 @@ int main()
   cut_off("cut_in_faces.ply", "polygons.ply", 0.9);
   cut_off("cut_in_triangles.ply", "triangles.ply", 0.9);
   cut_off("cut_in_vertices.ply", "polygons.ply", 0.3);
+  add_bytes("longer_polygons.ply", "polygons.ply", std::string(4, '\0'));
+  add_bytes("longer_triangles.ply", "triangles.ply", std::string(1, '\0'));
+  write_fractions("fractions.ply");
   write_ply("large.ply", generated::triangle_sphere(7));
   write_ply("plate.ply", generated::triangulated(generated::thin_plate(40, 0.05)));
 }

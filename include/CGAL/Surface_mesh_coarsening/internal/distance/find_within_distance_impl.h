@@ -43,6 +43,7 @@ public:
   {
     const std::vector<std::size_t> numbers = trial_numbers();
     std::size_t first = 0, last = numbers.size() - 1, tried = numbers.size();
+    trials_ = 1 + std::size_t(std::ceil(std::log2(double(numbers.size()))));
     while (first < last) {
       tried = (first + last) / 2;
       if (is_within_distance(numbers[tried], false))
@@ -109,7 +110,7 @@ private:
     }
     minimize(state_, goal_.end);
     ++report_.clusterings;
-    Repair_budget budget = repair_budget(state_);
+    Repair_budget budget = repair_budget(state_, trials_);
     if (may_exchange_vertices(state_, placement_)) {
       dual_ = place(state_, placement_, output_coordinates_, budget);
       prepare_bounds();
@@ -180,6 +181,7 @@ private:
   Output_coordinates output_coordinates_;
   Distance_goal goal_;
   double local_distance_;
+  std::size_t trials_ = 1; // at most, each with its part of the repair's budget
   Distance_report& report_;
   Placed_dual dual_;
   std::optional<Distance_bound> bound_of_;

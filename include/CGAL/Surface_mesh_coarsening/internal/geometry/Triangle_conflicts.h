@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -31,12 +32,40 @@ typedef Exact_tests::Point_3 Exact_point;
 // A pair of triangles by number, the smaller first.
 typedef std::pair<Index, Index> Triangle_pair;
 
+inline double largest_component(const Vector& v)
+{
+  return (std::max)((std::max)(std::abs(v[0]), std::abs(v[1])), std::abs(v[2]));
+}
+
+inline double largest_coordinate(const Exact_point& p) { return largest_component({{p.x(), p.y(), p.z()}}); }
+
+// Returns whether the filters of exact tests often fail: some points are much farther from the origin than most of them, or
+// the coordinates are very large or small.
+inline bool have_wide_exponents(const std::vector<Exact_point>& points)
+{
+  constexpr int usual_difference = 8, usual_exponent = 128;
+  long sum = 0, number = 0, largest = 0;
+  for (const Exact_point& p : points) {
+    const double size = largest_coordinate(p);
+    if (!(size > 0))
+      continue;
+    const long exponent = std::ilogb(size);
+    largest = number == 0 ? exponent : (std::max)(largest, exponent);
+    sum += exponent;
+    ++number;
+  }
+  return number > 0 && (largest - sum / number > usual_difference || std::abs(largest) > usual_exponent);
+}
+
 // Tests exactly whether triangles have more points in common than their common vertices. A degenerate triangle conflicts with
-// a neighbor only if its longest side does.
+// a neighbor only if its longest side does. If exponents are wide, the orientation of directions is tested first: the filters of
+// CGAL fail then, and its exact numbers have hundreds of digits.
 class Triangle_conflict
 {
 public:
-  explicit Triangle_conflict(const std::vector<Exact_point>& points) : points_(points) {}
+  explicit Triangle_conflict(const std::vector<Exact_point>& points, bool has_wide_exponents = false)
+    : points_(points), has_wide_exponents_(has_wide_exponents)
+  {}
 
   bool operator()(const Triangle& t, const Triangle& u) const
   {
@@ -74,7 +103,7 @@ public:
   }
 
   // Returns whether the corners are collinear.
-  bool is_flat(const Triangle& t) const { return collinear(points_[t[0]], points_[t[1]], points_[t[2]]); }
+  bool is_flat(const Triangle& t) const { return are_collinear(t[0], t[1], t[2]); }
 
   // Returns whether the corners coincide. Such a triangle conflicts with no other triangle.
   bool is_point(const Triangle& t) const { return points_[t[0]] == points_[t[1]] && points_[t[1]] == points_[t[2]]; }
@@ -178,19 +207,62 @@ private:
     return {{q.x() - p.x(), q.y() - p.y(), q.z() - p.z()}};
   }
 
+  // Returns the vector between two points, divided by its largest component; 0 if its numbers leave the range of doubles.
+  Vector direction(Index from, Index to) const
+  {
+    constexpr double least = 1e-280, largest = 1e300;
+    const Vector w = way(from, to);
+    const double size = largest_component(w);
+    return size > least && size < largest ? (1 / size) * w : Vector{{0, 0, 0}};
+  }
+
+  // Moves the point nearest to the origin to the front. Returns the sign of the permutation.
+  template <std::size_t n>
+  double begin_with_nearest(std::array<Index, n>& v) const
+  {
+    double sign = 1;
+    for (std::size_t i = 1; i < n; ++i)
+      if (largest_coordinate(points_[v[i]]) < largest_coordinate(points_[v[0]])) {
+        std::swap(v[0], v[i]);
+        sign = -sign;
+      }
+    return sign;
+  }
+
+  Orientation side_of(Index a, Index b, Index c, Index d) const
+  {
+    if (has_wide_exponents_) {
+      std::array<Index, 4> v{{a, b, c, d}};
+      const double sign = begin_with_nearest(v);
+      const double det = sign * dot(direction(v[0], v[1]), cross(direction(v[0], v[2]), direction(v[0], v[3])));
+      if (std::abs(det) > rounding)
+        return det > 0 ? POSITIVE : NEGATIVE;
+    }
+    return orientation(points_[a], points_[b], points_[c], points_[d]);
+  }
+
+  bool are_collinear(Index a, Index b, Index c) const
+  {
+    if (has_wide_exponents_) {
+      std::array<Index, 3> v{{a, b, c}};
+      begin_with_nearest(v);
+      if (largest_component(cross(direction(v[0], v[1]), direction(v[0], v[2]))) > rounding)
+        return false;
+    }
+    return collinear(points_[a], points_[b], points_[c]);
+  }
+
   // Returns whether a triangle lies on one side of the plane of another triangle; a quick test.
   bool is_beside(const Triangle& t, const Triangle& u) const
   {
-    const Exact_point &p = points_[u[0]], &q = points_[u[1]], &r = points_[u[2]];
-    const Orientation side = orientation(p, q, r, points_[t[0]]);
-    return side != COPLANAR && orientation(p, q, r, points_[t[1]]) == side && orientation(p, q, r, points_[t[2]]) == side;
+    const Orientation side = side_of(u[0], u[1], u[2], t[0]);
+    return side != COPLANAR && side_of(u[0], u[1], u[2], t[1]) == side && side_of(u[0], u[1], u[2], t[2]) == side;
   }
 
   bool are_beside(const Triangle& t, Index a, Index b) const
   {
-    const Exact_point &p = points_[t[0]], &q = points_[t[1]], &r = points_[t[2]];
-    const Orientation side = orientation(p, q, r, points_[a]);
-    return side != COPLANAR && orientation(p, q, r, points_[b]) == side;
+    const Orientation side = side_of(t[0], t[1], t[2], a);
+    return side != COPLANAR && side_of(t[0], t[1], t[2], b) == side;
   }
 
   Exact_tests::Triangle_3 triangle(const Triangle& t) const { return {points_[t[0]], points_[t[1]], points_[t[2]]}; }
@@ -198,24 +270,23 @@ private:
   // Returns whether two triangles on edge ab overlap.
   bool folds(Index a, Index b, Index c, Index d) const
   {
-    const Exact_point &p = points_[a], &q = points_[b], &r = points_[c], &s = points_[d];
-    return coplanar(p, q, r, s) && !collinear(p, q, r) && !collinear(p, q, s) &&
-           coplanar_orientation(p, q, r, s) == POSITIVE;
+    return side_of(a, b, c, d) == COPLANAR && !are_collinear(a, b, c) && !are_collinear(a, b, d) &&
+           coplanar_orientation(points_[a], points_[b], points_[c], points_[d]) == POSITIVE;
   }
 
   // Returns whether an edge opposite to the vertex shared with a triangle intersects that triangle.
   bool crosses(const Triangle& t, Index a, Index b) const
   {
-    const Exact_point &p = points_[t[0]], &q = points_[t[1]], &r = points_[t[2]];
-    const Orientation at_a = orientation(p, q, r, points_[a]), at_b = orientation(p, q, r, points_[b]);
+    const Orientation at_a = side_of(t[0], t[1], t[2], a), at_b = side_of(t[0], t[1], t[2], b);
     if (at_a == at_b && at_a != COPLANAR)
       return false;
-    if (points_[a] == points_[b] || collinear(p, q, r))
+    if (points_[a] == points_[b] || is_flat(t))
       return false;
     return do_intersect(triangle(t), Exact_tests::Segment_3(points_[a], points_[b]));
   }
 
   const std::vector<Exact_point>& points_;
+  bool has_wide_exponents_;
 };
 
 typedef Box_intersection_d::Box_with_info_d<double, 3, Index> Triangle_box;
@@ -229,12 +300,11 @@ inline std::vector<Triangle_box> triangle_boxes(const std::vector<Triangle>& tri
   return boxes;
 }
 
-// Returns all pairs of conflicting triangles, in order.
-inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>& triangles,
-                                                    const std::vector<Exact_point>& points, Execution execution,
-                                                    const Cancellation_point& cancellation)
+// Returns all pairs of conflicting triangles, in order. Adds the number of tests to `tests`.
+inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>& triangles, const Triangle_conflict& conflict,
+                                                    Execution execution, const Cancellation_point& cancellation,
+                                                    std::size_t& tests)
 {
-  const Triangle_conflict conflict(points);
   std::vector<Triangle_box> boxes = triangle_boxes(triangles, conflict);
   // Very many coincident points would be compared pairwise, so triangles that are points are left out.
   const auto is_point = [&](const Triangle_box& b) { return conflict.is_point(triangles[b.info()]); };
@@ -243,6 +313,7 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
   std::vector<Triangle_pair> waiting;
   const auto test_waiting = [&] {
     cancellation.poll(waiting.size());
+    tests += waiting.size();
     std::vector<char> is_conflict(waiting.size());
     for_each_chunk(execution, waiting.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)

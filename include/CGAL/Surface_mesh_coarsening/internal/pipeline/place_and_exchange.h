@@ -9,6 +9,9 @@
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_relocation.h>
 
+#include <CGAL/assertions.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -46,9 +49,10 @@ inline std::unique_ptr<Bordered_surface> bordered_surface(const Clustering_state
   return std::make_unique<Bordered_surface>(clustered_faces(state, dual), state.places_on_borders);
 }
 
-inline Repair_budget repair_budget(const Clustering_state& state)
+// Returns one of some parts of the budget.
+inline Repair_budget repair_budget(const Clustering_state& state, std::size_t parts = 1)
 {
-  return Repair_budget(state.base_input().mesh.number_of_faces());
+  return Repair_budget(state.base_input().mesh.number_of_faces(), parts);
 }
 
 // Returns whether pairs of triangles still intersect, and are at most half as many as the clusters.
@@ -171,6 +175,15 @@ inline double mean_movement(const std::vector<Vector>& from, const std::vector<V
   return std::sqrt(sum / double(from.size()));
 }
 
+// Returns whether each triangle joins clusters of one component, so that a vertex lies on the component of its cluster.
+inline bool stay_on_components(const Clustered_faces& surface, const std::vector<Triangle>& triangles)
+{
+  const auto component = [&](Index x) { return surface.input().mesh.component[*surface.faces(x).begin()]; };
+  return std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+    return component(t[0]) == component(t[1]) && component(t[1]) == component(t[2]);
+  });
+}
+
 // Places the vertices, exchanges some of them together with their clusters, and repairs the placement. `plain` receives the fit
 // without exchange, before the repair.
 inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
@@ -190,6 +203,7 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
   state.visitor.stage_ends(Coarsening_stage::FEEDBACK);
   if (clusters.number() > 0)
     surface = bordered_surface(state, dual);
+  CGAL_assertion(stay_on_components(*surface->faces, dual.triangles));
   const std::vector<Vector> fitted = dual.positions;
   dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual, budget);
   bool is_better = true;
@@ -234,7 +248,7 @@ inline bool is_better_plain(Clustering_state& state, const Placement_model& plac
   clusters.undo();
   budget.spend(placement_tests * dual.triangles.size());
   // If the repairs after the exchange have spent the budget, the other placement may be repaired once more.
-  Repair_budget last_budget = repair_budget(state);
+  Repair_budget last_budget = budget.unspent();
   Placed_dual plain = place(state, placement, output_coordinates, budget.is_spent() ? last_budget : budget);
   const std::size_t left = plain.number_left();
   if ((has_many && left < dual.number_left()) ||

@@ -193,6 +193,13 @@ public:
     return weight() * sum;
   }
 
+  // Forgets the feet of the samples of triangles that move to another component: the next search would begin there.
+  void forget_feet(const std::vector<Index>& triangles)
+  {
+    for (const Index t : triangles)
+      back_[t] = Back_samples();
+  }
+
   // Finds the feet of the samples of replaced triangles on the new triangles, and the feet of the samples of the new triangles.
   void redistribute(const std::vector<Index>& old_triangles, const std::vector<Index>& new_triangles)
   {

@@ -227,6 +227,8 @@ private:
     const Vector place = std::exchange(positions_[r.into], r.place), place_of_v = std::exchange(positions_[v], x.place);
     coarse_.replace(changed, now);
     const std::vector<Index> collapsed = coarse_.around(r.into);
+    if (!is_one_component)
+      samples_.forget_feet(split);
     samples_.redistribute(around, collapsed);
     samples_.redistribute({x.t, x.u}, split);
     const Relocation outcome = cost_of(all) < max_cost ? relocation_.relocate(v, r.into, faces) : Relocation::TOO_FAR;
@@ -239,6 +241,7 @@ private:
       if (is_one_component) {
         samples_.redistribute(all, all);
       } else { // the components may be close to each other, so each receives its own samples
+        samples_.forget_feet(split);
         samples_.redistribute(split, {x.t, x.u});
         samples_.redistribute(collapsed, around);
       }

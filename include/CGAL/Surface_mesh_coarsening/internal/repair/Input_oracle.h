@@ -183,7 +183,7 @@ private:
     all.insert(all.end(), of_y.begin(), of_y.end());
     std::vector<Exact_point> points;
     const std::vector<Triangle> named = name_common_points(all, points);
-    const Triangle_conflict conflict(points);
+    const Triangle_conflict conflict(points, have_wide_exponents(points));
     std::vector<Bbox_3> boxes_of_y;
     for (std::size_t i = of_x.size(); i < named.size(); ++i)
       boxes_of_y.push_back(conflict.box(named[i]));

@@ -12,8 +12,10 @@
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_budget.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -32,7 +34,8 @@ public:
                    const std::vector<Vector>& positions, const Output_coordinates& output, Repair_budget& budget,
                    const Cancellation_point& cancellation)
     : budget_(budget), cancellation_(cancellation), execution_(surface.execution()), surface_(surface), reference_(reference),
-      coarse_(coarse), positions_(positions), output_(output), points_(positions.size())
+      coarse_(coarse), positions_(positions), output_(output), exponent_(exponent_of_unit()),
+      points_(positions.size())
   {}
 
   // Finds all faults of the current positions.
@@ -40,16 +43,19 @@ public:
   {
     for (std::size_t v = 0; v < positions_.size(); ++v)
       follow(Index(v));
-    const Triangle_conflict conflict(points_);
+    has_wide_exponents_ = have_wide_exponents(points_);
+    const Triangle_conflict conflict = exact_test();
     std::vector<Bbox_3> boxes;
     boxes.reserve(coarse_.triangles().size());
     for (const Triangle& t : coarse_.triangles())
       boxes.push_back(conflict.box(t));
     boxes_.build(std::move(boxes));
     pairs_.clear();
-    for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), points_, execution_, cancellation_))
+    std::size_t tests = 0;
+    for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), conflict, execution_, cancellation_, tests))
       if (!is_in_input(pair))
         pairs_.push_back(pair);
+    budget_.spend(tests);
     find_reversed();
   }
 
@@ -59,7 +65,7 @@ public:
 
   bool are_in_conflict(const Triangle_pair& p) const
   {
-    return Triangle_conflict(points_)(coarse_.triangles()[p.first], coarse_.triangles()[p.second]);
+    return exact_test()(coarse_.triangles()[p.first], coarse_.triangles()[p.second]);
   }
 
   // Returns whether a triangle is reversed or has no area. Where the input has no area, no triangle is reversed.
@@ -75,13 +81,13 @@ public:
   void follow(Index v)
   {
     const Vector q = output_(positions_[v]);
-    points_[v] = Exact_point(q[0], q[1], q[2]);
+    points_[v] = Exact_point(in_unit(q[0]), in_unit(q[1]), in_unit(q[2]));
   }
 
   // Updates the data of triangles after a permanent change.
   void update(const std::vector<Index>& triangles)
   {
-    const Triangle_conflict conflict(points_);
+    const Triangle_conflict conflict = exact_test();
     for (const Index t : triangles)
       boxes_.grow(t, conflict.box(coarse_.triangles()[t]));
   }
@@ -89,14 +95,14 @@ public:
   // Finds the triangles that changes at some vertices may affect.
   void look_around(const std::vector<Index>& vertices)
   {
-    const Triangle_conflict conflict(points_);
+    const Triangle_conflict conflict = exact_test();
     Bbox_3 region;
     for (const Index v : vertices)
       for (const Index t : coarse_.around(v))
         region += conflict.box(coarse_.triangles()[t]);
     for (const Index v : vertices) {
       const Vector q = output_(surface_.cluster_centroid(v));
-      region += Bbox_3(q[0], q[1], q[2], q[0], q[1], q[2]);
+      region += Exact_point(in_unit(q[0]), in_unit(q[1]), in_unit(q[2])).bbox();
     }
     region = grown(region, 0.25 * (std::max)({region.x_span(), region.y_span(), region.z_span()}));
     near_.clear();
@@ -133,7 +139,7 @@ public:
   {
     long faults = 0;
     for (std::size_t i = 0; i < known_pairs_.size() && faults < limit; ++i) {
-      budget_.spend(1);
+      budget_.spend(work_of_test());
       faults += is_fault(known_pairs_[i].first, known_pairs_[i].second);
     }
     for (std::size_t i = 0; i < known_reversed_.size() && faults < limit; ++i)
@@ -147,6 +153,34 @@ public:
   }
 
 private:
+  // Returns the exponent of the power of two by which coordinates are divided, since the filters of exact tests fail far from 1.
+  // The division does not round the smallest coordinates.
+  int exponent_of_unit() const
+  {
+    constexpr int usual = 128, least_normal = -1000;
+    int least = (std::numeric_limits<int>::max)(), largest = (std::numeric_limits<int>::min)();
+    for (const Vector& p : positions_)
+      for (const double x : output_(p))
+        if (x != 0) {
+          least = (std::min)(least, std::ilogb(x));
+          largest = (std::max)(largest, std::ilogb(x));
+        }
+    if (least > largest || std::abs(largest) <= usual)
+      return 0;
+    return (std::min)(largest, least - least_normal);
+  }
+
+  double in_unit(double x) const { return exponent_ == 0 ? x : std::ldexp(x, -exponent_); }
+
+  Triangle_conflict exact_test() const { return Triangle_conflict(points_, has_wide_exponents_); }
+
+  // In units of a usual test. At faults, the quick filters decide few tests.
+  std::size_t work_of_test() const
+  {
+    constexpr std::size_t work_with_wide_exponents = 32;
+    return has_wide_exponents_ ? work_with_wide_exponents : 1;
+  }
+
   bool is_fault(Index t, Index u) { return are_in_conflict({t, u}) && !is_in_input({t, u}); }
 
   // Calls `note_reversed(t)` and `note_pair(t, u)` for the faults of some triangles near the place of the search, until one of
@@ -154,7 +188,7 @@ private:
   template <class Note_reversed, class Note_pair>
   void for_each_fault(const std::vector<Index>& altered, const Note_reversed& note_reversed, const Note_pair& note_pair)
   {
-    const Triangle_conflict conflict(points_);
+    const Triangle_conflict conflict = exact_test();
     update_near_boxes(last_altered_); // their changes may have been undone
     update_near_boxes(altered);
     last_altered_ = altered;
@@ -167,7 +201,7 @@ private:
         const Index u = near_[n];
         if (!goes_on || u == t || (u < t && std::binary_search(altered.begin(), altered.end(), u)))
           return;
-        budget_.spend(1);
+        budget_.spend(work_of_test());
         if (is_fault(t, u))
           goes_on = note_pair(t, u);
       });
@@ -179,7 +213,7 @@ private:
 
   void update_near_boxes(const std::vector<Index>& triangles)
   {
-    const Triangle_conflict conflict(points_);
+    const Triangle_conflict conflict = exact_test();
     for (const Index t : triangles) {
       const auto place = std::lower_bound(near_.begin(), near_.end(), t);
       if (place != near_.end() && *place == t)
@@ -192,7 +226,7 @@ private:
   {
     const Triangle& triangle = coarse_.triangles()[t];
     return reference_.has_area(triangle) &&
-           (Triangle_conflict(points_).is_flat(triangle) || reference_.is_against(triangle, positions_, visited));
+           (exact_test().is_flat(triangle) || reference_.is_against(triangle, positions_, visited));
   }
 
   void find_reversed()
@@ -222,7 +256,9 @@ private:
   const Flippable_triangulation& coarse_;
   const std::vector<Vector>& positions_;
   const Output_coordinates output_;
-  std::vector<Exact_point> points_; // of the vertices, with the coordinates of the output
+  const int exponent_;
+  std::vector<Exact_point> points_; // of the vertices, with the coordinates of the output in this unit
+  bool has_wide_exponents_ = false;
   Box_hierarchy boxes_;
   std::vector<Triangle_pair> pairs_;
   std::vector<Index> reversed_;

@@ -107,7 +107,8 @@ private:
     }
     coarse_ = Flippable_triangulation(best_triangles, positions_.size(), surface_.features());
     positions_ = best_positions;
-    faults_.find();
+    if (rounds_in_vain > 0)
+      faults_.find();
   }
 
   bool is_worth_trying(std::size_t round, std::size_t rounds_in_vain) const
@@ -138,6 +139,8 @@ private:
     Effect least;
     const Repair_proposals proposals(surface_, border_, coarse_, reference_, positions_, at_input_vertices_);
     for (const Placement_change& change : proposals.at(faulty, vertices)) {
+      if (budget_.is_spent_for_repair())
+        break;
       const Effect effect = effect_of(change, least);
       if (is_better(effect, least)) {
         least = effect;
@@ -154,14 +157,16 @@ private:
   void return_to(const std::vector<Vector>& wanted)
   {
     constexpr int times = 3;
+    bool has_moved = false;
     for (int i = 0; i < times; ++i)
       for (std::size_t v = 0; v < positions_.size(); ++v)
         if (positions_[v] != wanted[v] && !budget_.is_spent_for_repair())
-          return_to(Index(v), wanted[v]);
-    faults_.find();
+          has_moved = return_to(Index(v), wanted[v]) || has_moved;
+    if (has_moved)
+      faults_.find();
   }
 
-  void return_to(Index v, const Vector& wanted)
+  bool return_to(Index v, const Vector& wanted)
   {
     const Vector from = positions_[v];
     distance_.measure_around({v});
@@ -176,10 +181,11 @@ private:
       if (distance_.changed(altered, distance_.current()) + harm_of_narrowing(altered) < distance_.current() &&
           faults_.number_after_change(altered, before + 1) <= before) {
         faults_.update(altered);
-        return;
+        return true;
       }
       make({{{v, from}}, NONE, 0});
     }
+    return false;
   }
 
   // At first the change of least harm per removed fault is preferred; if this does not succeed, the change of largest gain.

@@ -16,7 +16,18 @@ namespace internal {
 class Repair_budget
 {
 public:
-  explicit Repair_budget(std::size_t faces) : left_(tests_per_face * (std::max)(faces, min_faces)), left_of_repair_(left_) {}
+  // If several outputs are repaired, each receives one of so many parts.
+  explicit Repair_budget(std::size_t faces, std::size_t parts = 1)
+    : all_(tests_per_face * (std::max)(faces, min_faces) / parts), left_(all_), left_of_repair_(all_)
+  {}
+
+  // Returns the same budget as if nothing were spent.
+  Repair_budget unspent() const
+  {
+    Repair_budget whole(*this);
+    whole.left_ = whole.left_of_repair_ = all_;
+    return whole;
+  }
 
   void begin_repair() { left_of_repair_ = (std::min)(left_, max_tests_of_repair); }
 
@@ -35,7 +46,7 @@ private:
   static constexpr std::size_t tests_per_face = 3000, min_faces = 2000;
   static constexpr std::size_t max_tests_of_repair = 16000000; // one or two seconds
 
-  std::size_t left_, left_of_repair_;
+  std::size_t all_, left_, left_of_repair_;
 };
 
 } // namespace internal
