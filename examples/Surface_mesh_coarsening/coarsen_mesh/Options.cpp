@@ -281,10 +281,16 @@ void read_method(const po::variables_map& values, Options& options)
   options.placement = *given(values, "placement");
   check_choice("placement", options.placement, placement_names());
   options.maximum_density = to_density("maximum-density", *given(values, "maximum-density"));
+  const std::string angle = *given(values, "angle");
+  options.mean_angle = to_size("angle", angle);
+  if (options.mean_angle > 60)
+    throw Wrong_usage("--angle takes an angle from 0 to 60 degrees, not '" + angle + "'");
   options.error_feedback = to_count("error-feedback", *given(values, "error-feedback"), 0, any);
   options.local_repairs = to_count("local-repairs", *given(values, "local-repairs"), 0, any);
   if (options.paper)
     choose_as_in_paper(values, options);
+  if (!values["angle"].defaulted() && options.placement != default_placement())
+    throw Wrong_usage("--angle goes with --placement " + default_placement() + ", not with " + options.placement);
   if (const auto text = given(values, "threads"))
     options.threads = static_cast<unsigned>(to_count("threads", *text, 1, 1000000));
 }

@@ -42,6 +42,7 @@ struct Options
   double convergence_tolerance = Defaults::convergence_tolerance; // the relative gain of the last round
   std::string energy, weight, placement; // names out of the lists in Choices.h
   double maximum_density = Defaults::maximum_density;
+  double mean_angle = Defaults::mean_angle; // of the triangles' smallest angles, in degrees
   bool paper = false; // in what no other option names
   std::size_t error_feedback = Defaults::error_feedback; // rounds of it
   std::size_t local_repairs = Defaults::local_repairs;   // at most

@@ -62,7 +62,7 @@ void with_placement(const Options& options, const Use& use)
   else if (options.placement == "quadric")
     use(SMC::Quadric_placement());
   else
-    use(SMC::Fitted_placement());
+    use(SMC::Fitted_placement(SMC::Fitted_placement::default_rounds, options.mean_angle));
 }
 
 // Has points of the mesh, with coordinates that single precision holds: the repair of the result sees them as they are written.
@@ -248,6 +248,7 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
     return result;
   }
   Clustering clustering(input, np);
+  with_placement(options, [&](const auto& placement) { clustering.choose_items_for(placement); });
   if (options.vertices && options.neighborhood_level)
     clustering.seed_from_level(*options.neighborhood_level, *options.vertices);
   else if (options.vertices)

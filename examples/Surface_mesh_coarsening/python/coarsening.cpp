@@ -41,8 +41,9 @@ namespace SMC = CGAL::Surface_mesh_coarsening;
 typedef SMC::Coarsening_defaults Defaults;
 
 template <class Use>
-void with_placement(const std::string& name, const Use& use)
+void with_placement(const Options& options, const Use& use)
 {
+  const std::string& name = options.placement;
   if (name == "centroid")
     use(SMC::Centroid_placement());
   else if (name == "closest-vertex")
@@ -50,7 +51,7 @@ void with_placement(const std::string& name, const Use& use)
   else if (name == "quadric")
     use(SMC::Quadric_placement());
   else if (name == "fitted")
-    use(SMC::Fitted_placement());
+    use(SMC::Fitted_placement(SMC::Fitted_placement::default_rounds, options.mean_angle));
   else
     throw SMC::Invalid_input("there is no placement '" + name + "' (centroid, closest-vertex, quadric, fitted)");
 }
@@ -107,7 +108,7 @@ std::vector<Coarsening> coarsen_to_distance(const Mesh& input, const Options& op
     most = std::size_t((std::max)(std::round(*options.vertex_ratio * double(input.number_of_vertices())), 1.));
   else if (!options.vertices.empty())
     most = options.vertices.front();
-  with_placement(options.placement, [&](const auto& placement) {
+  with_placement(options, [&](const auto& placement) {
     const SMC::Distance_report report = SMC::coarsen_mesh_to_distance<CGAL::Parallel_if_available_tag>(
       input, *options.maximum_distance, most, result.mesh,
       np.number_of_iterations(options.iterations.value_or(Defaults::number_of_iterations))
@@ -149,6 +150,7 @@ std::vector<Coarsening> coarsen_to_numbers(const Mesh& input, const Options& opt
 {
   typedef SMC::Mwcvd_clustering<Mesh, Energy, CGAL::Parallel_if_available_tag> Clustering;
   Clustering clustering(input, np);
+  with_placement(options, [&](const auto& placement) { clustering.choose_items_for(placement); });
   make_clusters(clustering, options, fields);
   clustering.minimize(options.iterations.value_or(Defaults::number_of_iterations), options.convergence_tolerance);
   std::vector<Coarsening> results((std::max)(options.vertices.size(), std::size_t(1)));
@@ -156,7 +158,7 @@ std::vector<Coarsening> coarsen_to_numbers(const Mesh& input, const Options& opt
     result.labels.resize(input.number_of_faces());
   std::vector<std::int64_t>& counts = results[0].boundary_counts;
   counts.resize(input.number_of_vertices());
-  with_placement(options.placement, [&](const auto& placement) {
+  with_placement(options, [&](const auto& placement) {
     clustering.extract_embedded_dual_mesh(results[0].mesh, placement);
     results[0].report = clustering.report();
     clustering.write_clusters(map_to(results[0].labels));

@@ -31,6 +31,7 @@ struct Options
   bool paper = false; // in what no other option names
   double maximum_density = 10;
   double feature_angle = 180;
+  double mean_angle = 40; // of the smallest angles, in degrees
   std::size_t error_feedback = 0, local_repairs = 0;
   double minimum_component_area = 0;
   bool subdivide = false, repair_output = true, keep_borders = false, keep_small = false;

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_coarsening/defaults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/accepted_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/chosen_energy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/choose_items.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/cluster_queries.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/emit.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/prepare.h>
@@ -108,8 +109,19 @@ public:
     return state_.report.seeds;
   }
 
+  /// lets later calls of `seed_faces_or_cells()`, `seed_from_ratio()` and `seed_from_number_of_faces()` choose between faces and
+  /// cells for a placement. With a `Fitted_placement` for which only the distance counts, cells are used for every number. With
+  /// other placements than `Fitted_placement`, faces are used. `coarsen_mesh()` calls this function.
+  /// \tparam Placement a model of `VertexPlacement` or `GlobalVertexPlacement`
+  template <class Placement>
+  void choose_items_for(const Placement& placement)
+  {
+    internal::choose_items_for(placement, state_);
+  }
+
   /// finds seeds as `seed()` does or, if `number_of_clusters` exceeds 0.3 times the number of vertices of the mesh, takes the dual
-  /// cells of vertices as items of the clustering instead of faces. `coarsen_mesh()` calls this function.
+  /// cells of vertices as items of the clustering instead of faces (see also `choose_items_for()`). `coarsen_mesh()` calls this
+  /// function.
   ///
   /// The cell of a vertex is the part of the faces around the vertex that is bounded by the centers of faces and edges. `grow()`
   /// then merges cells by the residuals of their quadrics (see `Quadric_energy`), and `minimize()` changes nothing. If the number

@@ -45,8 +45,8 @@ Distance_report coarsen_to_goal(const FaceGraph& input, Distance_goal goal, Outp
   Distance_report report;
   Clustering clustering(typename Clustering::Accepted(), input, np_in);
   const Placement placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
+  clustering.choose_items_for(placement);
   Clustering_state& state = clustering.state();
-  state.may_cluster_cells = state.may_cluster_cells && exchanges_vertices<Placement>;
   const Placed_dual dual =
     find_within_distance(state, placement_model(placement), output_coordinates<Traits>(state.frame), goal, report);
   Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);

@@ -27,6 +27,8 @@ struct Coarsening_defaults
   static constexpr double convergence_tolerance = 1e-3;
   /// of parameter `feature_angle`: the angle of an edge does not make it a feature
   static constexpr double feature_angle = 180;
+  /// of the constructor of `Fitted_placement`, in degrees
+  static constexpr double mean_angle = 40;
   //! [defaults]
 };
 

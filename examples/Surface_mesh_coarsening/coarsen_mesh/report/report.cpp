@@ -65,6 +65,7 @@ Json parameters_of(const Options& options)
   result["weight"] = options.energy == default_energy() ? Json(options.weight) : Json();
   result["maximum_density"] = options.maximum_density;
   result["placement"] = options.placement;
+  result["mean_angle"] = options.placement == default_placement() ? Json(options.mean_angle) : Json();
   result["paper"] = options.paper;
   result["error_feedback"] = options.error_feedback;
   result["local_repairs"] = options.local_repairs;

@@ -69,6 +69,7 @@ class Settings(TypedDict, total=False):
     maximum_density: Optional[float]
     density: Any
     paper: bool
+    mean_angle: float
     error_feedback: Optional[int]
     local_repairs: int
     minimum_component_area: float
@@ -87,6 +88,7 @@ _DEFAULTS: Dict[str, Any] = {
     "maximum_density": None,
     "density": None,
     "paper": False,
+    "mean_angle": 40,
     "error_feedback": None,
     "local_repairs": 5,
     "minimum_component_area": 0,
@@ -135,6 +137,7 @@ def _options(settings: Dict[str, Any]) -> "_core.Options":
     options.maximum_density = real(chosen("maximum_density", most), "maximum_density")
     # Given densities determine the distribution of vertices.
     feedback = 8 if s["density"] is None and not paper else 0
+    options.mean_angle = real(s["mean_angle"], "mean_angle")
     options.error_feedback = whole(chosen("error_feedback", feedback), "error_feedback")
     options.local_repairs = whole(s["local_repairs"], "local_repairs")
     options.minimum_component_area = real(s["minimum_component_area"], "minimum_component_area")
@@ -270,6 +273,8 @@ def coarsen(
     paper: whether to run the method as printed in the paper: placement "centroid", maximum_density 50 (weight "variance": 3),
         error_feedback 0, repair_output False and convergence_tolerance 0 unless given, no densities for borders, merging by area,
         and the check by boundary-edge counts
+    mean_angle: with the placement "fitted", the mean of the triangles' smallest angles to aim at, in degrees from 0 to 60; below
+        30, only the distance counts
     error_feedback: with the placement "fitted", rounds that relocate vertices to places of large distance; 8 by
         default, 0 with `density`
     local_repairs: the maximal number of relocations of vertices to triangles that still intersect after the repair, 5 by default

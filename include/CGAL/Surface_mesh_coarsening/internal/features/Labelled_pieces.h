@@ -40,6 +40,8 @@ public:
   const Coarse_features* features() const { return features_ ? &*features_ : nullptr; }
   // For each cluster that is the cell of one vertex, this vertex; NONE for other clusters. Empty if faces are clustered.
   const std::vector<Index>& single_vertices() const { return single_vertex_; }
+  // The number of cells of vertices; 0 if faces are clustered.
+  std::size_t number_of_cells() const { return single_vertex_.empty() ? 0 : labels_.labels().size(); }
 
 private:
   void find_single_cells(const Feature_cells& cells, std::size_t clusters)

@@ -50,6 +50,7 @@ public:
     : Clustered_faces(pieces.input(), pieces.labels(), clusters, execution, pieces.features(), cancellation)
   {
     single_vertex_ = pieces.single_vertices();
+    number_of_cells_ = pieces.number_of_cells();
   }
 
   // For a surface that approximates the input: the vertices have given bounds, and clusters may have no faces.
@@ -101,7 +102,9 @@ public:
   }
 
   // Whether the clusters consist of the cells of vertices.
-  bool has_cells() const { return !single_vertex_.empty(); }
+  bool has_cells() const { return number_of_cells_ > 0; }
+  // The number of clusters relative to the number of cells.
+  double clusters_per_cell() const { return double(number_of_clusters()) / double(number_of_cells_); }
   // The vertex whose cell is the cluster; NONE for clusters of faces, and for clusters of several cells.
   Index single_vertex(std::size_t cluster) const { return single_vertex_.empty() ? NONE : single_vertex_[cluster]; }
 
@@ -122,6 +125,7 @@ private:
   Bucketed_items<std::uint32_t> faces_; // of each cluster
   std::vector<Bbox_3> bounds_;          // of each cluster's vertex
   std::vector<Index> single_vertex_;    // of each cluster; empty if faces are clustered
+  std::size_t number_of_cells_ = 0;
   bool is_approximate_ = false;
 };
 

@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_state.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Placement_model.h>
 
 #include <cstddef>
 
@@ -23,6 +24,16 @@ inline Featured_input with_items(const Featured_input& input, Feature_cells::Ext
   return Feature_cells::run(base, edges, cancellation, extent);
 }
 
+// Other placements than the fit do not return the vertices of single cells.
+template <class Placement>
+void choose_items_for(const Placement& placement, Clustering_state& state)
+{
+  if constexpr (exchanges_vertices<Placement>)
+    state.share_for_cells = placement.exchanges() ? min_share_of_cells : 0;
+  else
+    state.may_cluster_cells = false;
+}
+
 // Returns whether the cells of vertices serve better than faces. A face is half a vertex, so clusters of few faces have vertices
 // off the surface.
 inline bool needs_vertex_cells(const Clustering_state& state, const Seeding& seeding)
@@ -31,7 +42,7 @@ inline bool needs_vertex_cells(const Clustering_state& state, const Seeding& see
   for (const Component& c : state.base_input().mesh.components)
     vertices += c.max_clusters();
   return state.may_cluster_cells && seeding.may_use_cells && seeding.kind == Seeding::FOR_NUMBER && !state.subdivides_input &&
-         double(seeding.value) > min_share_of_cells * double(vertices);
+         double(seeding.value) > state.share_for_cells * double(vertices);
 }
 
 } // namespace internal

@@ -49,14 +49,14 @@ Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& outp
   const auto source_map = get_parameter(np_out, internal_np::vertex_source);
   check_input_stays<std::decay_t<decltype(source_map)> >(input, output);
   Clustering clustering(typename Clustering::Accepted(), input, np_in);
+  const Placement placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
   if (choose_parameter(get_parameter(np_in, internal_np::start_from_face_clusters_p), false)) {
     read_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
     if (number != 0 && clustering.number_of_clusters() != number)
       throw Invalid_input("the face_cluster_map has " + std::to_string(clustering.number_of_clusters()) +
                           " clusters, but " + std::to_string(number) + " vertices were asked for");
   } else {
-    // Other placements do not return the vertices of single cells.
-    clustering.state().may_cluster_cells = clustering.state().may_cluster_cells && exchanges_vertices<Placement>;
+    clustering.choose_items_for(placement);
     seed(clustering);
     clustering.grow();
   }
@@ -67,7 +67,7 @@ Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& outp
   clustering.end_minimization();
   Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
   clustering.extract_embedded_dual_mesh(
-    output, choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p)), np_out,
+    output, placement, np_out,
     [&](const std::vector<Vector>& positions) {
       const bool are_wanted = has_parameter<internal_np::vertex_source_t, NPOut> ||
                               has_parameter<internal_np::vertex_to_cluster_t, NPIn>;

@@ -5,16 +5,19 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Coarse_mesh_search.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Input_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Prepared_triangle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Search_starts.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -50,7 +53,9 @@ public:
     : surface_(surface), input_(surface.input().mesh), coarse_(coarse), positions_(positions),
       area_(input_.area(surface.cancellation())), prepared_(coarse.triangles().size()), back_(coarse.triangles().size())
   {
-    const std::size_t number = samples_per_triangle * coarse.triangles().size();
+    std::size_t number = samples_per_triangle * coarse.triangles().size();
+    if (surface.has_cells() && surface.clusters_per_cell() > min_share_of_dense)
+      number = (std::min)(number, surface.input().mesh.number_of_faces());
     samples_.reserve(number);
     input_.for_each_sample(number, area_, surface.cancellation(), [this](const Input_point& p) {
       samples_.push_back({p.position, p.face, NONE, {}});
@@ -76,6 +81,7 @@ public:
                      for (std::size_t i = begin; i < end; ++i)
                        find_foot(samples_[i * step_]);
                    });
+    correct_far_feet();
     first_on_.assign(triangles.size(), NONE);
     for (std::size_t i = number_of_used(); i-- > 0;)
       link(Index(i * step_));
@@ -133,9 +139,7 @@ public:
   // Returns the contribution of a triangle to the sums of both directions.
   double cost(Index t) const
   {
-    double sum = 0;
-    for_each_on(t, [&](const Sample& s) { sum += s.foot.squared_distance; });
-    return weight() * sum + cost_of(back_[t]);
+    return cost_of_input(t) + cost_of(back_[t]);
   }
 
   // Returns the contribution of two other triangles that replace `t` and `u`. Returns a value above `limit` as soon as the
@@ -160,29 +164,6 @@ public:
     const Search_starts starts = starts_between(t, u);
     sum += cost_of_feet(first, starts, limit_at_once - sum);
     return sum > limit ? sum : sum + cost_of_feet(second, starts, limit_at_once - sum);
-  }
-
-  // Updates the feet on two changed triangles, and the feet of their samples.
-  void redistribute(Index t, Index u)
-  {
-    const Search_starts starts = starts_between(t, u);
-    std::vector<Index> samples;
-    for (const Index old : {t, u}) {
-      for (Index i = first_on_[old]; i != NONE; i = next_on_[i])
-        samples.push_back(i);
-      first_on_[old] = NONE;
-      prepared_[old] = Prepared_triangle(positions_, coarse_.triangles()[old]);
-    }
-    for (std::size_t k = samples.size(); k-- > 0;) {
-      Sample& s = samples_[samples[k]];
-      const Foot_point on_t = prepared_[t].closest(s.position), on_u = prepared_[u].closest(s.position);
-      const bool nearer = on_u.squared_distance < on_t.squared_distance;
-      s.foot = nearer ? on_u : on_t;
-      s.triangle = nearer ? u : t;
-      link(samples[k]);
-    }
-    back_[t] = feet_of(coarse_.triangles()[t], starts);
-    back_[u] = feet_of(coarse_.triangles()[u], starts);
   }
 
   // Returns the cost of a triangle from the samples of the input.
@@ -229,6 +210,43 @@ private:
   static constexpr int max_steps_on_triangles = 64; // of a search on the coarse mesh
   // If more triangles surround a vertex, not all are tested.
   static constexpr std::size_t max_around = 16;
+
+  // Descents between narrow triangles can end far from the nearest point. Few such samples would dominate all sums.
+  void correct_far_feet()
+  {
+    constexpr double far_part = 64; // of the mean squared distance
+    std::optional<Coarse_mesh_search> search;
+    double before = std::numeric_limits<double>::infinity(), sum = sum_of_squared_distances() / weight();
+    while (sum < 0.5 * before) {
+      before = sum;
+      std::vector<Index> far;
+      for (std::size_t i = 0; i < samples_.size(); i += step_)
+        if (samples_[i].foot.squared_distance * double(number_of_used()) > far_part * sum)
+          far.push_back(Index(i));
+      if (far.empty())
+        return;
+      if (!search)
+        search.emplace(coarse_.triangles(), positions_);
+      for_each_number(surface_.execution(), far.size(), surface_.cancellation(), [&](Index i) {
+        Sample& s = samples_[far[i]];
+        const Nearest_point p = (*search)(s.position, surface_.labels()[s.face]);
+        if (!is_on_side_of(s, coarse_.triangles()[p.face]))
+          return;
+        s.triangle = p.face;
+        s.foot = {p.barycentric, p.squared_distance};
+      });
+      sum = sum_of_squared_distances() / weight();
+    }
+  }
+
+  // Returns whether a triangle approximates the side of the component on which a sample lies.
+  bool is_on_side_of(const Sample& s, const Triangle& t) const
+  {
+    const Flat_mesh& m = surface_.input().mesh;
+    const Clustered_faces::Range faces = surface_.faces(t[0]);
+    return (faces.empty() || m.component[*faces.begin()] == m.component[s.face]) &&
+           dot(normal_of(positions_, t), vector_area(m, s.face)) > 0;
+  }
 
   std::size_t number_of_used() const { return (samples_.size() + step_ - 1) / step_; }
 

@@ -5,9 +5,8 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Coarse_mesh_search.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Input_surface.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,34 +31,18 @@ public:
   // Returns the mean squared distance of the direction in which it is larger.
   double squared(const std::vector<Triangle>& triangles, const std::vector<Vector>& positions) const
   {
-    const Flat_mesh coarse = mesh_of(triangles, positions);
-    std::vector<Index> first_corners;
-    for (const Triangle& t : triangles)
-      first_corners.push_back(t[0]);
-    const Nearest_point_search on_coarse(coarse, first_corners, positions.size());
+    const Coarse_mesh_search on_coarse(triangles, positions);
     const Cluster_labels& labels = surface_.labels();
     return (std::max)(mean(surface_.input().mesh, on_coarse, [&](Index f) { return labels[f]; }),
-                      mean(coarse, on_surface_, [&](Index t) { return first_corners[t]; }));
+                      mean(on_coarse.mesh(), on_surface_, [&](Index t) { return on_coarse.first_corner(t); }));
   }
 
 private:
   static constexpr std::size_t samples_per_triangle = 3, min_samples = 4000;
 
-  static Flat_mesh mesh_of(const std::vector<Triangle>& triangles, const std::vector<Vector>& positions)
-  {
-    Flat_mesh mesh;
-    mesh.points = positions;
-    mesh.first_corner.push_back(0);
-    for (const Triangle& t : triangles) {
-      mesh.corner_vertex.insert(mesh.corner_vertex.end(), t.begin(), t.end());
-      mesh.first_corner.push_back(Index(mesh.corner_vertex.size()));
-    }
-    return mesh;
-  }
-
   // `group(face)` is the group in which the search for points of a face begins.
-  template <class Group>
-  double mean(const Flat_mesh& from, const Nearest_point_search& to, const Group& group) const
+  template <class Search, class Group>
+  double mean(const Flat_mesh& from, const Search& to, const Group& group) const
   {
     const Cancellation_point& cancellation = surface_.cancellation();
     const Input_surface samples(from);
