@@ -81,7 +81,8 @@ public:
                      for (std::size_t i = begin; i < end; ++i)
                        find_foot(samples_[i * step_]);
                    });
-    correct_far_feet();
+    if (surface_.has_cells())
+      correct_far_feet();
     first_on_.assign(triangles.size(), NONE);
     for (std::size_t i = number_of_used(); i-- > 0;)
       link(Index(i * step_));
@@ -211,7 +212,8 @@ private:
   // If more triangles surround a vertex, not all are tested.
   static constexpr std::size_t max_around = 16;
 
-  // Descents between narrow triangles can end far from the nearest point. Few such samples would dominate all sums.
+  // Descents between the narrow triangles of long clusters can end far from the nearest point. Few such samples would dominate all
+  // sums. Between round clusters they do not occur: one of 299,744 samples of the Fandisk with 648 vertices.
   void correct_far_feet()
   {
     constexpr double far_part = 64; // of the mean squared distance
