@@ -33,8 +33,9 @@ install(FILES
   ${PROJECT_SOURCE_DIR}/cmake/compiled_core.cpp
   DESTINATION ${config_dir}
   COMPONENT Development)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/surface_mesh_coarsening
-  COMPONENT Development)
+# The license is part of each package, under the name that Debian requires.
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright COMPONENT Development
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libsurface-mesh-coarsening-dev)
 
 # The tool, if built, with its manual page and the completion of its command line.
 if(SURFACE_MESH_COARSENING_BUILD_EXAMPLES AND PROJECT_IS_TOP_LEVEL)
@@ -44,6 +45,8 @@ if(SURFACE_MESH_COARSENING_BUILD_EXAMPLES AND PROJECT_IS_TOP_LEVEL)
     COMPONENT Tools)
   install(FILES ${PROJECT_SOURCE_DIR}/packaging/coarsen_mesh.bash RENAME coarsen_mesh
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT Tools)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/coarsen-mesh
+    COMPONENT Tools)
 endif()
 
 # For users without CMake: the headers alone, with the libraries that CGAL needs.
