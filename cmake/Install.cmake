@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Installs the headers, the files for find_package(Surface_mesh_coarsening), and the tool. No installed file contains an
+# Installs the headers and the files for find_package(Surface_mesh_coarsening). No installed file contains an
 # absolute path, so the prefix can be moved.
 
 include(CMakePackageConfigHelpers)
@@ -33,17 +33,18 @@ install(FILES
   ${PROJECT_SOURCE_DIR}/cmake/compiled_core.cpp
   DESTINATION ${config_dir}
   COMPONENT Development)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/surface_mesh_coarsening
-  COMPONENT Development)
+# The license is part of each package, under the name that Debian requires.
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright COMPONENT Development
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libsurface-mesh-coarsening-dev)
 
-# The tool, if built, with its manual page and the completion of its command line.
+# The manual page of the tool and the completion of its command line.
 if(SURFACE_MESH_COARSENING_BUILD_EXAMPLES AND PROJECT_IS_TOP_LEVEL)
-  install(PROGRAMS ${PROJECT_BINARY_DIR}/bin/coarsen_mesh${CMAKE_EXECUTABLE_SUFFIX} DESTINATION ${CMAKE_INSTALL_BINDIR}
-    COMPONENT Tools OPTIONAL)
   install(FILES ${PROJECT_SOURCE_DIR}/packaging/coarsen_mesh.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
     COMPONENT Tools)
   install(FILES ${PROJECT_SOURCE_DIR}/packaging/coarsen_mesh.bash RENAME coarsen_mesh
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT Tools)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/coarsen-mesh
+    COMPONENT Tools)
 endif()
 
 # For users without CMake: the headers alone, with the libraries that CGAL needs.

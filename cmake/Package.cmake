@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# cpack -G DEB makes Debian packages of the build tree: the library, which is headers and sources and fits every architecture, the
-# tool if it has been built, and the Python module where Python was found. With SURFACE_MESH_COARSENING_STATIC_TOOL, cpack -G TGZ makes
+# cpack -G DEB makes Debian packages of the build tree: the library, which is headers and sources and fits every architecture, and the
+# tool and the Python module if they have been built. With SURFACE_MESH_COARSENING_STATIC_TOOL, cpack -G TGZ makes
 # an archive with the tool alone, which needs no other package.
 
 if(NOT PROJECT_IS_TOP_LEVEL)
@@ -20,6 +20,8 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
+set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/omit_unbuilt_packages.cmake)
+set(CPACK_BUILD_TREE ${PROJECT_BINARY_DIR})
 set(CPACK_COMPONENTS_ALL Development)
 if(SURFACE_MESH_COARSENING_BUILD_EXAMPLES)
   list(APPEND CPACK_COMPONENTS_ALL Tools)
@@ -49,7 +51,6 @@ set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Coarse triangle meshes of fine polygon me
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-surface-mesh-coarsening)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Coarse triangle meshes of fine polygon meshes: Python module")
 
 # The libraries of the tool become its dependencies, if the programs that determine them are installed.
@@ -68,7 +69,8 @@ if(TARGET coarsen_mesh AND NOT SURFACE_MESH_COARSENING_STATIC_TOOL)
   cmake_path(GET CMAKE_COMMAND PARENT_PATH cmake_bin)
   add_custom_target(packages
     COMMAND ${CMAKE_COMMAND} -D PACKAGES=${PROJECT_BINARY_DIR}/packages -D SOURCES=${PROJECT_SOURCE_DIR} -D CPACK=${cmake_bin}/cpack
-      -D CONFIG=${PROJECT_BINARY_DIR}/CPackConfig.cmake -P ${PROJECT_SOURCE_DIR}/cmake/make_packages.cmake
+      -D CONFIG=${PROJECT_BINARY_DIR}/CPackConfig.cmake -D PYTHON=${PYTHON_EXECUTABLE}
+      -P ${PROJECT_SOURCE_DIR}/cmake/make_packages.cmake
     USES_TERMINAL VERBATIM COMMENT "Making the packages")
   add_dependencies(packages coarsen_mesh)
   if(TARGET surface_mesh_coarsening_python)
