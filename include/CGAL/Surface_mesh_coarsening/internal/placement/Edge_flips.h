@@ -174,19 +174,19 @@ private:
     std::stable_sort(flips.begin(), flips.end(),
                      [this](const Flip& f, const Flip& g) { return f.profit(worth_) > g.profit(worth_); });
     std::vector<bool> is_done(coarse_.triangles().size(), false);
-    std::vector<std::vector<Index> > flipped; // pairs of triangles
+    std::vector<std::pair<Index, Index> > flipped;
     for (const Flip& flip : flips) {
       const Index t = flip.triangle, u = coarse_.across(t, flip.corner);
       if (is_done[t] || is_done[u] || !coarse_.may_flip(t, flip.corner, u))
         continue;
       coarse_.flip(t, flip.corner, u);
       is_done[t] = is_done[u] = true;
-      flipped.push_back({t, u});
+      flipped.emplace_back(t, u);
     }
     cancellation_.poll(steps_of_flip * flipped.size());
     for_each_chunk(execution_, flipped.size(), 4, cancellation_, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        samples_.redistribute(flipped[i], flipped[i]);
+        samples_.redistribute(flipped[i].first, flipped[i].second);
     });
   }
 

@@ -167,6 +167,29 @@ public:
     return sum > limit ? sum : sum + cost_of_feet(second, starts, limit_at_once - sum);
   }
 
+  // Updates the feet on two changed triangles, and the feet of their samples.
+  void redistribute(Index t, Index u)
+  {
+    const Search_starts starts = starts_between(t, u);
+    std::vector<Index> samples;
+    for (const Index old : {t, u}) {
+      for (Index i = first_on_[old]; i != NONE; i = next_on_[i])
+        samples.push_back(i);
+      first_on_[old] = NONE;
+      prepared_[old] = Prepared_triangle(positions_, coarse_.triangles()[old]);
+    }
+    for (std::size_t k = samples.size(); k-- > 0;) {
+      Sample& s = samples_[samples[k]];
+      const Foot_point on_t = prepared_[t].closest(s.position), on_u = prepared_[u].closest(s.position);
+      const bool nearer = on_u.squared_distance < on_t.squared_distance;
+      s.foot = nearer ? on_u : on_t;
+      s.triangle = nearer ? u : t;
+      link(samples[k]);
+    }
+    back_[t] = feet_of(coarse_.triangles()[t], starts);
+    back_[u] = feet_of(coarse_.triangles()[u], starts);
+  }
+
   // Returns the cost of a triangle from the samples of the input.
   double cost_of_input(Index t) const
   {

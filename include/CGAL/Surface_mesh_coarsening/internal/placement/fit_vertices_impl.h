@@ -41,11 +41,13 @@ public:
 
   const std::vector<Triangle>& triangles() const { return coarse_.triangles(); }
 
-  // From now on, every `step`-th sample of the input is used.
+  // The first step of a round. From now on, every `step`-th sample of the input is used.
   void find_feet(std::size_t step = 1)
   {
+    if (!has_feet_ || step != step_)
+      fit_.find_feet(step);
+    has_feet_ = true;
     step_ = step;
-    fit_.find_feet(step);
   }
 
   void exchange_at_destinations() { exchange_.run_at(relocation_.destinations); }
@@ -53,7 +55,7 @@ public:
   // From now on, the exchange rate between angles and distance changes slowly.
   void keep_rate() { is_steady_ = true; }
 
-  // Completes a round. The feet of the samples must be up to date, and are so afterwards. Returns the number of exchanged vertices.
+  // Returns the number of exchanged vertices.
   std::size_t advance(bool exchanges)
   {
     if (is_steady_)
@@ -67,12 +69,12 @@ public:
   // Completes all rounds, or a group of rounds.
   void settle()
   {
-    if (step_ != 1)
-      find_feet();
+    find_feet();
     // Narrow triangles that remain now are final, so their worth is increased.
     Angle_worth worth = flips_.worth();
     worth.narrow_rate *= 2;
     angles_.run(worth);
+    has_feet_ = false;
   }
 
   // Returns the current mesh. The feet of the samples must be up to date.
@@ -92,7 +94,7 @@ private:
     fit_.move_vertices(tolerance);
     for (std::size_t x = 0; x < positions_.size(); ++x)
       positions_[x] = within_bounds(Index(x), positions_[x]);
-    fit_.find_feet(step_);
+    has_feet_ = false;
     if (judges_movements_)
       for (const double part : {0.5, 0.})
         retreat(before, costs, part);
@@ -101,6 +103,7 @@ private:
   // Keeps `part` of the movement of vertices around which the distance has increased.
   void retreat(const std::vector<Vector>& before, const std::vector<double>& costs, double part)
   {
+    find_feet(step_);
     const std::vector<double> costs_now = costs_of_triangles();
     for (std::size_t x = 0; x < positions_.size(); ++x) {
       double change = 0;
@@ -109,7 +112,7 @@ private:
       if (change > 0)
         positions_[x] = part * positions_[x] + (1 - part) * before[x];
     }
-    fit_.find_feet(step_);
+    has_feet_ = false;
   }
 
   std::vector<double> costs_of_triangles() const
@@ -145,6 +148,7 @@ private:
   double mean_angle_;
   bool judges_movements_;
   std::size_t step_ = 1;
+  bool has_feet_ = false;
   bool is_steady_ = false;
   double reserve_ = 0.4; // in degrees: movements after the last flips reduce the angles slightly
   std::vector<Vector>& positions_;
@@ -187,10 +191,13 @@ inline std::optional<Fitted_mesh> fit_after_exchanges(Vertex_fit& fit, const Fit
   std::size_t exchanged = 1;
   for (std::size_t i = 0; i < rounds && exchanged > 0; ++i) {
     exchanged = fit.advance(true);
+    fit.find_feet();
     cancellation.step_done(Coarsening_stage::FEEDBACK, i + 1, rounds + last_rounds);
   }
   for (std::size_t i = 0; i < last_rounds; ++i) {
     fit.advance(false);
+    if (i + 1 < last_rounds)
+      fit.find_feet();
     cancellation.step_done(Coarsening_stage::FEEDBACK, rounds + i + 1, rounds + last_rounds);
   }
   fit.settle();
@@ -211,8 +218,7 @@ inline void run_plain_rounds(Vertex_fit& fit, std::size_t rounds, const Cancella
   // Before the last rounds, every `step_before`-th sample is sufficient.
   constexpr std::size_t rounds_with_all = 3, step_before = 4;
   for (std::size_t left = rounds; left > 0; --left) {
-    if (left == rounds || left == rounds_with_all)
-      fit.find_feet(left > rounds_with_all ? step_before : 1);
+    fit.find_feet(left > rounds_with_all ? step_before : 1);
     fit.advance(false);
     cancellation.step_done(Coarsening_stage::PLACEMENT, rounds + 1 - left, rounds);
   }
