@@ -171,7 +171,7 @@ function(check_constant page text header code)
 endfunction()
 
 set(angles internal/placement/Angle_worth.h)
-check_constant(Surface_mesh_coarsening.txt "smallest angle of the triangles stays at ([0-9]+) degrees" Vertex_placement/Fitted_placement.h
+check_constant(Surface_mesh_coarsening.txt "smallest angle of the triangles stays at ([0-9]+) degrees" defaults.h
   "mean_angle = ([0-9]+)")
 check_constant(Surface_mesh_coarsening.txt "create no angle below ([0-9]+) degrees" ${angles} "min_angle = ([0-9]+)")
 check_constant(Surface_mesh_coarsening.txt "triangles with angles below ([0-9]+) degrees move" ${angles} "narrow_angle = ([0-9]+)")
