@@ -19,6 +19,7 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -60,6 +61,34 @@ BOOST_AUTO_TEST_CASE(bounds_hold)
       BOOST_CHECK(test::to_soup(again).points == test::to_soup(output).points);
     }
   }
+}
+
+// Lengths are measured at any scale of double, and coordinates next to zero have triangles with normals next to zero.
+BOOST_AUTO_TEST_CASE(distances_at_extreme_scales)
+{
+  using namespace generated;
+  const Soup fine = triangle_sphere(4), coarse = triangle_sphere(2);
+  const auto scaled = [](Soup soup, int exponent) {
+    for (auto& p : soup.points)
+      for (double& x : p)
+        x = std::ldexp(x, exponent);
+    return test::to_mesh(soup);
+  };
+  const SMC::Coarsening_quality at_one = SMC::measure_coarsening(scaled(fine, 0), scaled(coarse, 0), 1000);
+  BOOST_TEST_REQUIRE(at_one.rms_distance > 0);
+  for (const int exponent : {-900, -300, 300, 900}) {
+    const SMC::Coarsening_quality q = SMC::measure_coarsening(scaled(fine, exponent), scaled(coarse, exponent), 1000);
+    BOOST_TEST(q.rms_distance == std::ldexp(at_one.rms_distance, exponent));
+    BOOST_TEST(q.from_coarse.maximum_distance == std::ldexp(at_one.from_coarse.maximum_distance, exponent));
+    BOOST_TEST(q.diagonal == std::ldexp(at_one.diagonal, exponent));
+    BOOST_TEST(q.maximum_normal_deviation == at_one.maximum_normal_deviation);
+  }
+  Mesh sliver, other;
+  const double least = std::numeric_limits<double>::denorm_min(), small = 1e12 * least;
+  CGAL::make_triangle(Mesh::Point(-small, -1, 0), Mesh::Point(0, 0, 0), Mesh::Point(0, -1, 0), sliver);
+  CGAL::make_triangle(Mesh::Point(0, 0, 0), Mesh::Point(0, -1, 0), Mesh::Point(1, 0, 1e-5), sliver);
+  CGAL::make_triangle(Mesh::Point(0, 0, 0), Mesh::Point(0, -1, 0), Mesh::Point(1, 0, 1e-5), other);
+  BOOST_TEST(SMC::measure_coarsening(sliver, other, 1000).maximum_distance < 1e-15);
 }
 
 // Fewer vertices suffice if they are exchanged.

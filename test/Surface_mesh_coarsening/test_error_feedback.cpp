@@ -407,7 +407,7 @@ BOOST_AUTO_TEST_CASE(clusters_stay_on_their_component)
     const auto component = input.add_property_map<Mesh::Face_index, std::size_t>("f:component", 0).first;
     const std::size_t components = CGAL::Polygon_mesh_processing::connected_components(input, component);
     BOOST_TEST_REQUIRE(components == 3);
-    for (std::size_t vertices = 14; 10 * vertices <= 3 * input.number_of_vertices(); vertices += 9) { // clusters of faces
+    for (std::size_t vertices = 14; 10 * vertices <= 3 * input.number_of_vertices(); vertices += 3) { // clusters of faces
       const Outcome outcome = coarsened(input, vertices, parameters(8));
       std::vector<std::size_t> of_cluster(vertices, components), number(components, 0);
       for (const auto f : input.faces()) {

@@ -153,8 +153,8 @@ Soup cone_over_star(std::size_t sides, std::size_t turns, double noise)
 
 BOOST_AUTO_TEST_CASE(faces_that_cross_themselves)
 {
-  for (const double off : {0., 1e-15, 1e-3})
-    for (const std::size_t neighbor : {61, 71})
+  for (const double off : {0., 1e-15, 1e-6, 1e-3})
+    for (const std::size_t neighbor : {61, 71, 72})
       check_all(swapped_grid(10, 60, neighbor, off), 30,
                 "60 and " + std::to_string(neighbor) + " swapped, " + std::to_string(off) + " off");
 }
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(faces_that_cross_themselves)
 BOOST_AUTO_TEST_CASE(a_flipped_bit)
 {
   std::mt19937 engine(7);
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 24; ++i) {
     Soup s = generated::cube_grid(5);
     double& x = s.points[engine() % s.points.size()][engine() % 3];
     const unsigned bit = engine() % 64;
@@ -183,8 +183,8 @@ BOOST_AUTO_TEST_CASE(faces_that_are_not_planar)
 
 BOOST_AUTO_TEST_CASE(faces_of_very_many_sides)
 {
-  for (const std::size_t turns : {1, 7, 49})
-    for (const double noise : {0., 0.2})
+  for (const std::size_t turns : {1, 2, 7, 49})
+    for (const double noise : {0., 1e-9, 0.2})
       check_all(cone_over_star(101, turns, noise), 20,
                 std::to_string(turns) + " turns, noise " + std::to_string(noise));
 }

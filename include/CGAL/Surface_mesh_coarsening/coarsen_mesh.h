@@ -33,7 +33,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 /// component of the output has the genus, the number of border loops and the orientation of its component of the input. The
 /// input is not modified. The same input and parameters give the same output.
 ///
-/// If `number_of_vertices` exceeds 0.3 times the number of vertices of the input, the dual cells of vertices are clustered instead
+/// If `number_of_vertices` exceeds 0.07 times the number of vertices of the input, the dual cells of vertices are clustered instead
 /// of faces (see `Mwcvd_clustering::seed_faces_or_cells()`). With the number of all vertices, the output is the surface of the
 /// input, triangulated.
 ///
@@ -136,7 +136,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`Coarsening_defaults::error_feedback`, which is `8`; `0` if `face_density_map` is given}
 ///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, or if clusters are given, edited or
-///                     frozen. Clusters on features and borders are not split.}
+///                     frozen. At most 4 with the dual cells of vertices. Clusters on features and borders are not split.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{local_repairs}
 ///     \cgalParamDescription{the maximum number of relocations of vertices, with their clusters, to triangles that still

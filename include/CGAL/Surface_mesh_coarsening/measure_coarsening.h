@@ -105,6 +105,16 @@ inline void measure_borders(const Triangle_mesh& a, const Triangle_mesh& b, std:
   quality.border_maximum_distance = (std::max)(forth.maximum, back.maximum);
 }
 
+inline void scale_lengths(Coarsening_quality& quality, int exponent)
+{
+  for (Surface_error* e : {static_cast<Surface_error*>(&quality), &quality.from_mesh, &quality.from_coarse})
+    for (double* length : {&e->rms_distance, &e->mean_distance, &e->maximum_distance})
+      *length = std::ldexp(*length, exponent);
+  for (double* length : {&quality.border_rms_distance, &quality.border_mean_distance, &quality.border_maximum_distance,
+                         &quality.diagonal})
+    *length = std::ldexp(*length, exponent);
+}
+
 } // namespace internal
 /// \endcond
 
@@ -138,7 +148,8 @@ Coarsening_quality measure_coarsening(const FaceGraph& mesh, const CoarseFaceGra
                                       const NamedParameters1& np1 = parameters::default_values(),
                                       const NamedParameters2& np2 = parameters::default_values())
 {
-  const internal::Triangle_mesh a = internal::triangulated_copy(mesh, np1), b = internal::triangulated_copy(coarse, np2);
+  internal::Triangle_mesh a = internal::triangulated_copy(mesh, np1), b = internal::triangulated_copy(coarse, np2);
+  const int exponent = internal::scale_to_unit_size(a, b);
   Coarsening_quality quality;
   quality.diagonal = internal::diagonal(a);
   internal::measure_surfaces(a, b, number_of_samples, quality);
@@ -153,6 +164,7 @@ Coarsening_quality measure_coarsening(const FaceGraph& mesh, const CoarseFaceGra
   std::vector<std::pair<internal::Triangle_mesh::Face_index, internal::Triangle_mesh::Face_index> > pairs;
   Polygon_mesh_processing::self_intersections(b, std::back_inserter(pairs));
   quality.self_intersections = pairs.size();
+  internal::scale_lengths(quality, exponent);
   return quality;
 }
 

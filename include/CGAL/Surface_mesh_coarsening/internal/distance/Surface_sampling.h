@@ -62,6 +62,29 @@ Triangle_mesh triangulated_copy(const FaceGraph& mesh, const NamedParameters& np
   return copy;
 }
 
+// Scales the meshes by a power of two, such that coordinates are at most about 1, and sets coordinates below 1e-40 to zero.
+// Returns the exponent of the inverse scaling. The square of a normal, by which CGAL projects points onto triangles, stays in the
+// range of double between these coordinates.
+inline int scale_to_unit_size(Triangle_mesh& a, Triangle_mesh& b)
+{
+  double largest = 0;
+  for (const Triangle_mesh* mesh : {&a, &b})
+    for (const auto v : mesh->vertices())
+      for (int i = 0; i < 3; ++i)
+        largest = (std::max)(largest, std::abs(mesh->point(v)[i]));
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  const auto scaled = [exponent](double x) {
+    const double result = std::ldexp(x, -exponent);
+    return std::abs(result) < 1e-40 ? 0 : result;
+  };
+  for (Triangle_mesh* mesh : {&a, &b})
+    for (const auto v : mesh->vertices()) {
+      auto& p = mesh->point(v);
+      p = Measuring_kernel::Point_3(scaled(p.x()), scaled(p.y()), scaled(p.z()));
+    }
+  return exponent;
+}
+
 inline double diagonal(const Triangle_mesh& mesh)
 {
   Bbox_3 box;

@@ -214,10 +214,17 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
   return dual;
 }
 
+// Returns whether the clusters of cells are so many that only the distance counts.
+inline bool has_dense_cells(const Clustering_state& state)
+{
+  return has_vertex_cells(state.input) &&
+         double(state.number_of_clusters()) > min_share_of_dense * double(labels(state).labels().size());
+}
+
 inline bool may_exchange_vertices(const Clustering_state& state, const Placement_model& placement)
 {
   return placement.exchanging && state.exchange_rounds > 0 && state.minimization_end.max_rounds > 0 &&
-         state.seeding.kind != Seeding::BY_CALLER && !has_vertex_cells(state.input);
+         state.seeding.kind != Seeding::BY_CALLER && !has_dense_cells(state);
 }
 
 // Returns whether the placement without exchange may be closer than a repaired placement. Except for its flips, the repair

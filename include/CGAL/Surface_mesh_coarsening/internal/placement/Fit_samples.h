@@ -54,7 +54,7 @@ public:
       area_(input_.area(surface.cancellation())), prepared_(coarse.triangles().size()), back_(coarse.triangles().size())
   {
     std::size_t number = samples_per_triangle * coarse.triangles().size();
-    if (surface.has_cells() && surface.clusters_per_cell() > min_share_of_dense)
+    if (surface.has_cells())
       number = (std::min)(number, surface.input().mesh.number_of_faces());
     samples_.reserve(number);
     input_.for_each_sample(number, area_, surface.cancellation(), [this](const Input_point& p) {

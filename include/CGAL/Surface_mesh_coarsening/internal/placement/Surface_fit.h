@@ -43,6 +43,9 @@ public:
     lines_.find_feet();
   }
 
+  // Returns whether a vertex lies on a feature line, but not at a corner.
+  bool is_on_line(Index v) const { return lines_.is_on_line(v); }
+
   Fit_samples& samples() { return samples_; }
   const Fit_samples& samples() const { return samples_; }
 

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLANE_FIT_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLANE_FIT_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_equations.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// Moves vertices exactly onto the planes of the input around them, where these planes have a common point. The fit ends near such
+// points only, because it also regards the shape of triangles.
+class Plane_fit
+{
+public:
+  // `may_move` returns whether a vertex may move, `within_bounds` the nearest admissible position of a vertex.
+  Plane_fit(const Clustered_faces& surface, const Flippable_triangulation& coarse, std::vector<Vector>& positions,
+            Fit_samples& samples, std::function<bool(Index)> may_move,
+            std::function<Vector(Index, const Vector&)> within_bounds)
+    : surface_(surface), coarse_(coarse), positions_(positions), samples_(samples), may_move_(std::move(may_move)),
+      within_bounds_(std::move(within_bounds))
+  {}
+
+  // Movements bring samples to other triangles, hence the repetitions.
+  void run()
+  {
+    constexpr int max_repetitions = 3;
+    std::vector<Vector> moves(positions_.size());
+    bool has_moved = true;
+    for (int i = 0; i < max_repetitions && has_moved; ++i) {
+      for_each_number(surface_.execution(), positions_.size(), surface_.cancellation(),
+                      [&](Index v) { moves[v] = may_move_(v) ? move_onto_planes(v) : Vector{{0, 0, 0}}; });
+      has_moved = false;
+      for (std::size_t v = 0; v < positions_.size(); ++v)
+        if (dot(moves[v], moves[v]) > 0 && make(Index(v), moves[v]))
+          has_moved = true;
+    }
+  }
+
+private:
+  // Planes have a common point if it is this close to each of them on average, in units of the longest edge around the vertex.
+  static constexpr double tolerance = 1e-6;
+  // Normals span only the directions in which the sum of their squares exceeds this part of the largest.
+  static constexpr double min_eigenvalue = 1e-4;
+
+  // Returns the shortest movement to the planes of the samples around a vertex; zero if they have no common point.
+  Vector move_onto_planes(Index v) const
+  {
+    const Vector none{{0, 0, 0}};
+    Symmetric_block squares;
+    Vector right = none;
+    double number = 0, sum = 0, longest = 0;
+    for (const Index t : coarse_.around(v)) {
+      for (const Index w : coarse_.triangles()[t])
+        longest = (std::max)(longest, dot(positions_[w] - positions_[v], positions_[w] - positions_[v]));
+      samples_.for_each_on(t, [&](const Fit_samples::Sample& s) {
+        const Vector area = vector_area(surface_.input().mesh, s.face);
+        const double length = std::sqrt(dot(area, area));
+        if (!(length > 0))
+          return;
+        const Vector n = (1 / length) * area;
+        const double height = dot(n, s.position - positions_[v]);
+        squares.add(1, Symmetric_block::square(n));
+        right = right + height * n;
+        sum += height * height;
+        ++number;
+      });
+    }
+    if (number == 0)
+      return none;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares.matrix());
+    Vector move = none;
+    for (int i = 0; i < 3; ++i) {
+      const double value = solver.eigenvalues()[i];
+      if (!(value > min_eigenvalue * solver.eigenvalues()[2]))
+        continue;
+      const Vector e{{solver.eigenvectors()(0, i), solver.eigenvectors()(1, i), solver.eigenvectors()(2, i)}};
+      move = move + (dot(right, e) / value) * e;
+    }
+    const double left = sum - 2 * dot(right, move) + dot(move, squares * move);
+    return left <= number * tolerance * tolerance * longest && dot(move, move) <= longest ? move : none;
+  }
+
+  // Undoes the movement if the distance increases, a triangle turns over or becomes narrow.
+  bool make(Index v, const Vector& move)
+  {
+    const std::vector<Index>& around = coarse_.around(v);
+    const double before = cost_of(around), angle = smallest_angle_of(around);
+    std::vector<Vector> normals;
+    for (const Index t : around)
+      normals.push_back(normal_of(positions_, coarse_.triangles()[t]));
+    const Vector from = std::exchange(positions_[v], within_bounds_(v, positions_[v] + move));
+    bool is_sound = smallest_angle_of(around) >= (std::min)(angle, min_angle);
+    for (std::size_t i = 0; i < around.size(); ++i)
+      is_sound = is_sound && dot(normals[i], normal_of(positions_, coarse_.triangles()[around[i]])) > 0;
+    if (is_sound) {
+      samples_.redistribute(around, around);
+      if (cost_of(around) < before)
+        return true;
+    }
+    positions_[v] = from;
+    samples_.redistribute(around, around);
+    return false;
+  }
+
+  double smallest_angle_of(const std::vector<Index>& triangles) const
+  {
+    double least = min_angle;
+    for (const Index t : triangles)
+      least = (std::min)(least, smallest_angle(positions_, coarse_.triangles()[t]));
+    return least;
+  }
+
+  double cost_of(const std::vector<Index>& triangles) const
+  {
+    double sum = 0;
+    for (const Index t : triangles)
+      sum += samples_.cost(t);
+    return sum;
+  }
+
+  const Clustered_faces& surface_;
+  const Flippable_triangulation& coarse_;
+  std::vector<Vector>& positions_;
+  Fit_samples& samples_;
+  const std::function<bool(Index)> may_move_;
+  const std::function<Vector(Index, const Vector&)> within_bounds_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLANE_FIT_H
