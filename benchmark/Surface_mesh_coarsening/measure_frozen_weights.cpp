@@ -9,7 +9,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Valid_moves.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization_state.h>
 #include <CGAL/Surface_mesh_coarsening/paper.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -7,7 +7,7 @@
 #include "support/reference_energy.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_evaluation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization_state.h>
 
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 

@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/compute_face_densities.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Valid_moves.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization_state.h>
 #include <CGAL/Surface_mesh_coarsening/is_valid_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/neighborhood_seeds.h>
 #include <CGAL/Surface_mesh_coarsening/paper.h>

@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
-#include <CGAL/Surface_mesh_coarsening/internal/features/Labelled_pieces.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_minimization.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Initial_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>

@@ -182,7 +182,7 @@ set(theory Theory_and_proofs.txt)
 check_constant(${manual} "more than one pair for ([0-9]+) vertices remains" internal/pipeline/place_and_exchange.h
   "([0-9]+) \\* dual.number_left\\(\\) > state.number_of_clusters")
 check_constant(${manual} "reclusters the mesh, up to ([0-9]+) times" internal/pipeline/stages_impl.h "max_repetitions = ([0-9]+)")
-check_constant(${manual} "near curved borders, up to ([0-9]+) times" internal/mesh/Border_deviations.h "max_raised = ([0-9]+)")
+check_constant(${manual} "near curved borders, up to ([0-9]+) times" internal/mesh/complete_mesh_impl.h "max_raised = ([0-9]+)")
 check_constant(${manual} "at most ([0-9]+) % larger than the number before" internal/distance/find_within_distance_impl.h
   "max_ratio = 1\\.0([0-9]+)")
 check_constant(${manual} "rho_j\\^{([0-9]+)} \\)" Cluster_weight/Maximum_density_weight.h "double p = ([0-9]+)")
@@ -192,12 +192,12 @@ check_constant(${theory} "\\+ ([0-9]+) g \\+ 8 b" internal/seeding/Component_pla
 check_constant(${theory} "g \\+ ([0-9]+) b .f" internal/seeding/Component_plan.h "\\+ ([0-9]+) \\* c.loops")
 check_constant(${theory} "and ([0-9]+) more for each cluster that a feature" internal/seeding/Component_plan.h
   "\\+ ([0-9]+) \\* c.feature_clusters")
-check_constant(${theory} "vertices at 1/([0-9]+) of the edges" internal/mesh/Corner_truncation.h "\\(1\\. / ([0-9]+)\\) \\*")
+check_constant(${theory} "vertices at 1/([0-9]+) of the edges" internal/mesh/subdivision.h "\\(1\\. / ([0-9]+)\\) \\*")
 check_constant(${theory} "at most ([0-9]+) bytes per face in addition" test/Surface_mesh_coarsening/test_memory.cpp
   "\"torus\"[^;]*defaults\\) <= ([0-9]+)")
 check_constant(${theory} "and at most ([0-9]+) bytes with the placements" test/Surface_mesh_coarsening/test_memory.cpp
   "quadric\", mesh[^;]*<= ([0-9]+)")
-check_constant(Robustness.txt "beyond .f. 2\\^{([0-9]+)}" internal/mesh/Local_frame.h "exponent > ([0-9]+)")
+check_constant(Robustness.txt "beyond .f. 2\\^{([0-9]+)}" internal/mesh/Vector.h "exponent > ([0-9]+)")
 
 # Fails unless a page has a phrase and a header has the code that the phrase describes.
 function(check_phrase page phrase header code)

@@ -10,7 +10,7 @@
 #include "render/render.h"
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Valid_moves.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization_state.h>
 
 #include <algorithm>
 #include <array>

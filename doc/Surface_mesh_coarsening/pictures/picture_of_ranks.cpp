@@ -5,8 +5,7 @@
 #include "Picture_kit.h"
 
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/face_blocks.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Local_frame.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 

@@ -5,7 +5,7 @@
 
 #include "Input_slice.h"
 
-#include <CGAL/Surface_mesh_coarsening/Distributed_report.h>
+#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 
 #include <boost/mpi/communicator.hpp>
 

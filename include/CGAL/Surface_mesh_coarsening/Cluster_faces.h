@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTER_FACES_H
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/iterator.h>

@@ -3,7 +3,10 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_COARSENING_REPORT_H
 #define CGAL_SURFACE_MESH_COARSENING_COARSENING_REPORT_H
 
+#include <CGAL/Simple_cartesian.h>
+
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -71,6 +74,53 @@ struct Coarsening_report
   std::size_t feature_lines = 0;
   /// the number of feature corners that are kept.
   std::size_t feature_corners = 0;
+};
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// Statistics of one cluster, see `Mwcvd_clustering::cluster_reports()`.
+struct Cluster_report
+{
+  /// the number of faces `f` of the mesh for which `Mwcvd_clustering::cluster(f)` returns the cluster.
+  std::size_t faces = 0;
+  /// the centroid (7): the mean of the centroids of the faces, weighted by density times area, or unweighted if the faces have no
+  /// area. Coordinates are rounded to 43 binary digits relative to the largest one.
+  Simple_cartesian<double>::Point_3 centroid = Simple_cartesian<double>::Point_3(0, 0, 0);
+  /// the weight in the energy (8); 1 if a `ClusterEnergy` without a weight was chosen.
+  double weight = 1;
+  /// the energy of the cluster, a summand of `Mwcvd_clustering::energy()`.
+  double energy = 0;
+};
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// Statistics of `coarsen_mesh_to_distance()`.
+struct Distance_report
+{
+  /// the number of vertices of the output.
+  std::size_t vertices = 0;
+  /// whether the bound of the distance is at most the requested distance. If not, the maximum number of vertices ended the search.
+  bool is_within_distance = true;
+  /// an upper bound of the two-sided Hausdorff distance between the input and the output.
+  double distance_bound = 0;
+  /// the report of the clustering of which the output is the dual.
+  Coarsening_report clustering;
+  /// the number of clusterings that were minimized.
+  std::size_t clusterings = 0;
+  /// the number of times that a distance was bounded.
+  std::size_t bounds = 0;
+};
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// Statistics of the coarsening of a distributed mesh. The members of the base class are equal on all ranks. Its numbers of
+/// seeds, splits, merges, moves and tests, and its initial energy, describe the clustering of cells. Unless the cells are the
+/// faces, all intersecting pairs are counted, also where the input intersects itself, and reversed triangles face away from an
+/// approximation of the input.
+struct Distributed_report
+  : Coarsening_report
+{
+  /// the number of bytes that this rank has sent to other ranks.
+  std::uint64_t bytes_sent = 0;
+  /// the number of bytes that this rank has written to its scratch file.
+  std::uint64_t bytes_of_scratch = 0;
 };
 
 } // namespace Surface_mesh_coarsening

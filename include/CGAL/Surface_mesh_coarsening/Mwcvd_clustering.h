@@ -3,13 +3,12 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_MWCVD_CLUSTERING_H
 #define CGAL_SURFACE_MESH_COARSENING_MWCVD_CLUSTERING_H
 
-#include <CGAL/Surface_mesh_coarsening/Cluster_report.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/defaults.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/accepted_parameters.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/chosen_energy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Typed_energy_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/choose_items.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/cluster_queries.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/emit.h>

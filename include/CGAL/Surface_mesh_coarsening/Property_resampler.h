@@ -4,11 +4,9 @@
 #define CGAL_SURFACE_MESH_COARSENING_PROPERTY_RESAMPLER_H
 
 #include <CGAL/Surface_mesh_coarsening/Surface_location.h>
-#include <CGAL/Surface_mesh_coarsening/internal/transfer/Chart_sectors.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Majority.h>
 #include <CGAL/Surface_mesh_coarsening/internal/transfer/Surface_correspondence.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
-#include <CGAL/Surface_mesh_coarsening/internal/transfer/make_surface_correspondence.h>
 #include <CGAL/Surface_mesh_coarsening/internal/transfer/Value_components.h>
 
 #include <cmath>

@@ -3,11 +3,11 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_COARSEN_DISTRIBUTED_MESH_H
 #define CGAL_SURFACE_MESH_COARSENING_COARSEN_DISTRIBUTED_MESH_H
 
-#include <CGAL/Surface_mesh_coarsening/Distributed_report.h>
+#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_choice.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_coarsening.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/read_distributed_choice.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
 
 #include <boost/mpi/communicator.hpp>

@@ -3,7 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_COMPUTE_FACE_DENSITIES_H
 #define CGAL_SURFACE_MESH_COARSENING_COMPUTE_FACE_DENSITIES_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/accepted_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 namespace CGAL {

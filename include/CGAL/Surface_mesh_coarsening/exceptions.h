@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_EXCEPTIONS_H
 
 #include <cstddef>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -66,6 +67,17 @@ public:
   Coarsening_cancelled() : std::runtime_error("the coarsening was cancelled by its visitor") {}
 };
 
+namespace internal {
+
+// Returns the number as text of any magnitude; `std::to_string()` prints only six digits after the point.
+inline std::string number_text(double x)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+} // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL
 

@@ -4,11 +4,10 @@
 #define CGAL_SURFACE_MESH_COARSENING_EXTRACT_DUAL_MESH_H
 
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/accepted_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/label_clusters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 
 #include <boost/range/value_type.hpp>

@@ -3,9 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_IS_VALID_CLUSTERING_H
 #define CGAL_SURFACE_MESH_COARSENING_IS_VALID_CLUSTERING_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/accepted_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/label_clusters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 #include <string>

@@ -3,11 +3,25 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_MEASURE_COARSENING_H
 #define CGAL_SURFACE_MESH_COARSENING_MEASURE_COARSENING_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/distance/Surface_sampling.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
 
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_type_config.h>
+#include <CGAL/version.h>
+
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_segment_primitive_3.h>
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_traits.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +32,197 @@
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
+namespace internal {
+
+typedef Exact_predicates_inexact_constructions_kernel Measuring_kernel;
+typedef CGAL::Surface_mesh<Measuring_kernel::Point_3> Triangle_mesh;
+typedef std::vector<Measuring_kernel::Segment_3> Segments;
+typedef AABB_face_graph_triangle_primitive<Triangle_mesh> Triangle_primitive;
+#if CGAL_VERSION_NR >= 1060000000
+typedef AABB_segment_primitive_3<Measuring_kernel, Segments::const_iterator> Segment_primitive;
+template <class Primitive>
+using Aabb_tree = AABB_tree<AABB_traits_3<Measuring_kernel, Primitive> >;
+#else
+typedef AABB_segment_primitive<Measuring_kernel, Segments::const_iterator> Segment_primitive;
+template <class Primitive>
+using Aabb_tree = AABB_tree<AABB_traits<Measuring_kernel, Primitive> >;
+#endif
+
+constexpr double degrees_per_radian = 180 / CGAL_PI;
+
+template <class FaceGraph, class NamedParameters>
+Triangle_mesh triangulated_copy(const FaceGraph& mesh, const NamedParameters& np)
+{
+  const Numbering<FaceGraph> n = numbering(mesh, np);
+  Flat_mesh m = flat_connectivity(mesh, n);
+  if (n.faces.empty())
+    throw Invalid_input("a mesh without faces cannot be measured");
+  const Local_frame frame = copy_points(mesh, np, n, m);
+  std::vector<std::array<std::size_t, 3> > triangles;
+  for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+    for (Index c = m.first_corner[f] + 2; c != m.first_corner[f + 1]; ++c)
+      triangles.push_back({{m.corner_vertex[m.first_corner[f]], m.corner_vertex[c - 1], m.corner_vertex[c]}});
+  Triangle_mesh copy;
+  Polygon_mesh_processing::polygon_soup_to_polygon_mesh(to_points(m.points, frame, Measuring_kernel()), triangles, copy);
+  return copy;
+}
+
+// Scales the meshes by a power of two, such that coordinates are at most about 1, and sets coordinates below 1e-40 to zero.
+// Returns the exponent of the inverse scaling. The square of a normal, by which CGAL projects points onto triangles, stays in the
+// range of double between these coordinates.
+inline int scale_to_unit_size(Triangle_mesh& a, Triangle_mesh& b)
+{
+  double largest = 0;
+  for (const Triangle_mesh* mesh : {&a, &b})
+    for (const auto v : mesh->vertices())
+      for (int i = 0; i < 3; ++i)
+        largest = (std::max)(largest, std::abs(mesh->point(v)[i]));
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  const auto scaled = [exponent](double x) {
+    const double result = std::ldexp(x, -exponent);
+    return std::abs(result) < 1e-40 ? 0 : result;
+  };
+  for (Triangle_mesh* mesh : {&a, &b})
+    for (const auto v : mesh->vertices()) {
+      auto& p = mesh->point(v);
+      p = Measuring_kernel::Point_3(scaled(p.x()), scaled(p.y()), scaled(p.z()));
+    }
+  return exponent;
+}
+
+inline double diagonal(const Triangle_mesh& mesh)
+{
+  Bbox_3 box;
+  for (const auto v : mesh.vertices())
+    if (!mesh.is_isolated(v))
+      box += mesh.point(v).bbox();
+  return std::sqrt(square(box.x_span()) + square(box.y_span()) + square(box.z_span()));
+}
+
+inline std::array<Measuring_kernel::Point_3, 3> corners(const Triangle_mesh& mesh, Triangle_mesh::Face_index f)
+{
+  const auto h = mesh.halfedge(f);
+  return {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))};
+}
+
+inline Measuring_kernel::Vector_3 normal(const Triangle_mesh& mesh, Triangle_mesh::Face_index f)
+{
+  const auto p = corners(mesh, f);
+  return cross_product(p[1] - p[0], p[2] - p[0]);
+}
+
+// Returns the angle in degrees; 0 if a vector is zero.
+inline double angle(const Measuring_kernel::Vector_3& a, const Measuring_kernel::Vector_3& b)
+{
+  const double product = std::sqrt(a.squared_length() * b.squared_length());
+  return product > 0 ? degrees_per_radian * std::acos((std::max)(-1., (std::min)(1., a * b / product))) : 0;
+}
+
+inline double smallest_angle(const Triangle_mesh& mesh, Triangle_mesh::Face_index f)
+{
+  const auto p = corners(mesh, f);
+  double smallest = 180;
+  for (int i = 0; i < 3; ++i)
+    smallest = (std::min)(smallest, angle(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]));
+  return smallest;
+}
+
+struct Distance_statistics
+{
+  double sum = 0, sum_of_squares = 0, maximum = 0;
+  double sum_of_normal_deviations = 0, sum_of_squared_normal_deviations = 0, maximum_normal_deviation = 0;
+  std::size_t samples = 0;
+
+  void add(double squared_distance, double normal_deviation)
+  {
+    sum += std::sqrt(squared_distance);
+    sum_of_squares += squared_distance;
+    maximum = (std::max)(maximum, std::sqrt(squared_distance));
+    sum_of_normal_deviations += normal_deviation;
+    sum_of_squared_normal_deviations += square(normal_deviation);
+    maximum_normal_deviation = (std::max)(maximum_normal_deviation, normal_deviation);
+    ++samples;
+  }
+  double rms() const { return std::sqrt(mean_of(sum_of_squares)); }
+  double mean() const { return mean_of(sum); }
+  double rms_normal_deviation() const { return std::sqrt(mean_of(sum_of_squared_normal_deviations)); }
+  double mean_normal_deviation() const { return mean_of(sum_of_normal_deviations); }
+
+private:
+  double mean_of(double total) const { return samples == 0 ? 0 : total / double(samples); }
+};
+
+// Calls `visit(i, u, v)` for `samples` samples that are distributed over elements by size: the number of the element, and a point
+// of the unit square. Samples lie at equal steps of the cumulated size. The points follow the additive recurrence of the plastic
+// number, which fills the square evenly.
+template <class Visit>
+void for_each_sample(const std::vector<double>& sizes, std::size_t samples, const Visit& visit)
+{
+  double total = 0;
+  for (const double s : sizes)
+    total += s;
+  const double plastic = 1.32471795724474602596;
+  double cumulated = 0;
+  std::size_t sample = 0;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    cumulated += sizes[i];
+    for (; sample < samples && (double(sample) + 0.5) * total < cumulated * double(samples); ++sample) {
+      const double u = double(sample + 1) / plastic, v = double(sample + 1) / (plastic * plastic);
+      visit(i, u - std::floor(u), v - std::floor(v));
+    }
+  }
+}
+
+inline Distance_statistics distances(const Triangle_mesh& from, const Triangle_mesh& to, std::size_t samples)
+{
+  Aabb_tree<Triangle_primitive> tree(to.faces().begin(), to.faces().end(), to);
+  tree.accelerate_distance_queries();
+  std::vector<double> areas;
+  std::vector<Triangle_mesh::Face_index> faces(from.faces().begin(), from.faces().end());
+  areas.reserve(faces.size());
+  for (const auto f : faces)
+    areas.push_back(0.5 * std::sqrt(normal(from, f).squared_length()));
+  Distance_statistics statistics;
+  for_each_sample(areas, samples, [&](std::size_t i, double u, double v) {
+    if (u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    const auto p = corners(from, faces[i]);
+    const auto sample = p[0] + u * (p[1] - p[0]) + v * (p[2] - p[0]);
+    const auto closest = tree.closest_point_and_primitive(sample);
+    statistics.add(squared_distance(sample, closest.first), angle(normal(from, faces[i]), normal(to, closest.second)));
+  });
+  return statistics;
+}
+
+inline Segments border_segments(const Triangle_mesh& mesh)
+{
+  Segments segments;
+  for (const auto h : mesh.halfedges())
+    if (mesh.is_border(h))
+      segments.emplace_back(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+  return segments;
+}
+
+inline Distance_statistics border_distances(const Triangle_mesh& from, const Triangle_mesh& to, std::size_t samples)
+{
+  const Segments border = border_segments(from), other = border_segments(to);
+  Distance_statistics statistics;
+  if (border.empty() || other.empty())
+    return statistics;
+  Aabb_tree<Segment_primitive> tree(other.begin(), other.end());
+  tree.accelerate_distance_queries();
+  std::vector<double> lengths;
+  for (const auto& s : border)
+    lengths.push_back(std::sqrt(s.squared_length()));
+  for_each_sample(lengths, samples, [&](std::size_t i, double u, double) {
+    statistics.add(tree.squared_distance(border[i].source() + u * border[i].to_vector()), 0);
+  });
+  return statistics;
+}
+
+} // namespace internal
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// The error of a surface with respect to another surface, at samples of the first: the distances to the closest points of the
@@ -67,6 +272,7 @@ struct Coarsening_quality : Surface_error
 };
 
 /// \cond SKIP_IN_MANUAL
+
 namespace internal {
 
 inline Surface_error surface_error(const Triangle_mesh& from, const Triangle_mesh& to, std::size_t samples)
@@ -116,6 +322,7 @@ inline void scale_lengths(Coarsening_quality& quality, int exponent)
 }
 
 } // namespace internal
+
 /// \endcond
 
 /// \ingroup PkgSurfaceMeshCoarseningRef

@@ -3,9 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_NEIGHBORHOOD_SEEDS_H
 #define CGAL_SURFACE_MESH_COARSENING_NEIGHBORHOOD_SEEDS_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/accepted_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
-#include <CGAL/Surface_mesh_coarsening/internal/seeding/Seed_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
 
 #include <numeric>
 #include <vector>

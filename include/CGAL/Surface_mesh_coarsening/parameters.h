@@ -11,7 +11,6 @@
 /// The named parameters of the package. A chain begins in `CGAL::Surface_mesh_coarsening::parameters` and continues
 /// with parameters of this package and of CGAL in any order. All functions of the package also accept chains that contain only
 /// parameters of CGAL.
-/// parameters alone.
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {

@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_VERTEX_NUMBER_RANGE_H
 #define CGAL_SURFACE_MESH_COARSENING_VERTEX_NUMBER_RANGE_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/accepted_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/prepare.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 

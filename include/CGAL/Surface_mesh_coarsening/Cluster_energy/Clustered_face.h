@@ -4,7 +4,6 @@
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_CLUSTERED_FACE_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -4,7 +4,6 @@
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_NORMAL_DEVIATION_ENERGY_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/Regularized_energy.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_WEIGHTED_INERTIA_ENERGY_H
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Clustered_face.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Trial_move.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Additive_cluster_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
 

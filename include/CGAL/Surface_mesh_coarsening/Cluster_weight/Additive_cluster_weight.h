@@ -40,6 +40,32 @@ private:
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
 };
 
+/// \ingroup PkgSurfaceMeshCoarseningWeights
+///
+/// The moments of two clusters before a face moves from the first cluster, the source, to the second cluster, the target. A model
+/// of `ClusterWeight` may conclude from these moments that the move does not lower the energy.
+///
+/// Consider a face of mass \f$ m \f$ at distance \f$ d \f$ from the centroid of a cluster of mass \f$ M \f$. If the face leaves
+/// the cluster, the inertia of the cluster decreases by \f$ m M d^2 / (M - m) \f$. If the face joins the cluster, the inertia
+/// increases by \f$ m M d^2 / (M + m) \f$.
+struct Trial_move
+{
+  /// the mass of the face, which is density times area; it is smaller than the mass of the source.
+  double face_mass;
+  /// the mass of the source.
+  double source_mass;
+  /// the inertia (7) of the source about its centroid.
+  double source_inertia;
+  /// the squared distance between the centroids of the face and of the source.
+  double source_squared_distance;
+  /// the mass of the target.
+  double target_mass;
+  /// the inertia (7) of the target about its centroid.
+  double target_inertia;
+  /// the squared distance between the centroids of the face and of the target.
+  double target_squared_distance;
+};
+
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL
 

@@ -4,7 +4,6 @@
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_WEIGHTED_AREA_WEIGHT_H
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Additive_cluster_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Trial_move.h>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {

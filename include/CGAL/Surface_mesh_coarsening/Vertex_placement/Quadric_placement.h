@@ -5,7 +5,6 @@
 
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/quadric_position.h>
 
 #include <cstddef>

@@ -3,8 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_PARALLEL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_PARALLEL_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Index.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
 #include <CGAL/tags.h>
 

@@ -18,7 +18,6 @@ namespace internal {
 // Each border loop is capped by an additional cluster with label `cap` plus the number of the loop; no face has this label.
 // Hence a border edge is an edge between two clusters, and the count of a vertex is either zero or the number of runs of equal
 // labels around it.
-// around it unless it is zero.
 class Cluster_labels
 {
 public:
@@ -177,6 +176,25 @@ private:
   std::vector<bool> is_pinned_; // per face; empty if no face is pinned
   std::unordered_map<Index, Faces_of_labels> faces_at_hub_;
 };
+
+// Returns the faces of the cluster of face `f` in breadth-first order from `f`. The labels temporarily serve as marks, so the
+// time depends only on the cluster.
+inline std::vector<Index> faces_in_bfs_order(Cluster_labels& labels, Index f)
+{
+  const Flat_mesh& m = labels.mesh();
+  const Index x = labels[f];
+  std::vector<Index> faces;
+  labels.set(f, NONE);
+  flood_fill(m, f, faces, Cancellation_point(), [&](Index, Index g) {
+    if (labels[g] != x)
+      return false;
+    labels.set(g, NONE);
+    return true;
+  });
+  for (const Index g : faces)
+    labels.set(g, x);
+  return faces;
+}
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

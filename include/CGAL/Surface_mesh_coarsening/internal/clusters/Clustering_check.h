@@ -4,9 +4,13 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_CLUSTERING_CHECK_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_walk.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/flood_fill.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Numbering.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -14,6 +18,22 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+// Reads arbitrary labels as clusters numbered from 0 in the order of their labels. Returns the label of each cluster.
+template <class FaceGraph, class FaceClusterMap>
+auto label_clusters(const Numbering<FaceGraph>& n, const FaceClusterMap& map, Cluster_labels& labels)
+{
+  typedef typename boost::property_traits<FaceClusterMap>::value_type Label;
+  std::vector<Label> of_face, names;
+  of_face.reserve(n.faces.size());
+  for (const auto f : n.faces)
+    of_face.push_back(get(map, f));
+  names = of_face;
+  sort_unique(names);
+  for (std::size_t i = 0; i < of_face.size(); ++i)
+    labels.set(Index(i), Index(std::lower_bound(names.begin(), names.end(), of_face[i]) - names.begin()));
+  return names;
+}
 
 // Checks a clustering by its labels alone: every cluster must be a closed disc, and the dual a simplicial surface.
 class Clustering_check

@@ -3,10 +3,9 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_SURFACE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_SURFACE_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_walk.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/opposite_sides.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
 #include <CGAL/assertions.h>
 

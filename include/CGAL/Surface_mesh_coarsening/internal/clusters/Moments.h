@@ -3,10 +3,14 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_MOMENTS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_MOMENTS_H
 
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Clustered_face.h>
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -109,6 +113,28 @@ inline void add_up_moments(const Clustering_input& input, const Cluster_labels& 
   for_each_in_groups(execution, clusters, moments.size(), cancellation,
                      [&](Index f) { moments[clusters[f]].add_to_inertia(input.mass(f), input.centroid(f)); });
 }
+
+// The base class of energies that measure planes, to which a multiple of the inertia is added.
+class Regularized_energy
+{
+public:
+  struct Face_data
+  {
+    double mass;
+    Vector centroid, normal;
+  };
+
+  Face_data face_data(const Clustered_face& face) const { return {face.mass(), face.plain_centroid(), face.plain_normal()}; }
+
+protected:
+  Regularized_energy(double regularization, const std::string& energy) : regularization_(regularization)
+  {
+    if (!(regularization > 0) || std::isinf(regularization))
+      throw Invalid_input("the regularization of the " + energy + " is " + number_text(regularization));
+  }
+
+  double regularization_;
+};
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

@@ -3,14 +3,152 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_LEVEL_HIERARCHY_IMPL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_LEVEL_HIERARCHY_IMPL_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_estimate.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+// Estimates the distance between a mesh and its coarse mesh: the largest distance in both directions, at the vertices of the
+// mesh, at the vertices of the coarse mesh and at points of its triangles, with more points where distances are large. The
+// estimate is fast, but no bound.
+class Distance_estimate
+{
+public:
+  Distance_estimate(const Cluster_labels& labels, const std::vector<Vector>& positions,
+                    const std::vector<Triangle>& triangles, const Cancellation_point& cancellation)
+    : labels_(labels), mesh_(labels.mesh()), positions_(positions), coarse_(triangles, positions.size()),
+      cancellation_(cancellation)
+  {}
+
+  double distance() const { return std::sqrt(from_coarse(to_coarse())); }
+
+private:
+  double to_coarse() const
+  {
+    double largest = 0;
+    std::vector<Index> around;
+    for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v) {
+      cancellation_.poll(16);
+      around.clear();
+      for (const Index f : mesh_.faces_around(v))
+        if (around.empty() || around.back() != labels_[f])
+          around.push_back(labels_[f]);
+      if (around.empty())
+        continue;
+      double least = -1;
+      for (const Index x : around)
+        improve_around(mesh_.points[v], x, largest, least);
+      // Edge flips may have moved the triangle that was at this place away from these vertices.
+      for (double before = -1; least > largest && least != before;) {
+        before = least;
+        const std::vector<Index> inner(around);
+        for (const Index x : inner)
+          for (const Index t : coarse_.around(x))
+            around.insert(around.end(), coarse_.triangles()[t].begin(), coarse_.triangles()[t].end());
+        sort_unique(around);
+        for (const Index x : around)
+          improve_around(mesh_.points[v], x, largest, least);
+      }
+      largest = (std::max)(largest, least);
+    }
+    return largest;
+  }
+
+  // Stops when the result can no longer change.
+  void improve_around(const Vector& p, Index x, double largest, double& least) const
+  {
+    for (const Index t : coarse_.around(x))
+      if (least < 0 || least > largest)
+        least = least < 0 ? squared_distance(p, t) : (std::min)(least, squared_distance(p, t));
+  }
+
+  double squared_distance(const Vector& p, Index t) const
+  {
+    const Triangle& c = coarse_.triangles()[t];
+    return closest_on_triangle(p, positions_[c[0]], positions_[c[1]], positions_[c[2]]).squared_distance;
+  }
+
+  // Subdivides the parts of triangles whose distance may exceed the largest distance so far.
+  double from_coarse(double largest) const
+  {
+    const Nearest_point_search search(mesh_, labels_.labels(), positions_.size());
+    const auto look_at = [&](const Vector& p, Index x, double near_enough) {
+      cancellation_.poll(64);
+      const double d = search(p, x, near_enough).squared_distance;
+      largest = (std::max)(largest, d);
+      return d;
+    };
+    for (std::size_t x = 0; x < positions_.size(); ++x)
+      look_at(positions_[x], Index(x), largest);
+    std::vector<Part> parts;
+    for (const Triangle& t : coarse_.triangles())
+      parts.push_back({{{positions_[t[0]], positions_[t[1]], positions_[t[2]]}}, t});
+    for (int i = 0; !parts.empty(); ++i) {
+      std::vector<Part> far;
+      for (const Part& part : parts) {
+        const double rise = i < divisions ? steepness * radius(part) : 0;
+        const double low = (std::max)(std::sqrt(largest) - rise, 0.);
+        if (look_at(center(part), part.clusters[0], low * low) > low * low && i < divisions)
+          divide(part, far);
+      }
+      parts = std::move(far);
+    }
+    return largest;
+  }
+
+  struct Part
+  {
+    std::array<Vector, 3> corners;
+    Triangle clusters; // the clusters in which the search begins
+  };
+
+  static Vector center(const Part& part)
+  {
+    return (1. / 3) * (part.corners[0] + part.corners[1] + part.corners[2]);
+  }
+
+  static double radius(const Part& part)
+  {
+    double squared = 0;
+    for (const Vector& corner : part.corners) {
+      const Vector d = corner - center(part);
+      squared = (std::max)(squared, dot(d, d));
+    }
+    return std::sqrt(squared);
+  }
+
+  static void divide(const Part& part, std::vector<Part>& parts)
+  {
+    const auto& c = part.corners;
+    const auto& x = part.clusters;
+    const std::array<Vector, 3> middles{{0.5 * (c[1] + c[2]), 0.5 * (c[2] + c[0]), 0.5 * (c[0] + c[1])}};
+    parts.push_back({middles, x});
+    for (int i = 0; i < 3; ++i)
+      parts.push_back({{{c[i], middles[(i + 2) % 3], middles[(i + 1) % 3]}}, {{x[i], x[i], x[i]}}});
+  }
+
+  static constexpr int divisions = 5;
+  // Assumed Lipschitz constant of the distance to the surface along the triangles; only the value 1 would be certain.
+  static constexpr double steepness = 0.5;
+  const Cluster_labels& labels_;
+  const Flat_mesh& mesh_;
+  const std::vector<Vector>& positions_;
+  Flippable_triangulation coarse_;
+  Cancellation_point cancellation_;
+};
 
 // The faces with geometry; the items may be cells without geometry.
 inline const Clustering_input& pieces_of(const Clustering_state& state)

@@ -5,10 +5,9 @@
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_bound.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/place_and_exchange.h>
 
 #include <algorithm>

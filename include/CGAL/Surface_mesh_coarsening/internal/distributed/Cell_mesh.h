@@ -3,11 +3,10 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_CELL_MESH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_CELL_MESH_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Words.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_store.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -5,9 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
-#include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_splitting.h>
-#include <CGAL/Surface_mesh_coarsening/internal/seeding/Seed_walk.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 
 #include <algorithm>
 #include <cstddef>

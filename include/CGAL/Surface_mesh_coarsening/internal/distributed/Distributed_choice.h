@@ -3,9 +3,15 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_DISTRIBUTED_CHOICE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_DISTRIBUTED_CHOICE_H
 
+#include <CGAL/Surface_mesh_coarsening/defaults.h>
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Typed_energy_model.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Placement_model.h>
 
 #include <cstddef>
@@ -49,6 +55,119 @@ struct Distributed_choice
   // Whether rank 0 places vertices on the surface of cells.
   bool places_on_cells() const { return placement.from_start || repairs_output; }
 };
+
+template <class Parameter, class NamedParameters>
+void refuse_across_ranks(const NamedParameters&, Parameter, const char* name)
+{
+  if constexpr (has_parameter<Parameter, NamedParameters>)
+    throw Invalid_input(std::string("the parameter ") + name + " is not available for distributed meshes");
+}
+
+// The same for a parameter that is accepted if its value is `false` or 0.
+template <class Parameter, class NamedParameters>
+void refuse_if_set(const NamedParameters& np, Parameter parameter, const char* name)
+{
+  if constexpr (has_parameter<Parameter, NamedParameters>)
+    if (get_parameter(np, parameter))
+      refuse_across_ranks(np, parameter, name);
+}
+
+template <class NPIn, class NPOut>
+void refuse_unavailable(const NPIn& np_in, const NPOut& np_out)
+{
+  refuse_across_ranks(np_in, internal_np::feature_angle_p, "feature_angle");
+  refuse_across_ranks(np_in, CGAL::internal_np::edge_is_constrained, "edge_is_constrained_map");
+  refuse_across_ranks(np_in, CGAL::internal_np::vertex_is_constrained, "vertex_is_constrained_map");
+  refuse_across_ranks(np_in, CGAL::internal_np::face_patch, "face_patch_map");
+  refuse_across_ranks(np_in, CGAL::internal_np::face_index, "face_index_map");
+  refuse_across_ranks(np_in, internal_np::neighborhood_level_p, "neighborhood_level");
+  refuse_across_ranks(np_in, internal_np::vertex_ratio_p, "vertex_ratio");
+  refuse_across_ranks(np_in, internal_np::minimum_component_area_p, "minimum_component_area");
+  refuse_across_ranks(np_in, internal_np::vertex_to_cluster, "vertex_to_cluster_map");
+  refuse_across_ranks(np_in, internal_np::vertex_boundary_count, "vertex_boundary_count_map");
+  refuse_if_set(np_in, internal_np::start_from_face_clusters_p, "start_from_face_clusters");
+  refuse_if_set(np_in, internal_np::subdivide_input_p, "subdivide_input");
+  refuse_if_set(np_in, internal_np::boundary_count_check_p, "boundary_count_check");
+  refuse_if_set(np_in, internal_np::border_densities_p, "border_densities");
+  refuse_if_set(np_in, internal_np::error_feedback_p, "error_feedback");
+  refuse_if_set(np_in, internal_np::local_repairs_p, "local_repairs");
+  refuse_across_ranks(np_out, internal_np::vertex_source, "vertex_source_map");
+  refuse_across_ranks(np_out, CGAL::internal_np::edge_is_constrained, "edge_is_constrained_map");
+  refuse_across_ranks(np_out, CGAL::internal_np::vertex_is_constrained, "vertex_is_constrained_map");
+  refuse_across_ranks(np_out, CGAL::internal_np::face_patch, "face_patch_map");
+}
+
+template <class NamedParameters>
+Minimization_end distributed_minimization_end(const NamedParameters& np)
+{
+  const double tolerance =
+    choose_parameter(get_parameter(np, internal_np::convergence_tolerance_p), Coarsening_defaults::convergence_tolerance);
+  if (!(tolerance >= 0))
+    throw Invalid_input("the convergence tolerance is " + std::to_string(tolerance));
+  return {std::size_t(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
+                                       Coarsening_defaults::number_of_iterations)),
+          tolerance};
+}
+
+// Reads the placement, and whether it is repaired.
+template <class OutputFaceGraph, class Placement, class NamedParametersIn, class NamedParametersOut>
+void read_placement(const Placement& placement, const NamedParametersIn& np_in, const NamedParametersOut&,
+                    Distributed_choice& choice)
+{
+  choice.placement = placement_model(placement);
+  if (!choice.placement.local && !choice.placement.from_start)
+    throw Invalid_input("a placement of all vertices together, other than Fitted_placement, is not available for distributed "
+                        "meshes");
+  choice.places_on_borders = choose_parameter(get_parameter(np_in, internal_np::place_on_borders_p), true);
+  choice.repairs_output =
+    choose_parameter(get_parameter(np_in, internal_np::repair_output_p), bool(choice.placement.from_start));
+  if (choice.repairs_output && choice.placement.is_at_input_vertices)
+    throw Invalid_input("the parameter repair_output is not available for distributed meshes with a placement at input "
+                        "vertices");
+  choice.output_coordinates = [](const Local_frame& frame) {
+    return output_coordinates<typename GetGeomTraits<OutputFaceGraph, NamedParametersOut>::type>(frame);
+  };
+}
+
+template <class NamedParameters>
+void read_scratch(const NamedParameters& np, Distributed_choice& choice)
+{
+  choice.scratch_directory = choose_parameter(get_parameter(np, internal_np::scratch_directory_p), std::string());
+  choice.scratch_memory = std::uint64_t(choose_parameter(get_parameter(np, internal_np::scratch_memory_p), std::uint64_t(0)));
+}
+
+// The choice refers to the placement and the parameters.
+template <class ConcurrencyTag, class OutputFaceGraph, class Placement, class NamedParametersIn, class NamedParametersOut>
+Distributed_choice distributed_choice(std::size_t number_of_vertices, const Placement& placement, const NamedParametersIn& np_in,
+                                      const NamedParametersOut& np_out)
+{
+  refuse_unavailable(np_in, np_out);
+  Distributed_choice choice;
+  choice.number_of_vertices = number_of_vertices;
+  if constexpr (has_parameter<internal_np::faces_per_block_t, NamedParametersIn>) {
+    choice.faces_per_block = std::size_t(get_parameter(np_in, internal_np::faces_per_block_p));
+    if (*choice.faces_per_block == 0)
+      throw Invalid_input("the number of faces per block is 0");
+  }
+  choice.end = distributed_minimization_end(np_in);
+  choice.has_densities = has_parameter<internal_np::face_density_t, NamedParametersIn>;
+  choice.maximum_density = density_choice(np_in).maximum;
+  choice.execution = execution<ConcurrencyTag>();
+  choice.visitor = Visitor_handle(get_parameter(np_in, CGAL::internal_np::visitor));
+  const auto energy = chosen_energy<Energy_choice<NamedParametersIn> >(np_in);
+  choice.energy = energy_model(energy);
+  choice.energies = [energy](const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters) {
+    return cluster_energies(energy, input, labels, clusters);
+  };
+  read_placement<OutputFaceGraph>(placement, np_in, np_out, choice);
+  choice.merges_by_area = choose_parameter(get_parameter(np_in, internal_np::merge_by_area_p), false);
+  choice.wants_output_everywhere = choose_parameter(get_parameter(np_in, internal_np::output_on_all_ranks_p), false);
+  choice.wants_clusters = has_parameter<internal_np::face_cluster_t, NamedParametersIn>;
+  if constexpr (has_parameter<internal_np::face_name_t, NamedParametersIn>)
+    choice.face_names = [&np_in](std::uint64_t face) { return get(get_parameter(np_in, internal_np::face_name), face); };
+  read_scratch(np_in, choice);
+  return choice;
+}
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

@@ -4,8 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PATCH_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/sort_runs.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Number_table.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_store.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>

@@ -3,23 +3,24 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PIECE_BLOCKS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PIECE_BLOCKS_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Box_of_ranks.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_source.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Morton_curve.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_routing.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/face_blocks.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Local_frame.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 #include <boost/mpi/collectives.hpp>
+#include <boost/mpi/communicator.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,84 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+// The bounding box of the points of all ranks. Minima and maxima do not depend on the order of their computation.
+class Box_of_ranks
+{
+public:
+  void add(const Vector& p)
+  {
+    for (std::size_t i = 0; i < 3; ++i) {
+      low_and_negated_high_[i] = (std::min)(low_and_negated_high_[i], p[i]);
+      low_and_negated_high_[i + 3] = (std::min)(low_and_negated_high_[i + 3], -p[i]);
+    }
+  }
+
+  // The lowest and the highest coordinates.
+  std::vector<Vector> ends_of_all(const boost::mpi::communicator& communicator) const
+  {
+    std::array<double, 6> all;
+    boost::mpi::all_reduce(communicator, low_and_negated_high_.data(), 6, all.data(), boost::mpi::minimum<double>());
+    return {{{all[0], all[1], all[2]}}, {{-all[3], -all[4], -all[5]}}};
+  }
+
+private:
+  static constexpr double inf = std::numeric_limits<double>::infinity();
+
+  std::array<double, 6> low_and_negated_high_{{inf, inf, inf, inf, inf, inf}};
+};
+
+// Receives a face: the global numbers and the points of its vertices, and its density.
+typedef std::function<void(const std::vector<std::uint64_t>&, const std::vector<Vector>&, double)> Face_receiver;
+
+// Passes all faces of a piece to the receiver, in the same order in each call.
+typedef std::function<void(const Face_receiver&)> Face_source;
+
+template <class DensityMap, class Face>
+double density_of(const DensityMap& map, Face f)
+{
+  return CGAL::to_double(get(map, f));
+}
+template <class Face>
+double density_of(const CGAL::internal_np::Param_not_found&, Face)
+{
+  return 1;
+}
+
+// Returns the source that reads a face graph. The graph, the numbers and the parameters must exist as long as the source.
+template <class FaceGraph, class VertexNumberMap, class NamedParameters>
+Face_source source_of_face_graph(const FaceGraph& piece, const VertexNumberMap& numbers, const NamedParameters& np)
+{
+  return [&](const Face_receiver& receive) {
+    const Vertex_coordinates<FaceGraph, NamedParameters> coordinates(piece, np);
+    const auto densities = get_parameter(np, internal_np::face_density);
+    std::vector<std::uint64_t> vertices;
+    std::vector<Vector> points;
+    for (const auto f : faces(piece)) {
+      vertices.clear();
+      points.clear();
+      for (const auto h : halfedges_around_face(halfedge(f, piece), piece)) {
+        const auto v = target(h, piece);
+        vertices.push_back(std::uint64_t(get(numbers, v)));
+        points.push_back(coordinates(v));
+      }
+      receive(vertices, points, density_of(densities, f));
+    }
+  };
+}
+
+// Returns the source that reads a caller's source of faces. The keys of the densities are the numbers of the faces.
+template <class Source, class NamedParameters>
+Face_source source_of_faces(const Source& source, const NamedParameters& np)
+{
+  return [&](const Face_receiver& receive) {
+    const auto densities = get_parameter(np, internal_np::face_density);
+    std::size_t face = 0;
+    source([&](const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points) {
+      receive(vertices, points, density_of(densities, face++));
+    });
+  };
+}
 
 // Reads the pieces of all ranks three times: for the bounding box, for the limits of the blocks, and into the blocks.
 class Piece_blocks

@@ -3,9 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_SHARED_FACES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_SHARED_FACES_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Number_table.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_routing.h>
 
 #include <algorithm>

@@ -3,17 +3,165 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_WORD_STORE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_WORD_STORE_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Scratch_file.h>
-
 #include <algorithm>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+// The data that ranks exchange: numbers of 64 bits, which include the bits of coordinates.
+typedef std::vector<std::uint64_t> Words;
+
+inline std::uint64_t to_word(double x)
+{
+  std::uint64_t word;
+  std::memcpy(&word, &x, sizeof word);
+  return word;
+}
+
+inline double to_double(std::uint64_t word)
+{
+  double x;
+  std::memcpy(&x, &word, sizeof x);
+  return x;
+}
+
+inline std::uint64_t packed(std::uint32_t high, std::uint32_t low) { return (std::uint64_t(high) << 32) | low; }
+inline std::uint32_t high_half(std::uint64_t word) { return std::uint32_t(word >> 32); }
+inline std::uint32_t low_half(std::uint64_t word) { return std::uint32_t(word & 0xffffffffu); }
+
+// The limit on the words that a rank keeps in memory, and the file for the words that exceed it.
+//
+// The name of the file is removed as soon as the file is open, so the file vanishes when the process ends, also after a crash.
+// Systems that cannot remove open files remove it when it is closed.
+class Scratch_file
+{
+public:
+  // The number of words of a slot; a larger chunk occupies several slots.
+  static constexpr std::size_t slot_words = std::size_t(1) << 13;
+
+  Scratch_file() = default;
+  Scratch_file(const Scratch_file&) = delete;
+  Scratch_file& operator=(const Scratch_file&) = delete;
+  ~Scratch_file()
+  {
+    if (file_.is_open()) {
+      file_.close();
+      std::remove(name_.c_str());
+    }
+  }
+
+  // Opens the file at the beginning, so that an unusable directory is reported before any work is done.
+  void limit_memory(std::string directory, std::uint64_t max_words)
+  {
+    directory_ = std::move(directory);
+    max_words_ = max_words;
+    if (!directory_.empty())
+      open();
+  }
+
+  // Reserves memory for this many words, unless the limit would be exceeded.
+  bool reserve(std::size_t words)
+  {
+    if (!directory_.empty() && words_ + words > max_words_)
+      return false;
+    words_ += words;
+    return true;
+  }
+  void release_memory(std::size_t words) { words_ -= words; }
+
+  // Writes words and returns the number of their first slot.
+  std::uint64_t write(const Words& words)
+  {
+    const std::uint64_t slot = take_slots(number_of_slots(words.size()));
+    errno = 0;
+    file_.seekp(position(slot));
+    file_.write(reinterpret_cast<const char*>(words.data()), std::streamsize(words.size() * sizeof words[0]));
+    file_.flush();
+    check("write to");
+    bytes_written_ += words.size() * sizeof words[0];
+    return slot;
+  }
+
+  void read(std::uint64_t slot, std::size_t size, Words& words)
+  {
+    words.resize(size);
+    errno = 0;
+    file_.seekg(position(slot));
+    file_.read(reinterpret_cast<char*>(words.data()), std::streamsize(size * sizeof words[0]));
+    check("read from");
+  }
+
+  void release_slots(std::uint64_t slot, std::size_t size)
+  {
+    for (std::uint64_t i = 0; i < number_of_slots(size); ++i)
+      free_slots_.push_back(slot + i);
+  }
+
+  std::uint64_t bytes_written() const { return bytes_written_; }
+
+private:
+  static std::uint64_t number_of_slots(std::size_t size) { return (size + slot_words - 1) / slot_words; }
+  static std::streamoff position(std::uint64_t slot) { return std::streamoff(slot * slot_words * sizeof(std::uint64_t)); }
+
+  std::uint64_t take_slots(std::uint64_t n)
+  {
+    if (n == 1 && !free_slots_.empty()) {
+      const std::uint64_t slot = free_slots_.back();
+      free_slots_.pop_back();
+      return slot;
+    }
+    slots_ += n;
+    return slots_ - n;
+  }
+
+  // Uses the first unused name, because other ranks and other programs may use the same directory.
+  void open()
+  {
+    for (int i = 0;; ++i) {
+      name_ = directory_ + "/coarsening_scratch_" + std::to_string(i);
+      errno = 0;
+      if (std::FILE* const created = std::fopen(name_.c_str(), "wbx")) {
+        std::fclose(created);
+        break;
+      }
+      if (errno != EEXIST)
+        fail("create");
+    }
+    file_.rdbuf()->pubsetbuf(nullptr, 0);
+    file_.open(name_, std::ios::in | std::ios::out | std::ios::binary);
+    std::remove(name_.c_str());
+    check("open");
+  }
+
+  void check(const char* action)
+  {
+    if (!file_)
+      fail(action);
+  }
+
+  [[noreturn]] void fail(const char* action) const
+  {
+    const std::string reason = errno == 0 ? "" : ": " + std::generic_category().message(errno);
+    throw std::runtime_error(std::string("cannot ") + action + " a scratch file in " + directory_ + reason);
+  }
+
+  std::string directory_, name_; // without a directory, all words are kept in memory
+  std::uint64_t max_words_ = 0, words_ = 0, slots_ = 0, bytes_written_ = 0;
+  std::vector<std::uint64_t> free_slots_;
+  std::fstream file_;
+};
 
 // Bins of records, in memory and, beyond its limit, in a scratch file. Records are sequences of words that remain whole.
 class Word_store

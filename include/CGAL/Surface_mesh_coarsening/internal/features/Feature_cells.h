@@ -4,10 +4,9 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_CELLS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_graph.h>
-#include <CGAL/Surface_mesh_coarsening/internal/features/Featured_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh_builder.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/cut_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/star_subdivision.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/subdivision.h>
 
 #include <memory>
 #include <utility>

@@ -3,13 +3,12 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_CLUSTERED_FACES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_CLUSTERED_FACES_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
-#include <CGAL/Surface_mesh_coarsening/internal/features/Labelled_pieces.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/boxes.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/vertex_bounds.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Iterator_range.h>

@@ -5,7 +5,6 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/opposite_sides.h>
 
 #include <algorithm>
 #include <array>

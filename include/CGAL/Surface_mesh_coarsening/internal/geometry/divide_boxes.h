@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_DIVIDE_BOXES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_DIVIDE_BOXES_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Index.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
 #include <CGAL/Bbox_3.h>
 

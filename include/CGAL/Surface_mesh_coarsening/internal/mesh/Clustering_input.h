@@ -3,14 +3,194 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_CLUSTERING_INPUT_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_CLUSTERING_INPUT_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+struct Face_geometry
+{
+  double area;
+  Vector centroid;
+};
+
+// Returns half the sum of the cross products of a fan: its length is the area of a planar polygon, its direction the
+// normal.
+inline Vector vector_area(const Flat_mesh& m, Index f)
+{
+  const Index begin = m.first_corner[f], end = m.first_corner[f + 1];
+  const Vector& p = m.points[m.corner_vertex[begin]];
+  Vector sum{{0, 0, 0}};
+  Vector side = m.points[m.corner_vertex[begin + 1]] - p;
+  for (Index c = begin + 2; c != end; ++c) {
+    const Vector next = m.points[m.corner_vertex[c]] - p;
+    sum = sum + cross(side, next);
+    side = next;
+  }
+  return 0.5 * sum;
+}
+
+inline Vector mean_of_corners(const Flat_mesh& m, Index f)
+{
+  Vector sum{{0, 0, 0}};
+  for (const Index c : m.corners(f))
+    sum = sum + m.points[m.corner_vertex[c]];
+  return (1. / m.degree(f)) * sum;
+}
+
+inline double face_area(const Flat_mesh& m, Index f)
+{
+  return length(vector_area(m, f));
+}
+
+// Returns the bounding box of the corners of a face.
+inline Bbox_3 face_box(const Flat_mesh& m, Index f)
+{
+  Bbox_3 box;
+  for (const Index c : m.corners(f))
+    box += box_of_point(m.points[m.corner_vertex[c]]);
+  return box;
+}
+
+// Returns the centroid of the triangles between the edges of a face and the mean of its corners, with positive areas.
+// It lies in the convex hull of the corners for any shape of face.
+inline Vector centroid_of_star(const Flat_mesh& m, Index f)
+{
+  const Vector center = mean_of_corners(m, f);
+  Vector sum{{0, 0, 0}};
+  double weight = 0;
+  Vector a = m.points[m.corner_vertex[m.first_corner[f + 1] - 1]] - center;
+  for (const Index c : m.corners(f)) {
+    const Vector b = m.points[m.corner_vertex[c]] - center, n = cross(a, b);
+    const double size = length(n);
+    sum = sum + (size / 3) * (a + b);
+    weight += size;
+    a = b;
+  }
+  return weight > 0 ? closest_in_box(center + (1 / weight) * sum, face_box(m, f)) : center;
+}
+
+// Returns the area and the centroid of a planar simple polygon. For other faces, returns the length of the vector area, and a
+// point in their bounding box.
+inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
+{
+  const Vector normal = vector_area(m, f);
+  const double area = length(normal);
+  const Index begin = m.first_corner[f], end = m.first_corner[f + 1];
+  if (end - begin == 3)
+    return {area, mean_of_corners(m, f)};
+  if (!(area > 0))
+    return {area, centroid_of_star(m, f)};
+  // Fan triangles on the other side of the boundary have negative weights.
+  const Vector& p = m.points[m.corner_vertex[begin]];
+  Vector sum{{0, 0, 0}};
+  double absolute_weight = 0;
+  for (Index c = begin + 2; c != end; ++c) {
+    const Vector a = m.points[m.corner_vertex[c - 1]] - p, b = m.points[m.corner_vertex[c]] - p;
+    const double weight = dot(cross(a, b), normal) / (6 * area * area);
+    sum = sum + weight * (a + b);
+    absolute_weight += std::abs(weight);
+  }
+  const Vector centroid = p + sum;
+  // Weights sum to a third. With negative weights, the sum is a centroid only if the polygon is simple and nearly
+  // planar; it then lies in the bounding box. If weights nearly cancel, the sum consists of rounding errors.
+  constexpr double convex = (1 + 1e-6) / 3, cancelling = 1e9;
+  if (absolute_weight < convex || (absolute_weight < cancelling && is_in_box(centroid, face_box(m, f))))
+    return {area, centroid};
+  return {area, centroid_of_star(m, f)};
+}
+
+// Computes the unit normal of each face; zero for faces without area.
+inline std::vector<Vector> unit_normals(const Flat_mesh& m, const Cancellation_point& cancellation = Cancellation_point(),
+                                        Execution execution = Execution::SEQUENTIAL)
+{
+  std::vector<Vector> normals(m.number_of_faces());
+  for_each_number(execution, normals.size(), cancellation, [&](Index f) {
+    const Vector n = vector_area(m, f);
+    const double size = length(n);
+    normals[f] = size > 0 ? (1 / size) * n : Vector{{0, 0, 0}};
+  });
+  return normals;
+}
+
+// The deviation of section 5.2 before the mapping: for each face, the mean length of the difference between its normal and
+// the normals of the faces around its vertices. A pair of faces counts once for each common vertex. Faces without a
+// normal have no deviation. At a vertex of very high degree, each face is compared with a fixed number of evenly spread
+// faces, which keeps the time linear.
+class Normal_deviation
+{
+public:
+  Normal_deviation(const Flat_mesh& mesh, const std::vector<Vector>& normals) : mesh_(mesh), normals_(normals) {}
+
+  double operator()(Index f) const
+  {
+    const Vector& n = normals_[f];
+    double sum = 0;
+    std::size_t pairs = 0;
+    for (const Index c : mesh_.corners(f)) {
+      const Index v = mesh_.corner_vertex[c], begin = mesh_.first_in_star[v];
+      const Index valence = mesh_.first_in_star[v + 1] - begin, compared = (std::min)(valence, max_compared);
+      pairs += compared;
+      for (Index j = 0; j < compared; ++j)
+        sum += difference(n, normals_[mesh_.star[begin + place(j, valence)]]);
+    }
+    return n == none ? 0 : sum / double(pairs);
+  }
+
+private:
+  //! [valence]
+  static constexpr Index max_compared = 256;
+  //! [valence]
+  static constexpr Vector none{{0, 0, 0}};
+
+  static Index place(Index j, Index valence)
+  {
+    return valence <= max_compared ? j : Index(std::uint64_t(j) * valence / max_compared);
+  }
+
+  static double difference(const Vector& n, const Vector& other)
+  {
+    return other == none ? 0 : length(n - other);
+  }
+
+  const Flat_mesh& mesh_;
+  const std::vector<Vector>& normals_;
+};
+
+inline std::vector<double> mean_normal_deviations(const Flat_mesh& m,
+                                                  const Cancellation_point& cancellation = Cancellation_point(),
+                                                  Execution execution = Execution::SEQUENTIAL)
+{
+  const std::vector<Vector> normals = unit_normals(m, cancellation, execution);
+  const Normal_deviation deviation(m, normals);
+  std::vector<double> deviations(m.number_of_faces());
+  for_each_number(execution, deviations.size(), cancellation, [&](Index f) { deviations[f] = deviation(f); });
+  return deviations;
+}
+
+inline double largest_of(const std::vector<double>& deviations)
+{
+  return deviations.empty() ? 0 : *std::max_element(deviations.begin(), deviations.end());
+}
+
+// Maps [0, maximum] linearly to [1, maximum_density] (section 5.2). The mesh counts as flat if no deviation exceeds the
+// rounding errors of the coordinates.
+inline void map_to_densities(std::vector<double>& deviations, double maximum, double maximum_density)
+{
+  //! [flat]
+  constexpr double flat = 1e-6;
+  for (double& d : deviations)
+    d = maximum > flat ? 1 + (maximum_density - 1) * (d / maximum) : 1;
+  //! [flat]
+}
 
 //! [density]
 constexpr double largest_density = 1e20; // its inverse is the smallest density
@@ -36,6 +216,15 @@ struct Clustering_input
   }
   double number_of_faces_in(Index f) const { return item_faces.empty() ? 1 : item_faces[f]; }
   Index parent_of(Index f) const { return parent.empty() ? f : parent[f]; }
+};
+
+class Feature_cells;
+
+// The input of the clustering and, if features are kept, the cells that were built from its faces.
+struct Featured_input
+{
+  Clustering_input items;
+  std::shared_ptr<const Feature_cells> cells; // null without features
 };
 
 } // namespace internal

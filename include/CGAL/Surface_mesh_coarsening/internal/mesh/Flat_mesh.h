@@ -3,12 +3,14 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_FLAT_MESH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_FLAT_MESH_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/number_range.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <CGAL/Iterator_range.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -100,13 +102,6 @@ struct Flat_mesh
 
   std::size_t number_of_faces() const { return first_corner.size() - 1; }
   std::size_t number_of_vertices() const { return first_in_star.size() - 1; }
-  std::size_t number_of_loops() const
-  {
-    std::size_t n = 0;
-    for (const Component& c : components)
-      n += c.loops;
-    return n;
-  }
   bool is_on_border(Index v) const { return loop[v] != NONE; }
   Index degree(Index f) const { return first_corner[f + 1] - first_corner[f]; }
   Number_range corners(std::size_t f) const { return number_range(first_corner[f], first_corner[f + 1]); }
@@ -142,6 +137,39 @@ struct Flat_mesh
     return i;
   }
 };
+
+// Traverses the faces breadth first from `seed`, which the caller has marked. The edge after corner `c` is crossed to
+// face `g` if `enter(c, g)`, which marks `g`. Appends the faces to `reached` in the order of traversal.
+// `CGAL::Polygon_mesh_processing::connected_component()` stores visited faces in a tree and cannot be cancelled.
+template <class Enter>
+void flood_fill(const Flat_mesh& m, Index seed, std::vector<Index>& reached, const Cancellation_point& cancellation,
+                const Enter& enter)
+{
+  reached.assign(1, seed);
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    cancellation.poll();
+    for (const Index c : m.corners(reached[i])) {
+      const Index g = m.face_across[c];
+      if (g != NONE && enter(c, g))
+        reached.push_back(g);
+    }
+  }
+}
+
+// Returns the bounding box of the faces of a cluster, enlarged by half its diagonal.
+template <class FaceRange>
+Bbox_3 vertex_bounds(const Flat_mesh& mesh, const FaceRange& faces)
+{
+  Bbox_3 box;
+  for (const Index f : faces)
+    for (const Index c : mesh.corners(f))
+      box += box_of_point(mesh.points[mesh.corner_vertex[c]]);
+  // Computed positions may differ by their rounding.
+  double largest = 0;
+  for (int i = 0; i < 3; ++i)
+    largest = (std::max)({largest, std::abs((box.min)(i)), std::abs((box.max)(i))});
+  return grown(box, 0.5 * std::sqrt(squared_diagonal(box)) + 1e-12 * largest);
+}
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

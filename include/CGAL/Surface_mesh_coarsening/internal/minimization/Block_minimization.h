@@ -4,11 +4,9 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_BLOCK_MINIMIZATION_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/prefetch.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization_state.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Valid_moves.h>
 
 #include <CGAL/assertions.h>
 

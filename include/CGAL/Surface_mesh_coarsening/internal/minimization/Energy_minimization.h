@@ -6,13 +6,11 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
-#include <CGAL/Surface_mesh_coarsening/internal/features/Featured_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Block_minimization.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Cluster_blocks.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
 
 #include <CGAL/assertions.h>
 

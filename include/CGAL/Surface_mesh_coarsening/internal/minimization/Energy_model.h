@@ -3,11 +3,9 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_ENERGY_MODEL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_ENERGY_MODEL_H
 
-#include <CGAL/Surface_mesh_coarsening/Cluster_report.h>
+#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
-#include <CGAL/Surface_mesh_coarsening/internal/features/Featured_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization.h>
 
 #include <cstddef>
 #include <memory>
@@ -16,6 +14,41 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+// The end of a minimization: after a number of rounds, or with the first round that lowers the energy by at most the
+// relative amount `tolerance`.
+struct Minimization_end
+{
+  std::size_t max_rounds = 0;
+  double tolerance = 0;
+};
+
+// The moves that would lower the energy but were refused: by the paper's check of boundary-edge counts, or, after passing it,
+// because the dual would not be a surface.
+struct Refusals
+{
+  std::size_t by_boundary_counts = 0, by_guarantee = 0;
+};
+
+// A minimization in progress, independent of the type of the energy.
+class Minimization
+{
+public:
+  virtual ~Minimization() = default;
+  struct Progress
+  {
+    std::size_t rounds = 0, moves = 0;
+  };
+  // Runs rounds until the end. Parts of the clustering may reach it earlier than others.
+  virtual Progress run(const Minimization_end& end) = 0;
+  // Returns the number of rounds that a call should run.
+  virtual std::size_t rounds_at_a_time() const = 0;
+  virtual double energy() const = 0;
+  // The number of edges tested so far.
+  virtual std::size_t tests() const = 0;
+  // The moves refused so far.
+  virtual Refusals refusals() const = 0;
+};
 
 // The energy of a clustering with its type erased: the stages of the pipeline are compiled once for all energies.
 class Energy_model

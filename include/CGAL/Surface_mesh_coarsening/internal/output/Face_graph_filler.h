@@ -4,7 +4,6 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_FACE_GRAPH_FILLER_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/opposite_sides.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
-#include <CGAL/Surface_mesh_coarsening/internal/output/Output_coordinates.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Placement_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Placement_repair.h>
 

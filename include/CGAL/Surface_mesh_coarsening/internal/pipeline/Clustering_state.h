@@ -5,8 +5,8 @@
 
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
-#include <CGAL/Surface_mesh_coarsening/internal/features/Featured_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Local_frame.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
 
 #include <cstddef>

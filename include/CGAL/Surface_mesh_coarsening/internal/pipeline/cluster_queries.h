@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_CLUSTER_QUERIES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_CLUSTER_QUERIES_H
 
-#include <CGAL/Surface_mesh_coarsening/Cluster_report.h>
+#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_state.h>
 
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/defaults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
-#include <CGAL/Surface_mesh_coarsening/internal/output/Vertex_sources.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Output_maps.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
 #include <cstddef>

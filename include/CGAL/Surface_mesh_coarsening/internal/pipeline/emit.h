@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_EMIT_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
-#include <CGAL/Surface_mesh_coarsening/internal/output/write_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Output_maps.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
 namespace CGAL {

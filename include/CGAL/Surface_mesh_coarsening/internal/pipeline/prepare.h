@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_PREPARE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_PREPARE_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/features/read_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/find_features.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_state.h>
 

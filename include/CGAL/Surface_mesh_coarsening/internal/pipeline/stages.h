@@ -3,8 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_STAGES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_STAGES_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/features/Labelled_pieces.h>
-#include <CGAL/Surface_mesh_coarsening/internal/output/Output_coordinates.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_state.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Placement_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_counts.h>

@@ -5,7 +5,6 @@
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/number_text.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/choose_items.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>

@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_VERTEX_EXCHANGE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_VERTEX_EXCHANGE_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Exchange_candidates.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Vertex_relocation.h>
 

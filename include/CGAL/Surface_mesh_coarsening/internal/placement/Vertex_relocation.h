@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_VERTEX_RELOCATION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_VERTEX_RELOCATION_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/face_geometry.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/refinement/Relocation.h>
 
 #include <cstddef>

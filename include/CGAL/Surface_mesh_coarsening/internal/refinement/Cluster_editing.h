@@ -3,13 +3,13 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_EDITING_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_EDITING_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_walk.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/faces_in_bfs_order.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
 #include <CGAL/Surface_mesh_coarsening/internal/refinement/Relocation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
 #include <algorithm>
 #include <utility>

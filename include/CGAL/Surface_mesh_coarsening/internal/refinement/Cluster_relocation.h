@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_RELOCATION_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/vertex_bounds.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
 
 #include <algorithm>

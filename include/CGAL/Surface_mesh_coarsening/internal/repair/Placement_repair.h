@@ -10,9 +10,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Placement_faults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_counts.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_proposals.h>
-#include <CGAL/Surface_mesh_coarsening/internal/repair/Trial_distance.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/sort_unique.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Quadric_energy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_surface.h>
-#include <CGAL/Surface_mesh_coarsening/internal/features/Feature_merging.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/Feature_rules.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/rounding.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <boost/iterator/counting_iterator.hpp>
 
@@ -94,9 +94,9 @@ public:
           const Vector &p = pieces.mesh.points[pieces.mesh.corner_vertex[c]],
                        &q = pieces.mesh.points[pieces.mesh.corner_vertex[pieces.mesh.next_corner(piece, c)]];
           const Vector edge = q - p;
-          const double length = std::sqrt(dot(edge, edge));
-          if (length > 0)
-            quadric_energy_.add(quadric, {length * length, 0.5 * (p + q), (1 / length) * cross(edge, normal)});
+          const double size = length(edge);
+          if (size > 0)
+            quadric_energy_.add(quadric, {size * size, 0.5 * (p + q), (1 / size) * cross(edge, normal)});
         }
       });
   }

@@ -4,12 +4,10 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_INITIAL_CLUSTERING_H
 
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/cut_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/subdivision.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Component_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
-#include <CGAL/Surface_mesh_coarsening/internal/seeding/Pinch_resolution.h>
-#include <CGAL/Surface_mesh_coarsening/internal/seeding/apportion.h>
-#include <CGAL/Surface_mesh_coarsening/internal/seeding/faces_of_clusters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Component_plan.h>
 
 #include <algorithm>
 #include <numeric>
@@ -103,7 +101,6 @@ public:
       throw Unreachable_number_of_vertices(std::to_string(number_) + " vertices were asked for, but the input has only " +
                                              std::to_string(sum(max_)), sum(max_));
     apportion_number();
-    prepare();
     find_seeds();
   }
 
@@ -111,11 +108,7 @@ public:
   void seed_from_level(Index level)
   {
     may_exceed_number_ = true;
-    wanted_.assign(min_.size(), 0);
-    for (std::size_t i = 0; i < wanted_.size(); ++i)
-      plan_[i].begin(input_->items.mesh.components[i], 0, level);
-    prepare();
-    find_seeds();
+    find_seeds_of(level);
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
       wanted_[i] = (std::min)((std::max)(seeds_[i].faces.size(), min_[i]), max_[i]);
       plan_[i].begin(input_->items.mesh.components[i], wanted_[i], level);
@@ -126,11 +119,7 @@ public:
   // Takes the seeds of one level, for `number` clusters after merging. Throws if there are fewer seeds.
   void seed_from_level(Index level, std::size_t number)
   {
-    wanted_.assign(min_.size(), 0);
-    for (std::size_t i = 0; i < wanted_.size(); ++i)
-      plan_[i].begin(input_->items.mesh.components[i], 0, level);
-    prepare();
-    find_seeds();
+    find_seeds_of(level);
     for (std::size_t i = 0; i < wanted_.size(); ++i)
       max_[i] = (std::max)((std::min)(seeds_[i].faces.size(), max_[i]), min_[i]);
     if (number > sum(max_))
@@ -140,7 +129,6 @@ public:
     merge_level_ = level;
     number_ = number;
     apportion_number();
-    prepare();
     find_seeds();
   }
 
@@ -158,13 +146,10 @@ public:
   {
     if (!labels_)
       grow_again();
-    if (!pieces_are_up_to_date()) {
-      prepare();
+    if (!pieces_are_up_to_date())
       find_seeds();
-    }
     while (!grow_components()) {
       apportion_number();
-      prepare();
       find_seeds();
     }
     number_clusters();
@@ -274,7 +259,6 @@ private:
   {
     do {
       begin_plans(min_);
-      prepare();
       find_seeds();
     } while (!grow_components());
   }
@@ -325,8 +309,18 @@ private:
 
   Face_range faces_of(std::size_t i) const { return (*faces_)[i]; }
 
+  // Finds all seeds of a level.
+  void find_seeds_of(Index level)
+  {
+    wanted_.assign(min_.size(), 0);
+    for (std::size_t i = 0; i < wanted_.size(); ++i)
+      plan_[i].begin(input_->items.mesh.components[i], 0, level);
+    find_seeds();
+  }
+
   void find_seeds()
   {
+    prepare();
     report_.level = report_.seeds = 0;
     for (std::size_t i = 0; i < plan_.size(); ++i) {
       if (state_[i] == State::NEW) {
@@ -350,7 +344,6 @@ private:
         return false;
       if (pieces_are_up_to_date())
         return true;
-      prepare();
       find_seeds();
     }
   }

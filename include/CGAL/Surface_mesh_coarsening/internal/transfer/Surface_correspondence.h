@@ -3,13 +3,18 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_TRANSFER_SURFACE_CORRESPONDENCE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_TRANSFER_SURFACE_CORRESPONDENCE_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Bucketed_items.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -52,11 +57,7 @@ public:
 
   // Returns a third of the area of the triangles around a vertex.
   double dual_area(Index x) const { return dual_area_[x]; }
-  double area_of_triangle(Index t) const
-  {
-    const Vector n = normal_of(position_, triangles_[t]);
-    return 0.5 * std::sqrt(dot(n, n));
-  }
+  double area_of_triangle(Index t) const { return 0.5 * length(normal_of(position_, triangles_[t])); }
   Vector center(const std::array<Index, 2>& edge) const { return 0.5 * (position_[edge[0]] + position_[edge[1]]); }
   Vector center(const Triangle& t) const { return (1. / 3) * (position_[t[0]] + position_[t[1]] + position_[t[2]]); }
 
@@ -152,6 +153,170 @@ private:
   // Computed on demand:
   std::vector<Nearest_point> sources_, triangle_sources_;
   std::vector<Index> triangle_of_face_;
+};
+
+// Returns the corners of the faces of a triangle mesh, in the order of the numbering.
+template <class FaceGraph>
+std::vector<Triangle> numbered_triangles(const FaceGraph& mesh, const Numbering<FaceGraph>& n)
+{
+  std::vector<Triangle> triangles;
+  for (const auto f : n.faces) {
+    std::vector<Index> corners;
+    for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
+      corners.push_back(n.number_of(source(h, mesh)));
+    if (corners.size() != 3)
+      throw Invalid_input("face " + std::to_string(triangles.size()) + " of the coarse mesh has " +
+                          std::to_string(corners.size()) + " sides");
+    triangles.push_back({{corners[0], corners[1], corners[2]}});
+  }
+  return triangles;
+}
+
+// Returns the points of a mesh in the frame of another mesh.
+template <class FaceGraph, class NamedParameters>
+std::vector<Vector> points_in_frame(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
+                                    const Local_frame& frame)
+{
+  const Vertex_coordinates<FaceGraph, NamedParameters> coordinates(mesh, np);
+  std::vector<Vector> positions;
+  positions.reserve(n.vertices.size());
+  for (const auto v : n.vertices) {
+    const Vector q = coordinates(v);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!std::isfinite(q[i]))
+        throw Invalid_input("coordinate " + std::to_string(i) + " of vertex " + std::to_string(positions.size()) +
+                            " of the coarse mesh is " + std::to_string(q[i]));
+    positions.push_back(frame.to_local(q));
+  }
+  return positions;
+}
+
+template <class FaceGraph, class FaceClusterMap, class NamedParameters1, class CoarseFaceGraph, class NamedParameters2>
+Surface_correspondence make_surface_correspondence(const FaceGraph& mesh, const Numbering<FaceGraph>& n,
+                                                   const FaceClusterMap& map, const NamedParameters1& np1,
+                                                   const CoarseFaceGraph& coarse, const Numbering<CoarseFaceGraph>& coarse_n,
+                                                   const NamedParameters2& np2)
+{
+  Flat_mesh m = flat_connectivity(mesh, n);
+  if (n.faces.empty() || coarse_n.faces.empty())
+    throw Invalid_input("there is nothing to transfer between meshes of which one has no faces");
+  const Local_frame frame = copy_points(mesh, np1, n, m);
+  std::vector<double> areas;
+  std::vector<Vector> centroids;
+  std::vector<Index> clusters;
+  bool is_any = false;
+  for (std::size_t f = 0; f < n.faces.size(); ++f) {
+    const Face_geometry g = face_geometry(m, Index(f));
+    areas.push_back(g.area);
+    centroids.push_back(g.centroid);
+    const std::size_t x = std::size_t(get(map, n.faces[f]));
+    if (x > coarse_n.vertices.size())
+      throw Invalid_input("the cluster of face " + std::to_string(f) + " is " + std::to_string(x) + ", but the coarse mesh has " +
+                          std::to_string(coarse_n.vertices.size()) + " vertices");
+    clusters.push_back(x == coarse_n.vertices.size() ? NONE : Index(x));
+    is_any = is_any || clusters.back() != NONE;
+  }
+  if (!is_any)
+    throw Invalid_input("no face has a cluster");
+  return Surface_correspondence(std::move(m), std::move(areas), std::move(centroids), std::move(clusters),
+                           points_in_frame(coarse, np2, coarse_n, frame), numbered_triangles(coarse, coarse_n));
+}
+
+// Finds the points from which the corners of coarse triangles take values if the values have seams.
+//
+// Around a coarse vertex, seams divide the faces of its cluster and of the adjacent clusters into sectors. A triangle
+// there belongs to the sector of the face nearest to its center, and its corner takes the value at the nearest point of
+// this sector. So all triangles on the same side of a seam have the same value at the vertex, and no value mixes the two
+// sides.
+class Chart_sectors
+{
+public:
+  // `is_seam` states, for each corner of the mesh, whether the edge after it is a seam.
+  Chart_sectors(Surface_correspondence& surfaces, const std::vector<bool>& is_seam)
+    : surfaces_(surfaces), mesh_(surfaces.mesh()), is_seam_(is_seam), stamp_(mesh_.number_of_faces(), NONE),
+      sector_(mesh_.number_of_faces(), NONE)
+  {}
+
+  // Calls `visit(triangle, nearest point)` for each triangle around a vertex.
+  template <class Visit>
+  void for_each_corner_at(Index x, const Visit& visit)
+  {
+    collect(x);
+    const bool is_cut = number_sectors(x);
+    std::map<Index, Nearest_point> nearest_in_sector;
+    for (const Index t : surfaces_.around(x)) {
+      const Index face = surfaces_.triangle_sources()[t].face;
+      const Index sector = is_cut && stamp_[face] == x ? sector_[face] : 0;
+      const auto found = nearest_in_sector.find(sector);
+      visit(t, found != nearest_in_sector.end()
+                 ? found->second
+                 : nearest_in_sector.emplace(sector, nearest_in(x, is_cut ? sector : NONE)).first->second);
+    }
+  }
+
+private:
+  // Collects the faces of the cluster and of its neighbors.
+  void collect(Index x)
+  {
+    std::vector<Index> clusters(1, x);
+    for (const Index t : surfaces_.around(x))
+      clusters.insert(clusters.end(), surfaces_.triangles()[t].begin(), surfaces_.triangles()[t].end());
+    sort_unique(clusters);
+    faces_.clear();
+    for (const Index y : clusters)
+      for (const Index f : surfaces_.faces(y)) {
+        faces_.push_back(f);
+        stamp_[f] = x;
+        sector_[f] = NONE;
+      }
+  }
+
+  // Returns whether there is a seam.
+  bool number_sectors(Index x)
+  {
+    bool is_cut = false;
+    for (const Index f : faces_)
+      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1] && !is_cut; ++c)
+        is_cut = is_seam_[c] && mesh_.face_across[c] != NONE && stamp_[mesh_.face_across[c]] == x;
+    if (!is_cut)
+      return false;
+    Index sectors = 0;
+    for (const Index first : faces_) {
+      if (sector_[first] != NONE)
+        continue;
+      sector_[first] = sectors;
+      stack_.assign(1, first);
+      while (!stack_.empty()) {
+        const Index f = stack_.back();
+        stack_.pop_back();
+        for (const Index c : mesh_.corners(f)) {
+          const Index g = mesh_.face_across[c];
+          if (g != NONE && !is_seam_[c] && stamp_[g] == x && sector_[g] == NONE) {
+            sector_[g] = sectors;
+            stack_.push_back(g);
+          }
+        }
+      }
+      ++sectors;
+    }
+    return true;
+  }
+
+  // Searches all faces if the sector is NONE.
+  Nearest_point nearest_in(Index x, Index sector) const
+  {
+    Nearest_point nearest;
+    for (const Index f : faces_)
+      if (sector == NONE || sector_[f] == sector)
+        improve(mesh_, surfaces_.position(x), f, nearest);
+    return nearest.face == NONE ? surfaces_.search()(surfaces_.position(x), x) : nearest;
+  }
+
+  Surface_correspondence& surfaces_;
+  const Flat_mesh& mesh_;
+  const std::vector<bool>& is_seam_;
+  std::vector<Index> stamp_, sector_; // per face
+  std::vector<Index> faces_, stack_;
 };
 
 } // namespace internal

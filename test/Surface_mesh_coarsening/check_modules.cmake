@@ -1,29 +1,29 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Checks that each header of the library includes only headers of its own room and of rooms above it in the list, and that no
+# Checks that each header of the library includes only headers of its own module and of modules above it in the list, and that no
 # headers include each other in a circle. INCLUDE_DIR is the directory of the library's headers.
 
 cmake_minimum_required(VERSION 3.25)
 
-set(rooms base mesh clusters features seeding minimization refinement geometry placement repair output pipeline distributed
+set(modules base mesh clusters features seeding minimization refinement geometry placement repair output pipeline distributed
   distance transfer entry)
 
-# The rooms of the public headers. Headers that are not listed are entry points, which may include everything.
-set(base internal/parameters_interface.h exceptions.h Cluster_report.h Distance_report.h version.h parameters.h defaults.h Coarsening_report.h Coarsening_visitor_base.h Cluster_weight/.*)
+# The modules of the public headers. Headers that are not listed are entry points, which may include everything.
+set(base internal/parameters_interface.h exceptions.h version.h parameters.h defaults.h Coarsening_report.h Coarsening_visitor_base.h Cluster_weight/.*)
 set(clusters Cluster_energy/.*)
 set(geometry Clustered_surface.h Surface_location.h)
 set(placement Border_arcs.h Vertex_placement/.*)
 
 
-function(room_of header result)
+function(module_of header result)
   if(header MATCHES "^internal/([^/]+)/")
     set(${result} ${CMAKE_MATCH_1} PARENT_SCOPE)
     return()
   endif()
-  foreach(room IN LISTS rooms)
-    foreach(pattern IN LISTS ${room})
+  foreach(module IN LISTS modules)
+    foreach(pattern IN LISTS ${module})
       if(header MATCHES "^${pattern}$")
-        set(${result} ${room} PARENT_SCOPE)
+        set(${result} ${module} PARENT_SCOPE)
         return()
       endif()
     endforeach()
@@ -34,10 +34,10 @@ endfunction()
 file(GLOB_RECURSE headers RELATIVE ${INCLUDE_DIR} ${INCLUDE_DIR}/*.h)
 set(faults 0)
 foreach(header IN LISTS headers)
-  room_of(${header} room)
-  list(FIND rooms ${room} level)
+  module_of(${header} module)
+  list(FIND modules ${module} level)
   if(level EQUAL -1)
-    message("${header} lies in a room that is not in the list")
+    message("${header} lies in a module that is not in the list")
     math(EXPR faults "${faults} + 1")
   endif()
   file(STRINGS ${INCLUDE_DIR}/${header} lines REGEX "^#include <CGAL/Surface_mesh_coarsening/")
@@ -49,10 +49,10 @@ foreach(header IN LISTS headers)
       continue()
     endif()
     list(APPEND includes_${header} ${included})
-    room_of(${included} other)
-    list(FIND rooms ${other} other_level)
+    module_of(${included} other)
+    list(FIND modules ${other} other_level)
     if(other_level GREATER level)
-      message("${header} (${room}) includes ${included} (${other}), a room below")
+      message("${header} (${module}) includes ${included} (${other}), a module below")
       math(EXPR faults "${faults} + 1")
     endif()
   endforeach()
@@ -85,6 +85,6 @@ list(LENGTH headers number)
 if(number EQUAL 0)
   message(FATAL_ERROR "there are no headers in ${INCLUDE_DIR}")
 elseif(faults GREATER 0)
-  message(FATAL_ERROR "${faults} faults in the order of the rooms")
+  message(FATAL_ERROR "${faults} faults in the order of the modules")
 endif()
-message("${number} headers keep the order of the rooms")
+message("${number} headers keep the order of the modules")

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_CONTAINERS_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_CONTAINERS_H
+
+#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+
+#include <CGAL/Iterator_range.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The number of a face, corner, vertex or cluster in the arrays.
+typedef std::uint32_t Index;
+
+constexpr Index NONE = (std::numeric_limits<Index>::max)();
+
+typedef Iterator_range<boost::counting_iterator<Index> > Number_range;
+
+// Returns the numbers from `begin` to `end`, without `end`.
+inline Number_range number_range(Index begin, Index end)
+{
+  return {boost::counting_iterator<Index>(begin), boost::counting_iterator<Index>(end)};
+}
+
+inline Number_range numbers_below(Index n) { return number_range(0, n); }
+
+template <class Value>
+void sort_unique(std::vector<Value>& values)
+{
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+// Sorts values that mostly consist of a few sorted runs one after the other. Merging these is several times as fast as
+// `std::sort`. No two values are equal.
+template <class T, class Less>
+void sort_runs(std::vector<T>& values, const Less& less)
+{
+  constexpr std::size_t min_mean_run = 64;
+  std::vector<std::size_t> ends(1, 0);
+  for (std::size_t i = 1; i <= values.size(); ++i)
+    if (i == values.size() || less(values[i], values[i - 1]))
+      ends.push_back(i);
+  if (ends.size() > 2 + values.size() / min_mean_run) {
+    std::sort(values.begin(), values.end(), less);
+    return;
+  }
+  const auto at = [&](std::size_t run) { return values.begin() + std::ptrdiff_t(ends[run]); };
+  while (ends.size() > 2) {
+    std::vector<std::size_t> merged(1, 0);
+    for (std::size_t run = 0; run + 1 < ends.size(); run += 2) {
+      const std::size_t next = (std::min)(run + 2, ends.size() - 1);
+      std::inplace_merge(at(run), at(run + 1), at(next), less);
+      merged.push_back(ends[next]);
+    }
+    ends.swap(merged);
+  }
+}
+
+// The items of several groups in two arrays, group by group. Items keep their order within a group. The construction takes linear
+// time. Boost has such a structure only inside its compressed_sparse_row_graph, which sorts edges and cannot be cancelled.
+template <class Item>
+class Bucketed_items
+{
+public:
+  typedef Iterator_range<const Item*> Range;
+
+  // Omits items for which `group_of()` is not below the number of groups.
+  template <class Items, class Group_of>
+  Bucketed_items(const Items& items, std::size_t groups, const Group_of& group_of,
+                 const Cancellation_point& cancellation = Cancellation_point())
+    : first_(groups + 1, 0)
+  {
+    for (const Item& item : items)
+      if (const std::size_t x = group_of(item); x < groups)
+        ++first_[x + 1];
+    for (std::size_t x = 0; x < groups; ++x)
+      first_[x + 1] += first_[x];
+    items_.resize(first_.back());
+    std::vector<std::size_t> at(first_.begin(), first_.end() - 1);
+    for (const Item& item : items) {
+      cancellation.poll();
+      if (const std::size_t x = group_of(item); x < groups)
+        items_[at[x]++] = item;
+    }
+  }
+
+  std::size_t size() const { return first_.size() - 1; }
+  Range operator[](std::size_t group) const
+  {
+    return {items_.data() + first_[group], items_.data() + first_[group + 1]};
+  }
+
+  const std::vector<Item>& items() const { return items_; }
+
+private:
+  std::vector<std::size_t> first_; // first item of each group
+  std::vector<Item> items_;
+};
+
+template <class Value, class = void>
+struct Is_ordered : std::false_type
+{};
+template <class Value>
+struct Is_ordered<Value, std::void_t<decltype(std::declval<const Value&>() < std::declval<const Value&>())> >
+  : std::true_type
+{};
+
+// Sums areas for each value.
+template <class Value>
+class Majority
+{
+public:
+  void add(double area, const Value& value) { votes_.emplace_back(value, area); }
+  bool empty() const { return votes_.empty(); }
+
+  // Returns the value of largest area. Of several, returns the smallest if values are ordered, otherwise the first.
+  Value value()
+  {
+    if constexpr (Is_ordered<Value>::value)
+      std::stable_sort(votes_.begin(), votes_.end(), [](const Vote& a, const Vote& b) { return a.first < b.first; });
+    std::size_t best = 0;
+    double largest = -1;
+    for (std::size_t i = 0; i < votes_.size();) {
+      double area = 0;
+      std::size_t j = i;
+      if constexpr (Is_ordered<Value>::value) {
+        for (; j < votes_.size() && !(votes_[i].first < votes_[j].first); ++j)
+          area += votes_[j].second;
+      } else {
+        for (const Vote& vote : votes_)
+          area += vote.first == votes_[i].first ? vote.second : 0;
+        ++j;
+      }
+      if (area > largest) {
+        largest = area;
+        best = i;
+      }
+      i = j;
+    }
+    return votes_[best].first;
+  }
+
+private:
+  typedef std::pair<Value, double> Vote;
+  std::vector<Vote> votes_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_CONTAINERS_H
