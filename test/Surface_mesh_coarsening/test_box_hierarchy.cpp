@@ -4,7 +4,6 @@
 
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_hierarchy.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_list.h>
 
 #include <boost/test/unit_test.hpp>
 

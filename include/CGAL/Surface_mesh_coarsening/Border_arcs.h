@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_BORDER_ARCS_H
 
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/fit_border_loop.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Border_fit.h>
 
 #include <vector>
 

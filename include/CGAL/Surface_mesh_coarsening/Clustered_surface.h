@@ -4,7 +4,6 @@
 #define CGAL_SURFACE_MESH_COARSENING_CLUSTERED_SURFACE_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/kernel_point.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Iterator_range.h>

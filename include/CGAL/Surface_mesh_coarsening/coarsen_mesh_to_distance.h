@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Output_maps.h>
-#include <CGAL/Surface_mesh_coarsening/internal/pipeline/emit.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
 #include <cmath>
 #include <cstddef>

@@ -4,7 +4,6 @@
 #define CGAL_SURFACE_MESH_COARSENING_VERTEX_NUMBER_RANGE_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
-#include <CGAL/Surface_mesh_coarsening/internal/pipeline/prepare.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
 #include <cstddef>

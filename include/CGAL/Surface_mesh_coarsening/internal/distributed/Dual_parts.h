@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_choice.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/fit_border_loop.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Border_fit.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/subdivision.h>

@@ -12,6 +12,7 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Iterator_range.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
 #include <cstddef>
@@ -23,6 +24,28 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+// Placements take and return points of a kernel. `Vector` states why all other code does not.
+inline Simple_cartesian<double>::Point_3 to_point(const Vector& p) { return {p[0], p[1], p[2]}; }
+inline Vector to_vector(const Simple_cartesian<double>::Point_3& p) { return {{p.x(), p.y(), p.z()}}; }
+
+inline std::vector<Simple_cartesian<double>::Point_3> to_points(const std::vector<Vector>& positions)
+{
+  std::vector<Simple_cartesian<double>::Point_3> points;
+  points.reserve(positions.size());
+  for (const Vector& p : positions)
+    points.push_back(to_point(p));
+  return points;
+}
+
+inline std::vector<Vector> to_vectors(const std::vector<Simple_cartesian<double>::Point_3>& points)
+{
+  std::vector<Vector> positions;
+  positions.reserve(points.size());
+  for (const auto& p : points)
+    positions.push_back(to_vector(p));
+  return positions;
+}
 
 // The faces and their geometry, cluster by cluster: the data behind `Clustered_surface`, with points as `Vector`.
 class Clustered_faces

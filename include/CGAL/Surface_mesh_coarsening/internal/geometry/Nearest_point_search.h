@@ -4,8 +4,9 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_NEAREST_POINT_SEARCH_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_hierarchy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/divide_boxes.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
@@ -339,6 +340,54 @@ inline std::vector<double> coordinates_in_face(const Flat_mesh& m, const Nearest
   }
   return dot(offset, offset) <= 1e-24 * extent * extent ? weight : fan;
 }
+
+// Finds nearest points on the triangles of a coarse mesh.
+class Coarse_mesh_search
+{
+public:
+  Coarse_mesh_search(const std::vector<Triangle>& triangles, const std::vector<Vector>& positions)
+    : first_corners_(first_corners(triangles)),
+      mesh_(mesh_of(triangles, positions)),
+      search_(mesh_, first_corners_, positions.size())
+  {}
+
+  Coarse_mesh_search(const Coarse_mesh_search&) = delete;
+  Coarse_mesh_search& operator=(const Coarse_mesh_search&) = delete;
+
+  const Flat_mesh& mesh() const { return mesh_; }
+
+  // The first corner of a triangle.
+  Index first_corner(Index t) const { return first_corners_[t]; }
+
+  // The search begins at the triangles whose first corner is `vertex`.
+  Nearest_point operator()(const Vector& p, Index vertex) const { return search_(p, vertex); }
+
+private:
+  static std::vector<Index> first_corners(const std::vector<Triangle>& triangles)
+  {
+    std::vector<Index> corners;
+    corners.reserve(triangles.size());
+    for (const Triangle& t : triangles)
+      corners.push_back(t[0]);
+    return corners;
+  }
+
+  static Flat_mesh mesh_of(const std::vector<Triangle>& triangles, const std::vector<Vector>& positions)
+  {
+    Flat_mesh mesh;
+    mesh.points = positions;
+    mesh.first_corner.push_back(0);
+    for (const Triangle& t : triangles) {
+      mesh.corner_vertex.insert(mesh.corner_vertex.end(), t.begin(), t.end());
+      mesh.first_corner.push_back(Index(mesh.corner_vertex.size()));
+    }
+    return mesh;
+  }
+
+  const std::vector<Index> first_corners_;
+  const Flat_mesh mesh_;
+  const Nearest_point_search search_;
+};
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

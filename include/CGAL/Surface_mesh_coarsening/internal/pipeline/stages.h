@@ -3,8 +3,13 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_STAGES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_STAGES_H
 
+#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/features/find_features.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Output_maps.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_state.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Placement_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_counts.h>
@@ -14,13 +19,13 @@
 #include <utility>
 #include <vector>
 
-// The pipeline: prepare -> seed -> grow -> minimize -> place (with repair) -> emit. Each stage is one function over the same
-// state. Only the first and the last stage depend on the types of the meshes: `prepare()` and `Face_graph_filler`. All entry
-// points call these functions.
-
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+// The pipeline: prepare -> seed -> grow -> minimize -> place (with repair) -> emit. Each stage is one function over the same
+// state. Only the first and the last stage depend on the types of the meshes: `prepare()` and `Face_graph_filler`. All entry
+// points call these functions.
 
 // Finds seeds (section 6) and discards earlier clusters.
 void seed(Clustering_state& state, const Seeding& seeding);
@@ -101,12 +106,59 @@ Placed_dual place_embedded(Clustering_state& state, const Placement_model& place
 void report_placement(Coarsening_report& report, const std::vector<Triangle>& triangles, const std::vector<Vector>& positions,
                       const Repair_counts& counts, std::size_t clusterings = 1);
 
+// The first stage: checks the mesh, copies it to arrays, and computes or reads densities and features (section 5.2).
+template <class FaceGraph, class NamedParameters>
+void prepare(const FaceGraph& mesh, const NamedParameters& np, Execution execution, Numbering<FaceGraph>& elements,
+             Clustering_state& state)
+{
+  state.visitor = Visitor_handle(get_parameter(np, CGAL::internal_np::visitor));
+  state.execution = execution;
+  state.visitor.stage_begins(Coarsening_stage::PREPARATION);
+  const Cancellation_point cancellation = state.cancellation();
+  elements = numbering(mesh, np, cancellation);
+  state.input.items = clustering_input(mesh, np, elements, state.frame, cancellation, execution);
+  state.subdivides_input = choose_parameter(get_parameter(np, internal_np::subdivide_input_p), false);
+  state.merges_by_area = choose_parameter(get_parameter(np, internal_np::merge_by_area_p), false);
+  state.checks_boundary_counts = choose_parameter(get_parameter(np, internal_np::boundary_count_check_p), false);
+  state.places_on_borders = choose_parameter(get_parameter(np, internal_np::place_on_borders_p), true);
+  state.repairs_output = choose_parameter(get_parameter(np, internal_np::repair_output_p), true);
+  constexpr bool has_densities = has_parameter<internal_np::face_density_t, NamedParameters>;
+  const std::size_t default_feedback = has_densities ? 0 : Coarsening_defaults::error_feedback;
+  state.exchange_rounds = choose_parameter(get_parameter(np, internal_np::error_feedback_p), default_feedback);
+  state.max_local_repairs = choose_parameter(get_parameter(np, internal_np::local_repairs_p), Coarsening_defaults::local_repairs);
+  state.dropped_components = drop_small_components(np, state.frame, state.input.items, cancellation);
+  read_features(mesh, np, elements, state.input, state.frame, state.patches, cancellation);
+  state.visitor.stage_ends(Coarsening_stage::PREPARATION);
+}
+
+// The last stage: fills the output. Calls `before` after all steps that can fail, while the output is still unchanged.
+template <class Output, class NamedParameters, class Before>
+void emit(Clustering_state& state, const Placed_dual& dual, Output& output, const NamedParameters& np, const Before& before)
+{
+  report_placement(state.report, dual.triangles, dual.positions, dual.counts, dual.clusterings);
+  Face_graph_filler<Output, NamedParameters> filler(dual.positions, state.frame, dual.triangles, output, np,
+                                                    state.cancellation());
+  state.visitor.throw_if_cancelled();
+  before(dual.positions);
+  filler.commit();
+  write_features(output, np, dual.triangles, dual.pieces->features(), state.featured_input(), labels(state), state.patches);
+}
+
+// Returns the statistics of the clusters of a mesh with `faces` faces.
+std::vector<Cluster_report> cluster_reports(const Clustering_state& state, std::size_t faces);
+
+// The answers of the two checks whether a face of the caller's mesh may join a cluster: the paper's check of boundary-edge counts
+// and the guarantee. They throw if the items of the clustering are not faces.
+bool boundary_counts_allow_move(const Clustering_state& state, Index face, std::size_t cluster);
+bool guarantee_allows_move(Clustering_state& state, Index face, std::size_t cluster);
+
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL
 
 #ifndef CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages_impl.h>
+#include <CGAL/Surface_mesh_coarsening/internal/pipeline/cluster_queries_impl.h>
 #endif
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_STAGES_H

@@ -6,7 +6,6 @@
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Vertex_relocation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
 
 #include <cstddef>

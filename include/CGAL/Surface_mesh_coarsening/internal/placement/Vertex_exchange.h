@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Exchange_candidates.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Vertex_relocation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
 
 #include <algorithm>
 #include <cstddef>
