@@ -797,7 +797,9 @@ Soup plate_with_pins(std::size_t m)
     for (std::size_t i = 0; i <= number[0]; ++i)
       for (std::size_t j = 0; j <= number[1]; ++j)
         grid.push_back(add(4. * double(i), 4. * double(j), z));
-  const auto at = [&](std::size_t i, std::size_t j, bool top) { return grid[(top ? grid.size() / 2 : 0) + i * (number[1] + 1) + j]; };
+  const auto at = [&](std::size_t i, std::size_t j, bool top) {
+    return grid[(top ? grid.size() / 2 : 0) + i * (number[1] + 1) + j];
+  };
   const auto add_wall = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
     s.polygons.push_back({at(i, j, false), at(k, l, false), at(k, l, true), at(i, j, true)});
   };
@@ -834,9 +836,9 @@ Soup plate_with_pins(std::size_t m)
   return generated::rotated(generated::triangulated(s), 0.7, 0.4);
 }
 
-// Checks that on the lines of the result, no vertex is closer to another than a third of the mean length of the edges around them,
-// or half of the mean length of edges of lines if this is less.
-void check_spacing(const Soup& soup, std::size_t number, double least_angle, double largest_distance)
+// Checks that each edge of a line, unless it connects corners, has a third of the mean length of the edges around it, and that
+// this costs no angles, distance or validity.
+void check_spacing(const Soup& soup, std::size_t number)
 {
   const Mesh mesh = test::to_mesh(soup);
   Mesh output;
@@ -848,13 +850,9 @@ void check_spacing(const Soup& soup, std::size_t number, double least_angle, dou
   const auto length = [&](Edge e) {
     return std::sqrt(CGAL::squared_distance(output.point(output.vertex(e, 0)), output.point(output.vertex(e, 1))));
   };
-  std::vector<double> lines;
   double least_part = std::numeric_limits<double>::infinity();
   for (const Edge e : output.edges()) {
-    if (!is_line[e])
-      continue;
-    lines.push_back(length(e));
-    if (is_corner[output.vertex(e, 0)] && is_corner[output.vertex(e, 1)])
+    if (!is_line[e] || (is_corner[output.vertex(e, 0)] && is_corner[output.vertex(e, 1)]))
       continue;
     double sum = 0, edges = 0;
     for (int i = 0; i < 2; ++i)
@@ -866,8 +864,8 @@ void check_spacing(const Soup& soup, std::size_t number, double least_angle, dou
   }
   const SMC::Coarsening_quality q = SMC::measure_coarsening(mesh, output);
   BOOST_TEST(3 * least_part > 1);
-  BOOST_TEST(q.smallest_angle > least_angle);
-  BOOST_TEST(q.maximum_distance < largest_distance * q.diagonal);
+  BOOST_TEST(q.smallest_angle > 3);
+  BOOST_TEST(q.maximum_distance < 0.005 * q.diagonal);
   BOOST_TEST(q.self_intersections == 0u);
   BOOST_TEST(report.reversals_left == 0u);
 }
@@ -878,10 +876,10 @@ void check_spacing(const Soup& soup, std::size_t number, double least_angle, dou
 BOOST_AUTO_TEST_CASE(vertices_on_lines_keep_apart)
 {
   const Soup prism = generated::triangulated(generated::scaled(cylinder(24, 1, true), 1, 1, 24));
-  for (const std::size_t n : {100, 150, 200, 300, 600})
-    check_spacing(prism, n, 2, 0.01);
-  for (const std::size_t n : {250, 300, 400, 500, 600, 800, 1000})
-    check_spacing(plate_with_pins(24), n, 2, 0.01);
+  for (const std::size_t n : {200, 600})
+    check_spacing(prism, n);
+  for (const std::size_t n : {400, 500, 1000})
+    check_spacing(plate_with_pins(24), n);
 }
 
 namespace {

@@ -30,6 +30,7 @@ namespace internal {
 class Surface_fit
 {
 public:
+  // Fits the lines, each alone, as far as no triangle turns by more than a right angle.
   Surface_fit(const Clustered_faces& surface, const Border_arcs& border, const Flippable_triangulation& coarse,
               std::vector<Vector>& positions)
     : surface_(surface), border_(border), coarse_(coarse), positions_(positions), samples_(surface, coarse, positions),
