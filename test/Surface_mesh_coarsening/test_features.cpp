@@ -783,6 +783,107 @@ BOOST_AUTO_TEST_CASE(lines_around_fans)
 
 namespace {
 
+// A plate of 3 x 2 squares with a round pin or pocket in each, of `m` sides; `m` is a multiple of 8. Each face has long triangles.
+Soup plate_with_pins(std::size_t m)
+{
+  Soup s;
+  const auto add = [&](double x, double y, double z) {
+    s.points.push_back({x, y, z});
+    return s.points.size() - 1;
+  };
+  const std::array<std::size_t, 2> number{3, 2};
+  std::vector<std::size_t> grid;
+  for (const double z : {0., 1.})
+    for (std::size_t i = 0; i <= number[0]; ++i)
+      for (std::size_t j = 0; j <= number[1]; ++j)
+        grid.push_back(add(4. * double(i), 4. * double(j), z));
+  const auto at = [&](std::size_t i, std::size_t j, bool top) {
+    return grid[(top ? grid.size() / 2 : 0) + i * (number[1] + 1) + j];
+  };
+  const auto add_wall = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
+    s.polygons.push_back({at(i, j, false), at(k, l, false), at(k, l, true), at(i, j, true)});
+  };
+  for (std::size_t i = 0; i < number[0]; ++i) {
+    add_wall(i, 0, i + 1, 0);
+    add_wall(i + 1, number[1], i, number[1]);
+  }
+  for (std::size_t j = 0; j < number[1]; ++j) {
+    add_wall(0, j + 1, 0, j);
+    add_wall(number[0], j, number[0], j + 1);
+  }
+  for (std::size_t i = 0; i < number[0]; ++i)
+    for (std::size_t j = 0; j < number[1]; ++j) {
+      s.polygons.push_back({at(i, j, false), at(i, j + 1, false), at(i + 1, j + 1, false), at(i + 1, j, false)});
+      const std::array<std::size_t, 4> square{at(i, j, true), at(i + 1, j, true), at(i + 1, j + 1, true), at(i, j + 1, true)};
+      const double height = (i + j) % 2 == 0 ? 2 : -0.5, radius = 1 + 0.2 * double(i);
+      generated::Polygon foot, cap;
+      for (std::size_t k = 0; k < m; ++k) {
+        const double angle = generated::pi * (2. * double(k) / double(m) - 0.75);
+        const double x = 4 * double(i) + 2 + radius * std::cos(angle), y = 4 * double(j) + 2 + radius * std::sin(angle);
+        foot.push_back(add(x, y, 1));
+        cap.push_back(add(x, y, 1 + height));
+      }
+      for (std::size_t k = 0; k < m; ++k) {
+        const std::size_t next = (k + 1) % m, side = 4 * k / m;
+        const bool is_first_half = 8 * k / m % 2 == 0;
+        s.polygons.push_back({foot[k], foot[next], cap[next], cap[k]});
+        s.polygons.push_back({foot[k], square[(side + !is_first_half) % 4], foot[next]});
+        if (!is_first_half && 8 * k % m == 0)
+          s.polygons.push_back({foot[k], square[side], square[(side + 1) % 4]});
+      }
+      s.polygons.push_back(cap);
+    }
+  return generated::rotated(generated::triangulated(s), 0.7, 0.4);
+}
+
+// Checks that each edge of a line, unless it connects corners, has a third of the mean length of the edges around it, and that
+// this costs no angles, distance or validity.
+void check_spacing(const Soup& soup, std::size_t number)
+{
+  const Mesh mesh = test::to_mesh(soup);
+  Mesh output;
+  const auto is_line = output.add_property_map<Edge, bool>("e:line", false).first;
+  const auto is_corner = output.add_property_map<Vertex, bool>("v:corner", false).first;
+  const SMC::Coarsening_report report =
+    SMC::coarsen_mesh(mesh, number, output, SMC::parameters::feature_angle(30).subdivide_input(true),
+                      SMC::parameters::edge_is_constrained_map(is_line).vertex_is_constrained_map(is_corner));
+  const auto length = [&](Edge e) {
+    return std::sqrt(CGAL::squared_distance(output.point(output.vertex(e, 0)), output.point(output.vertex(e, 1))));
+  };
+  double least_part = std::numeric_limits<double>::infinity();
+  for (const Edge e : output.edges()) {
+    if (!is_line[e] || (is_corner[output.vertex(e, 0)] && is_corner[output.vertex(e, 1)]))
+      continue;
+    double sum = 0, edges = 0;
+    for (int i = 0; i < 2; ++i)
+      for (const auto h : CGAL::halfedges_around_target(output.vertex(e, i), output)) {
+        sum += length(output.edge(h));
+        ++edges;
+      }
+    least_part = (std::min)(least_part, length(e) / (sum / edges));
+  }
+  const SMC::Coarsening_quality q = SMC::measure_coarsening(mesh, output);
+  BOOST_TEST(3 * least_part > 1);
+  BOOST_TEST(q.smallest_angle > 2);
+  BOOST_TEST(q.maximum_distance < 0.005 * q.diagonal);
+  BOOST_TEST(q.self_intersections == 0u);
+  BOOST_TEST(report.reversals_left == 0u);
+}
+
+} // namespace
+
+// Long triangles beside lines that turn by a few degrees at each vertex.
+BOOST_AUTO_TEST_CASE(vertices_on_lines_keep_apart)
+{
+  const Soup prism = generated::triangulated(generated::scaled(cylinder(24, 1, true), 1, 1, 24));
+  for (const std::size_t n : {200, 600})
+    check_spacing(prism, n);
+  for (const std::size_t n : {400, 500, 1000})
+    check_spacing(plate_with_pins(24), n);
+}
+
+namespace {
+
 // A cube whose sides are wavy inside, with straight edges.
 generated::Soup wavy_cube()
 {

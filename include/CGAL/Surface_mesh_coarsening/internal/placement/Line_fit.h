@@ -9,6 +9,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -22,8 +23,10 @@ namespace internal {
 class Line_fit
 {
 public:
-  Line_fit(const Flat_mesh& mesh, const Coarse_features::Line& line, std::vector<Vector>& positions)
-    : mesh_(mesh), line_(line), positions_(positions), sides_(line.is_loop ? line.arcs.size() : line.arcs.size() - 1)
+  Line_fit(const Flat_mesh& mesh, const Coarse_features::Line& line, const Flippable_triangulation& coarse,
+           std::vector<Vector>& positions)
+    : mesh_(mesh), line_(line), coarse_(coarse), positions_(positions),
+      sides_(line.is_loop ? line.arcs.size() : line.arcs.size() - 1)
   {
     for (std::size_t k = 0; k < line.arcs.size(); ++k) {
       const std::vector<Index>& v = line.arcs[k].vertices;
@@ -44,7 +47,30 @@ public:
           of_side_[s.side].push_back(&s);
       for (std::size_t k = line_.is_loop ? 0 : 1; k < sides_; ++k)
         move(k);
+      keep_apart();
     }
+  }
+
+  // Slides the ends of short sides along the sides beside them. The distance does not keep vertices apart: where the line turns,
+  // several would move to the same place. The end where the polyline turns more slides less, because it approximates the line.
+  void keep_apart()
+  {
+    if (sides_ < 2)
+      return;
+    const std::size_t n = line_.arcs.size();
+    double mean_side = 0;
+    for (std::size_t k = 0; k < sides_; ++k)
+      mean_side += length(vertex(k + 1) - vertex(k)) / double(sides_);
+    for (int pass = 0; pass < passes; ++pass)
+      for (std::size_t k = 0; k < sides_; ++k) {
+        const double least = (std::min)(min_part_of_sides * mean_side, min_part_of_edges * mean_length_around(k));
+        const double missing = least - length(vertex(k + 1) - vertex(k));
+        if (!(missing > 0))
+          continue;
+        const double a = turn(k), b = turn(k + 1);
+        slide(k, k + n - 1, missing * b / (a + b));
+        slide(k + 1, k + 2, missing * a / (a + b));
+      }
   }
 
   void find_feet()
@@ -82,6 +108,10 @@ private:
   static constexpr int samples_per_edge = 4, samples_per_side = 4;
   static constexpr double part_of_direction = 0.5; // of the weights of the samples
   static constexpr double damping = 0.02; // the weight of movements along the line
+  // The least length of a side, in units of the mean length of all sides and of the edges around it. Where a line needs more
+  // vertices than the surface, sides are shorter than other edges.
+  static constexpr double min_part_of_sides = 0.55, min_part_of_edges = 0.4;
+  static constexpr int passes = 3; // over the sides that are too short
 
   // A point of the line with its foot on a side, or a point of a side with its foot on the line.
   struct Sample
@@ -94,6 +124,47 @@ private:
   };
 
   Vector& vertex(std::size_t k) { return positions_[line_.arcs[k % line_.arcs.size()].cluster]; }
+
+  static double length(const Vector& d) { return std::sqrt(dot(d, d)); }
+
+  bool is_end(std::size_t k) const { return !line_.is_loop && (k == 0 || k == sides_); }
+
+  // Returns the mean length of the edges at the ends of a side.
+  double mean_length_around(std::size_t side)
+  {
+    double sum = 0, number = 0;
+    for (const std::size_t k : {side, side + 1}) {
+      const Index x = line_.arcs[k % line_.arcs.size()].cluster;
+      for (const Index t : coarse_.around(x))
+        for (const Index y : coarse_.triangles()[t])
+          if (y != x) {
+            sum += length(positions_[y] - positions_[x]);
+            ++number;
+          }
+    }
+    return sum / number;
+  }
+
+  // Returns a positive measure of the turn of the polyline at a vertex.
+  double turn(std::size_t k)
+  {
+    constexpr double least = 1e-6, of_end = 1e6;
+    if (is_end(k))
+      return of_end;
+    const Vector a = vertex(k) - vertex(k + line_.arcs.size() - 1), b = vertex(k + 1) - vertex(k);
+    const double product = length(a) * length(b);
+    return product > 0 ? (std::max)(1 - dot(a, b) / product, least) : least;
+  }
+
+  // Moves a vertex towards another one, at most half of the way.
+  void slide(std::size_t k, std::size_t towards, double by)
+  {
+    if (is_end(k))
+      return;
+    const Vector d = vertex(towards) - vertex(k);
+    if (const double whole = length(d); whole > 0)
+      vertex(k) = vertex(k) + (std::min)(by / whole, 0.5) * d;
+  }
 
   void add_samples(const Vector& a, const Vector& b, std::size_t arc)
   {
@@ -183,6 +254,7 @@ private:
 
   const Flat_mesh& mesh_;
   const Coarse_features::Line& line_;
+  const Flippable_triangulation& coarse_;
   std::vector<Vector>& positions_;
   std::size_t sides_;
   std::vector<Sample> samples_, back_samples_; // of the line and of the polyline

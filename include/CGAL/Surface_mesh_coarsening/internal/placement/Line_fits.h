@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Line_fit.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -18,7 +19,8 @@ namespace internal {
 class Line_fits
 {
 public:
-  Line_fits(const Clustered_faces& surface, std::vector<Vector>& positions) : positions_(positions)
+  Line_fits(const Clustered_faces& surface, const Flippable_triangulation& coarse, std::vector<Vector>& positions)
+    : positions_(positions)
   {
     if (!surface.features())
       return;
@@ -26,12 +28,13 @@ public:
     is_on_line_.assign(positions.size(), false);
     lines_.reserve(features.lines().size());
     for (const Coarse_features::Line& line : features.lines()) {
-      lines_.emplace_back(surface.input().mesh, line, positions);
-      lines_.back().run();
+      lines_.emplace_back(surface.input().mesh, line, coarse, positions);
       for (const Coarse_features::Arc& arc : line.arcs)
         is_on_line_[arc.cluster] = features.corners()[arc.cluster] == NONE;
     }
   }
+
+  bool empty() const { return lines_.empty(); }
 
   // Returns whether a vertex lies on a line, but not at a corner.
   bool is_on_line(Index v) const { return !is_on_line_.empty() && is_on_line_[v]; }
@@ -40,6 +43,33 @@ public:
   {
     for (Line_fit& line : lines_)
       line.find_feet();
+  }
+
+  // Returns the direction of the line at each vertex on a line.
+  std::vector<Vector> directions() const
+  {
+    std::vector<Vector> result(is_on_line_.size(), Vector{{0, 0, 0}});
+    for_each_side([&](Index x, Index y) {
+      for (const Index v : {x, y})
+        result[v] = result[v] + (positions_[y] - positions_[x]);
+    });
+    for (Vector& d : result)
+      if (const double square = dot(d, d); square > 0)
+        d = (1 / std::sqrt(square)) * d;
+    return result;
+  }
+
+  // Fits each line alone.
+  void run()
+  {
+    for (Line_fit& line : lines_)
+      line.run();
+  }
+
+  void keep_apart()
+  {
+    for (Line_fit& line : lines_)
+      line.keep_apart();
   }
 
   // Calls `visit(x, y)` for the two vertices of each side of the polylines.

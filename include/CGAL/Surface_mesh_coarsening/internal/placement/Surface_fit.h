@@ -30,11 +30,21 @@ namespace internal {
 class Surface_fit
 {
 public:
+  // Fits the lines, each alone, as far as no triangle turns by more than a right angle.
   Surface_fit(const Clustered_faces& surface, const Border_arcs& border, const Flippable_triangulation& coarse,
               std::vector<Vector>& positions)
     : surface_(surface), border_(border), coarse_(coarse), positions_(positions), samples_(surface, coarse, positions),
-      lines_(surface, positions)
-  {}
+      lines_(surface, coarse, positions)
+  {
+    if (lines_.empty())
+      return;
+    const std::vector<Vector> before = positions_;
+    lines_.run();
+    std::vector<Vector> moves = std::exchange(positions_, before);
+    for (std::size_t v = 0; v < moves.size(); ++v)
+      moves[v] = moves[v] - before[v];
+    move_by(std::move(moves));
+  }
 
   // Finds the closest points of the samples; uses every `step`-th sample of the input.
   void find_feet(std::size_t step)
@@ -50,8 +60,8 @@ public:
   const Fit_samples& samples() const { return samples_; }
 
   // Moves the vertices, except on the border and at corners, to the minimum of the sum of squared distances as estimated from
-  // the closest points. A vertex that is free to slide moves towards the mean of its neighbors. `tolerance` is the part of the
-  // residual at which the solution is accepted.
+  // the closest points. A vertex that is free to slide moves towards the mean of its neighbors; on a line, along the line.
+  // `tolerance` is the part of the residual at which the solution is accepted.
   void move_vertices(double tolerance)
   {
     const std::vector<Triangle>& triangles = coarse_.triangles();
@@ -63,16 +73,18 @@ public:
     const double mean_size = 2 * area / double(triangles.size());
     const double shape = area > 0 ? shape_part * samples_.sum_of_squared_distances() / area / mean_size : 0;
     const double inertia = min_inertia * area / double(positions_.size());
+    const std::vector<Vector> along = lines_.directions();
     for_each_number(surface_.execution(), positions_.size(), surface_.cancellation(), [&](Index v) {
       equations.add_vertex(v, {{0, 0, 0}}, inertia);
-      if (border_.is_on_border(v)) {
-        if (!lines_.is_on_line(v))
-          equations.fix(v);
+      const bool is_on_line = lines_.is_on_line(v);
+      if (border_.is_on_border(v) && !is_on_line) {
+        equations.fix(v);
         return;
       }
-      const Vector d = way_to_middle(v);
+      const Vector way = way_to_middle(v), d = is_on_line ? dot(way, along[v]) * along[v] : way;
       equations.add_vertex(v, d, shape * holds[v].weight);
-      equations.add_force(v, free_part(holds[v].normals.matrix(), d), damping * holds[v].squared_weight);
+      const double below = is_on_line ? free_part_on_lines : free_part_below;
+      equations.add_force(v, free_part(holds[v].normals.matrix(), below, d), damping * holds[v].squared_weight);
     });
     std::vector<Vector> moves = equations.solve(100, tolerance);
     for (Vector& move : moves)
@@ -91,8 +103,8 @@ private:
   // The weight of the movement to the mean of the neighbors, if the error of the coarse mesh equals its edge length.
   static constexpr double shape_part = 3;
   // A vertex is free to slide in directions in which the eigenvalue of the normals around it is below this fraction of the
-  // largest.
-  static constexpr double free_part_below = 0.01;
+  // largest. On lines the fraction is smaller, so that vertices stay where a line turns by a few degrees.
+  static constexpr double free_part_below = 0.01, free_part_on_lines = 0.003;
   static constexpr double min_inertia = 0.001;
   // Lines count as strips of this width, in units of about the length of an edge.
   static constexpr double line_width = 1;
@@ -147,11 +159,18 @@ private:
       });
   }
 
-  // Triangles must not turn by more than a right angle, and sides of feature lines must not become much shorter in one round,
-  // because their vertices could change places. Where one would, the movements of its vertices are halved.
+  // Keeps the vertices on lines apart. Triangles must not turn by more than a right angle, and sides of feature lines must not
+  // become much shorter in one round, because their vertices could change places. Where one would, the movements of its vertices
+  // are halved.
   void move_by(std::vector<Vector> moves)
   {
     const std::vector<Vector> before = positions_;
+    for (std::size_t v = 0; v < positions_.size(); ++v)
+      positions_[v] = before[v] + moves[v];
+    lines_.keep_apart();
+    for (std::size_t v = 0; v < positions_.size(); ++v)
+      if (lines_.is_on_line(Index(v)))
+        moves[v] = positions_[v] - before[v];
     std::vector<bool> goes_too_far(positions_.size());
     for (int i = 0; i < max_halvings; ++i) {
       for (std::size_t v = 0; v < positions_.size(); ++v)
@@ -238,7 +257,7 @@ private:
   }
 
   // Returns the component of `d` in the directions in which no sample constrains the vertex.
-  static Vector free_part(const Eigen::Matrix3d& normals, const Vector& d)
+  static Vector free_part(const Eigen::Matrix3d& normals, double below, const Vector& d)
   {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normals);
     const double largest = solver.eigenvalues()[2];
@@ -246,7 +265,7 @@ private:
     if (!(largest > 0))
       return part;
     for (int i = 0; i < 3; ++i) {
-      const double freedom = 1 - solver.eigenvalues()[i] / (free_part_below * largest);
+      const double freedom = 1 - solver.eigenvalues()[i] / (below * largest);
       const Vector e{{solver.eigenvectors()(0, i), solver.eigenvectors()(1, i), solver.eigenvectors()(2, i)}};
       if (freedom > 0)
         part = part + (freedom * dot(d, e)) * e;
