@@ -27,6 +27,8 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -157,6 +159,80 @@ BOOST_AUTO_TEST_CASE(fit_is_closer_than_the_others_and_keeps_the_mean_angle)
   BOOST_TEST(rms[2] < 0.8 * rms[0]);
   BOOST_TEST(rms[2] < rms[1]);
   BOOST_TEST(q.mean_smallest_angle > 39);
+}
+
+// The surface of a union of unit cubes, with squares that are divided at random.
+generated::Soup cubes(const std::set<std::array<int, 3> >& cells)
+{
+  std::mt19937 engine(1);
+  std::map<std::array<int, 3>, std::size_t> number;
+  generated::Soup s;
+  const auto vertex = [&](const std::array<int, 3>& p) {
+    const auto [known, is_new] = number.emplace(p, number.size());
+    if (is_new)
+      s.points.push_back({{double(p[0]), double(p[1]), double(p[2])}});
+    return known->second;
+  };
+  for (const auto& cell : cells)
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int side : {0, 1}) {
+        auto neighbor = cell;
+        neighbor[axis] += side == 1 ? 1 : -1;
+        if (cells.count(neighbor) > 0)
+          continue;
+        std::array<std::size_t, 4> c;
+        for (int i = 0; i < 4; ++i) {
+          auto p = cell;
+          p[axis] += side;
+          p[(axis + 1) % 3] += i == 1 || i == 2;
+          p[(axis + 2) % 3] += i == 2 || i == 3;
+          c[side == 1 ? i : 3 - i] = vertex(p);
+        }
+        const std::size_t d = engine() % 2;
+        s.polygons.push_back({c[d], c[d + 1], c[d + 2]});
+        s.polygons.push_back({c[d], c[d + 2], c[(d + 3) % 4]});
+      }
+  return s;
+}
+
+std::set<std::array<int, 3> > block(int x, int y, int z, int width, int depth, int height)
+{
+  std::set<std::array<int, 3> > cells;
+  for (int i = 0; i < width; ++i)
+    for (int j = 0; j < depth; ++j)
+      for (int k = 0; k < height; ++k)
+        cells.insert({{x + i, y + j, z + k}});
+  return cells;
+}
+
+// On planar faces the fit is exact: to rounding with features, and without them except for few edges.
+BOOST_AUTO_TEST_CASE(fit_is_exact_on_planes)
+{
+  std::vector<std::set<std::array<int, 3> > > shapes{block(0, 0, 0, 14, 9, 6), block(0, 0, 0, 16, 6, 6), {}, {},
+                                                     block(0, 0, 0, 18, 18, 6)};
+  shapes[1].merge(block(0, 0, 0, 6, 16, 6));
+  for (int i = 0; i < 5; ++i)
+    shapes[2].merge(block(0, 4 * i, 0, 10, 4, 3 * (i + 1)));
+  shapes[3] = block(0, 0, 0, 20, 20, 2);
+  for (const int x : {3, 13})
+    for (const int y : {4, 12})
+      shapes[3].merge(block(x, y, 2, 3, 3, 4));
+  for (const auto& cell : block(6, 6, 0, 6, 6, 6))
+    shapes[4].erase(cell);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const Mesh mesh = test::to_mesh(generated::rotated(cubes(shapes[i]), 0.3 + double(i), 1.1));
+    for (const double part : {0.11, 0.2}) {
+      const std::size_t vertices = std::size_t(part * double(mesh.number_of_vertices()));
+      for (const bool has_features : {false, true}) {
+        Mesh output;
+        SMC::coarsen_mesh(mesh, vertices, output, SMC::parameters::feature_angle(has_features ? 30 : 180));
+        const SMC::Coarsening_quality q = SMC::measure_coarsening(mesh, output, 20000);
+        BOOST_TEST_INFO("shape " << i << ", " << vertices << " vertices, features " << has_features);
+        BOOST_TEST(q.maximum_distance < (has_features ? 1e-6 : 5e-5) * q.diagonal);
+        BOOST_TEST(q.smallest_angle > 1);
+      }
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(fit_is_deterministic_and_the_same_on_a_polyhedron)
