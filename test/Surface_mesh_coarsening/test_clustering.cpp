@@ -489,19 +489,27 @@ BOOST_AUTO_TEST_CASE(ratios)
 BOOST_AUTO_TEST_CASE(defaults)
 {
   const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangulated(generated::torus(40, 30)), 0.01));
-  Mesh by_default, explicitly, by_hand;
-  SMC::coarsen_mesh(mesh, 100, by_default);
-  SMC::coarsen_mesh(mesh, 100, explicitly,
-                    SMC::parameters::cluster_weight(SMC::Weighted_area_weight()).maximum_density(10.).border_densities(true)
-                      .vertex_placement(SMC::Fitted_placement()).error_feedback(8).repair_output(true)
-                      .number_of_iterations(1000).convergence_tolerance(1e-3).feature_angle(180.));
-  BOOST_CHECK(same_mesh(by_default, explicitly));
-  SMC::Mwcvd_clustering<Mesh> clustering(mesh);
-  clustering.seed(100);
-  clustering.grow();
-  clustering.minimize();
-  clustering.extract_embedded_dual_mesh(by_hand);
-  BOOST_CHECK(same_mesh(by_default, by_hand));
+  for (const std::size_t n : {80, 100}) { // clusters of faces, and of cells
+    Mesh by_default, explicitly, by_hand;
+    SMC::coarsen_mesh(mesh, n, by_default);
+    SMC::coarsen_mesh(mesh, n, explicitly,
+                      SMC::parameters::cluster_weight(SMC::Weighted_area_weight())
+                        .maximum_density(10.)
+                        .border_densities(true)
+                        .vertex_placement(SMC::Fitted_placement())
+                        .error_feedback(8)
+                        .repair_output(true)
+                        .number_of_iterations(1000)
+                        .convergence_tolerance(1e-3)
+                        .feature_angle(180.));
+    BOOST_CHECK(same_mesh(by_default, explicitly));
+    SMC::Mwcvd_clustering<Mesh> clustering(mesh);
+    clustering.seed_faces_or_cells(n);
+    clustering.grow();
+    clustering.minimize();
+    clustering.extract_embedded_dual_mesh(by_hand);
+    BOOST_CHECK(same_mesh(by_default, by_hand));
+  }
 }
 
 namespace {

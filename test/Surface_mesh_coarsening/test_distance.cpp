@@ -95,9 +95,9 @@ BOOST_AUTO_TEST_CASE(distances_at_extreme_scales)
 BOOST_AUTO_TEST_CASE(fewer_vertices_with_error_feedback)
 {
   Mesh mesh;
-  BOOST_REQUIRE(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/eight.off"), mesh));
+  BOOST_REQUIRE(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/elephant.off"), mesh));
   const auto cluster = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:cluster").first;
-  const double distance = 0.03 * SMC::measure_coarsening(mesh, mesh, 10).diagonal; // with clusters of faces, not of cells
+  const double distance = 0.02 * SMC::measure_coarsening(mesh, mesh, 10).diagonal; // with clusters of faces, not of cells
   const auto np = SMC::parameters::cluster_weight(SMC::Weighted_area_weight())
                     .vertex_placement(SMC::Fitted_placement())
                     .face_cluster_map(cluster);

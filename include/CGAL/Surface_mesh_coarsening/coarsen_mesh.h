@@ -136,7 +136,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`Coarsening_defaults::error_feedback`, which is `8`; `0` if `face_density_map` is given}
 ///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, or if clusters are given, edited or
-///                     frozen. At most 4 with the dual cells of vertices. Clusters on features and borders are not split.}
+///                     frozen. Clusters on features and borders are not split.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{local_repairs}
 ///     \cgalParamDescription{the maximum number of relocations of vertices, with their clusters, to triangles that still

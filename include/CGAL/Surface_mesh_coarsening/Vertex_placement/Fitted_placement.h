@@ -41,8 +41,7 @@ public:
   /// the number of fits of the default placement
   static constexpr std::size_t default_rounds = 5;
 
-  /// \param rounds the number of fits, at most 3 before vertices are exchanged between clusters of dual cells, and at most 2 if
-  /// these clusters are more than 0.3 times the cells
+  /// \param rounds the number of fits, at most 2 for clusters of dual cells that are more than 0.3 times the cells
   /// \param mean_angle the mean over the triangles of their smallest angle that flips aim at, in degrees, between 0 and 60. While
   /// the mean is larger, flips that lower the distance are made. If the mean is smaller at the start, flips that increase it and
   /// add little to the distance are made.

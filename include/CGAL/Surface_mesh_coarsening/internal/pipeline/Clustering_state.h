@@ -108,17 +108,6 @@ void choose_items_for(const Placement& placement, Clustering_state& state)
     state.may_cluster_cells = false;
 }
 
-// Returns whether the cells of vertices serve better than faces. A face is half a vertex, so clusters of few faces have vertices
-// off the surface.
-inline bool needs_vertex_cells(const Clustering_state& state, const Seeding& seeding)
-{
-  std::size_t vertices = 0;
-  for (const Component& c : state.base_input().mesh.components)
-    vertices += c.max_clusters();
-  return state.may_cluster_cells && seeding.may_use_cells && seeding.kind == Seeding::FOR_NUMBER && !state.subdivides_input &&
-         double(seeding.value) > state.share_for_cells * double(vertices);
-}
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

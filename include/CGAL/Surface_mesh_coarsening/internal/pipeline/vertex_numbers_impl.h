@@ -23,6 +23,20 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
+// Returns whether the cells of vertices serve better than faces. A face is half a vertex, so clusters of few faces have vertices
+// off the surface. Faces serve for the smallest numbers, because they determine the range of numbers.
+inline bool needs_vertex_cells(const Clustering_state& state, const Seeding& seeding)
+{
+  std::size_t vertices = 0, enough = 0;
+  for (const Component& c : state.base_input().mesh.components) {
+    vertices += c.max_clusters();
+    enough += Component_plan::always_enough(c);
+  }
+  const double share = double(seeding.value) / double(vertices);
+  return state.may_cluster_cells && seeding.may_use_cells && seeding.kind == Seeding::FOR_NUMBER && !state.subdivides_input &&
+         (share > min_share_of_dense || (share > state.share_for_cells && seeding.value >= enough));
+}
+
 // Calls `use` with a function that returns the clustering which finds the attainable numbers of clusters.
 template <class Use>
 auto with_attainable_numbers(const Clustering_state& state, const Use& use)

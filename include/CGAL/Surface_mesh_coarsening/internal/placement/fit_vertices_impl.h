@@ -166,11 +166,6 @@ private:
   Plane_fit planes_;
 };
 
-// Clusters of cells have been merged by quadrics, so their vertices begin closer than the vertices of other clusters. With 5 and 8
-// rounds, as of other clusters, the distance at 10 and 20 % of the vertices of seven models is 1 % smaller, and the time a third
-// larger (target `compare_quality`).
-constexpr std::size_t plain_rounds_of_cells = 3, exchange_rounds_of_cells = 4;
-
 // A cluster that is the cell of one vertex keeps this vertex.
 inline void place_by_quadrics(const Clustered_faces& surface, const Border_arcs& border, std::vector<Vector>& positions)
 {
@@ -258,8 +253,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Plain_fit fit_vertices(const Clustered_faces
     constexpr std::size_t rounds_of_dense = 2;
     mean_angle = 0;
     rounds = (std::min)(rounds, rounds_of_dense);
-  } else if (surface.has_cells() && relocation.rounds > 0) {
-    rounds = (std::min)(rounds, plain_rounds_of_cells);
   }
   std::optional<Vertex_fit> fit(std::in_place, surface, border, mean_angle, triangles, positions, relocation);
   if (!relocation.destinations.empty()) {
@@ -276,9 +269,8 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Plain_fit fit_vertices(const Clustered_faces
   // The errors at the samples of the fit decide only if they differ much, because the vertices have been fitted to these samples.
   constexpr double much_less = 0.9;
   Plain_fit plain{fit->mesh()};
-  const std::size_t exchange_rounds =
-    surface.has_cells() ? (std::min)(relocation.rounds, exchange_rounds_of_cells) : relocation.rounds;
-  std::optional<Fitted_mesh> after = fit_after_exchanges(*fit, plain, exchange_rounds, mean_angle, surface.cancellation());
+  std::optional<Fitted_mesh> after =
+    fit_after_exchanges(*fit, plain, relocation.rounds, mean_angle, surface.cancellation());
   fit.reset(); // frees the memory of its samples
   if (after && (after->error < much_less * plain.error ||
                 is_closer(surface, after->triangles, after->positions, plain.triangles, plain.positions))) {
