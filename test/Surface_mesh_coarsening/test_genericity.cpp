@@ -198,7 +198,7 @@ struct Recorder
 BOOST_AUTO_TEST_CASE(graphs_and_kernels)
 {
   check_all_graphs(closed_soup(), 70);
-  check_all_graphs(open_soup(), 60);
+  check_all_graphs(open_soup(), 30);
   check_all_graphs(rounded_to_float(generated::partly_triangulated(generated::torus(30, 20))), 40);
 }
 

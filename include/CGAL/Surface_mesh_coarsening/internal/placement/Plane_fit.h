@@ -53,6 +53,9 @@ private:
   static constexpr double tolerance = 1e-6;
   // Normals span only the directions in which the sum of their squares exceeds this part of the largest.
   static constexpr double min_eigenvalue = 1e-4;
+  // Shorter movements are rounding errors, in units of the longest edge.
+  static constexpr double shortest = 1e-12;
+  static constexpr double max_growth = 1.25, min_part_of_angle = 0.9;
 
   // Returns the shortest movement to the planes of the samples around a vertex; zero if they have no common point.
   Vector move_onto_planes(Index v) const
@@ -60,7 +63,7 @@ private:
     const Vector none{{0, 0, 0}};
     Symmetric_block squares;
     Vector right = none;
-    double number = 0, sum = 0, longest = 0;
+    double number = 0, sum = 0, longest = 0; // squared lengths
     for (const Index t : coarse_.around(v)) {
       for (const Index w : coarse_.triangles()[t])
         longest = (std::max)(longest, dot(positions_[w] - positions_[v], positions_[w] - positions_[v]));
@@ -89,10 +92,13 @@ private:
       move = move + (dot(right, e) / value) * e;
     }
     const double left = sum - 2 * dot(right, move) + dot(move, squares * move);
-    return left <= number * tolerance * tolerance * longest && dot(move, move) <= longest ? move : none;
+    const double length = dot(move, move);
+    const bool is_useful = length > shortest * shortest * longest && length <= longest;
+    return is_useful && left <= number * tolerance * tolerance * longest ? move : none;
   }
 
-  // Undoes the movement if the distance increases, a triangle turns over or becomes narrow.
+  // Undoes the movement if the distance increases, a triangle turns over or becomes narrow. A small increase is permitted, because
+  // neighbors may still be off their planes.
   bool make(Index v, const Vector& move)
   {
     const std::vector<Index>& around = coarse_.around(v);
@@ -101,12 +107,12 @@ private:
     for (const Index t : around)
       normals.push_back(normal_of(positions_, coarse_.triangles()[t]));
     const Vector from = std::exchange(positions_[v], within_bounds_(v, positions_[v] + move));
-    bool is_sound = smallest_angle_of(around) >= (std::min)(angle, min_angle);
+    bool is_sound = smallest_angle_of(around) >= (std::min)(min_part_of_angle * angle, min_angle);
     for (std::size_t i = 0; i < around.size(); ++i)
       is_sound = is_sound && dot(normals[i], normal_of(positions_, coarse_.triangles()[around[i]])) > 0;
     if (is_sound) {
       samples_.redistribute(around, around);
-      if (cost_of(around) < before)
+      if (cost_of(around) <= max_growth * before)
         return true;
     }
     positions_[v] = from;
