@@ -489,7 +489,7 @@ BOOST_AUTO_TEST_CASE(ratios)
 BOOST_AUTO_TEST_CASE(defaults)
 {
   const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangulated(generated::torus(40, 30)), 0.01));
-  for (const std::size_t n : {80, 100}) { // clusters of faces, and of cells
+  for (const std::size_t n : {100, 120}) { // clusters of faces, and of cells
     Mesh by_default, explicitly, by_hand;
     SMC::coarsen_mesh(mesh, n, by_default);
     SMC::coarsen_mesh(mesh, n, explicitly,

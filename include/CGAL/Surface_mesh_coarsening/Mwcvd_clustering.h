@@ -116,7 +116,7 @@ public:
     internal::choose_items_for(placement, state_);
   }
 
-  /// finds seeds as `seed()` does or, if `number_of_clusters` exceeds 0.07 times the number of vertices of the mesh, takes the dual
+  /// finds seeds as `seed()` does or, if `number_of_clusters` exceeds 0.09 times the number of vertices of the mesh, takes the dual
   /// cells of vertices as items of the clustering instead of faces (see also `choose_items_for()`). `coarsen_mesh()` calls this
   /// function.
   ///

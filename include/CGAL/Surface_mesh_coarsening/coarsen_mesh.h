@@ -33,7 +33,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 /// component of the output has the genus, the number of border loops and the orientation of its component of the input. The
 /// input is not modified. The same input and parameters give the same output.
 ///
-/// If `number_of_vertices` exceeds 0.07 times the number of vertices of the input, the dual cells of vertices are clustered instead
+/// If `number_of_vertices` exceeds 0.09 times the number of vertices of the input, the dual cells of vertices are clustered instead
 /// of faces (see `Mwcvd_clustering::seed_faces_or_cells()`). With the number of all vertices, the output is the surface of the
 /// input, triangulated.
 ///

@@ -32,7 +32,7 @@ constexpr std::size_t faces_per_cluster = 20;
 // diagonal; with faces 0.0110, 0.0068, 0.0034 and 0.0026 (`coarsen_mesh horse.off out.off -n 10% --measure`). With fewer
 // clusters, cells are closer on some models, and faces on others.
 //! [cells]
-constexpr double min_share_of_cells = 0.07;
+constexpr double min_share_of_cells = 0.09;
 //! [cells]
 
 // The origin of the clusters.
