@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLANE_FIT_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLANE_FIT_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_equations.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
 
@@ -53,9 +54,9 @@ private:
   static constexpr double tolerance = 1e-6;
   // Normals span only the directions in which the sum of their squares exceeds this part of the largest.
   static constexpr double min_eigenvalue = 1e-4;
-  // Shorter movements are rounding errors, in units of the longest edge.
-  static constexpr double shortest = 1e-12;
-  static constexpr double max_growth = 1.25, min_part_of_angle = 0.9;
+  // Shorter movements are rounding errors, longer ones lead to other places, in units of the longest edge.
+  static constexpr double shortest = 1e-12, farthest = 0.1;
+  static constexpr double nearly_zero = 1e-7, max_growth = 1.25, min_part_of_angle = 0.9;
 
   // Returns the shortest movement to the planes of the samples around a vertex; zero if they have no common point.
   Vector move_onto_planes(Index v) const
@@ -69,10 +70,10 @@ private:
         longest = (std::max)(longest, dot(positions_[w] - positions_[v], positions_[w] - positions_[v]));
       samples_.for_each_on(t, [&](const Fit_samples::Sample& s) {
         const Vector area = vector_area(surface_.input().mesh, s.face);
-        const double length = std::sqrt(dot(area, area));
-        if (!(length > 0))
+        const double size = length(area);
+        if (!(size > 0))
           return;
-        const Vector n = (1 / length) * area;
+        const Vector n = (1 / size) * area;
         const double height = dot(n, s.position - positions_[v]);
         squares.add(1, Symmetric_block::square(n));
         right = right + height * n;
@@ -92,27 +93,28 @@ private:
       move = move + (dot(right, e) / value) * e;
     }
     const double left = sum - 2 * dot(right, move) + dot(move, squares * move);
-    const double length = dot(move, move);
-    const bool is_useful = length > shortest * shortest * longest && length <= longest;
+    const double square = dot(move, move);
+    const bool is_useful = square > shortest * shortest * longest && square <= farthest * farthest * longest;
     return is_useful && left <= number * tolerance * tolerance * longest ? move : none;
   }
 
-  // Undoes the movement if the distance increases, a triangle turns over or becomes narrow. A small increase is permitted, because
-  // neighbors may still be off their planes.
+  // Undoes the movement if the distance increases, a triangle turns over or becomes narrow. Where the distance is nearly zero, a
+  // small increase is permitted, because neighbors may still be off their planes.
   bool make(Index v, const Vector& move)
   {
     const std::vector<Index>& around = coarse_.around(v);
     const double before = cost_of(around), angle = smallest_angle_of(around);
+    const bool is_exact = is_nearly_zero(before, around);
     std::vector<Vector> normals;
     for (const Index t : around)
       normals.push_back(normal_of(positions_, coarse_.triangles()[t]));
     const Vector from = std::exchange(positions_[v], within_bounds_(v, positions_[v] + move));
-    bool is_sound = smallest_angle_of(around) >= (std::min)(min_part_of_angle * angle, min_angle);
+    bool is_sound = smallest_angle_of(around) >= (std::min)(is_exact ? min_part_of_angle * angle : angle, min_angle);
     for (std::size_t i = 0; i < around.size(); ++i)
       is_sound = is_sound && dot(normals[i], normal_of(positions_, coarse_.triangles()[around[i]])) > 0;
     if (is_sound) {
       samples_.redistribute(around, around);
-      if (cost_of(around) <= max_growth * before)
+      if (is_exact ? cost_of(around) <= max_growth * before : cost_of(around) < before)
         return true;
     }
     positions_[v] = from;
@@ -126,6 +128,15 @@ private:
     for (const Index t : triangles)
       least = (std::min)(least, smallest_angle(positions_, coarse_.triangles()[t]));
     return least;
+  }
+
+  // Compares a sum of area times squared distance with the square of the area.
+  bool is_nearly_zero(double cost, const std::vector<Index>& triangles) const
+  {
+    double area = 0;
+    for (const Index t : triangles)
+      area += 0.5 * length(normal_of(positions_, coarse_.triangles()[t]));
+    return cost <= nearly_zero * area * area;
   }
 
   double cost_of(const std::vector<Index>& triangles) const
