@@ -73,7 +73,7 @@ void check_kept(const Mesh& input, const Outcome& outcome, std::size_t vertices)
   BOOST_TEST(CGAL::is_closed(mesh) == CGAL::is_closed(input));
   const auto map = boost::make_function_property_map<Mesh::Face_index>(
     [&](Mesh::Face_index f) { return outcome.labels[std::size_t(f)]; });
-  if (100 * vertices <= 7 * input.number_of_vertices()) // clusters of faces, not of cells
+  if (100 * vertices <= 9 * input.number_of_vertices()) // clusters of faces, not of cells
     BOOST_TEST(SMC::is_valid_clustering(input, map));
 }
 
@@ -269,7 +269,7 @@ std::vector<double> smallest_angles(const Mesh& mesh)
 BOOST_AUTO_TEST_CASE(angles_stay_large)
 {
   const std::pair<std::string, std::size_t> cases[] = {
-    {"elephant.off", 139}, {"blobby.off", 202}, {"eight.off", 94}};
+    {"elephant.off", 249}, {"blobby.off", 202}, {"eight.off", 94}};
   for (const auto& [name, vertices] : cases)
     for (const std::size_t rounds : {std::size_t(0), SMC::Coarsening_defaults::error_feedback}) {
       const Outcome outcome = coarsened(data_mesh(name), vertices, parameters(rounds));
@@ -291,7 +291,7 @@ BOOST_AUTO_TEST_CASE(angles_stay_large)
 // If the mean angle falls slightly short of its goal, further rounds restore it, and the exchanges are kept.
 BOOST_AUTO_TEST_CASE(small_angle_deficits_do_not_undo_exchanges)
 {
-  const std::pair<std::string, std::size_t> cases[] = {{"head.off", 74}, {"cylinder.off", 84}};
+  const std::pair<std::string, std::size_t> cases[] = {{"head.off", 74}, {"cylinder.off", 108}};
   for (const auto& [name, vertices] : cases)
     BOOST_TEST_CONTEXT(name)
     {

@@ -197,9 +197,9 @@ struct Recorder
 
 BOOST_AUTO_TEST_CASE(graphs_and_kernels)
 {
-  check_all_graphs(closed_soup(), 70);
-  check_all_graphs(open_soup(), 30);
-  check_all_graphs(rounded_to_float(generated::partly_triangulated(generated::torus(30, 20))), 40);
+  check_all_graphs(closed_soup(), 80);
+  check_all_graphs(open_soup(), 39);
+  check_all_graphs(rounded_to_float(generated::partly_triangulated(generated::torus(30, 20))), 54);
 }
 
 BOOST_AUTO_TEST_CASE(output_of_another_type)

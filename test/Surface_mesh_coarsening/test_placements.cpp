@@ -205,7 +205,7 @@ std::set<std::array<int, 3> > block(int x, int y, int z, int width, int depth, i
   return cells;
 }
 
-// On planar faces the fit is exact with features, and without them except for few edges.
+// On planar faces the fit is exact with features, and without them except at few edges, which hardly change the mean.
 BOOST_AUTO_TEST_CASE(fit_is_exact_on_planes)
 {
   std::vector<std::set<std::array<int, 3> > > shapes{block(0, 0, 0, 14, 9, 6), block(0, 0, 0, 16, 6, 6), {}, {},
@@ -228,7 +228,9 @@ BOOST_AUTO_TEST_CASE(fit_is_exact_on_planes)
         SMC::coarsen_mesh(mesh, vertices, output, SMC::parameters::feature_angle(has_features ? 30 : 180));
         const SMC::Coarsening_quality q = SMC::measure_coarsening(mesh, output, 20000);
         BOOST_TEST_INFO("shape " << i << ", " << vertices << " vertices, features " << has_features);
-        BOOST_TEST(q.maximum_distance < (has_features ? 1e-6 : 5e-4) * q.diagonal);
+        BOOST_TEST(q.rms_distance < 5e-6 * q.diagonal);
+        if (has_features)
+          BOOST_TEST(q.maximum_distance < 1e-6 * q.diagonal);
         BOOST_TEST(q.smallest_angle > 1);
       }
     }

@@ -57,7 +57,7 @@ template <class Tag, class List>
 constexpr bool check_parameter()
 {
   static_assert(!is_of_package<Tag> || List::template has<Tag>,
-                "this named parameter cannot be used in this pack of this function; the reference lists those that can");
+                "this named parameter cannot be used in this pack of this function; the reference lists the parameters of each pack");
   return true;
 }
 

@@ -126,8 +126,6 @@ private:
 
   Vector& vertex(std::size_t k) { return positions_[line_.arcs[k % line_.arcs.size()].cluster]; }
 
-  static double length(const Vector& d) { return std::sqrt(dot(d, d)); }
-
   bool is_end(std::size_t k) const { return !line_.is_loop && (k == 0 || k == sides_); }
 
   // Returns the mean length of the edges at the ends of a side.
@@ -302,8 +300,8 @@ public:
         result[v] = result[v] + (positions_[y] - positions_[x]);
     });
     for (Vector& d : result)
-      if (const double square = dot(d, d); square > 0)
-        d = (1 / std::sqrt(square)) * d;
+      if (const double size = length(d); size > 0)
+        d = (1 / size) * d;
     return result;
   }
 

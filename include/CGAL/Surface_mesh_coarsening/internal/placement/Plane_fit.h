@@ -56,7 +56,8 @@ private:
   static constexpr double min_eigenvalue = 1e-4;
   // Shorter movements are rounding errors, longer ones lead to other places, in units of the longest edge.
   static constexpr double shortest = 1e-12, farthest = 0.1;
-  static constexpr double nearly_zero = 1e-7, max_growth = 1.25, min_part_of_angle = 0.9;
+  // The mean squared distance in units of the area around a vertex below which it is nearly zero, and the changes permitted there.
+  static constexpr double nearly_zero = 1e-7, max_growth = 1.25, min_part_of_angle = 0.99;
 
   // Returns the shortest movement to the planes of the samples around a vertex; zero if they have no common point.
   Vector move_onto_planes(Index v) const
@@ -64,7 +65,7 @@ private:
     const Vector none{{0, 0, 0}};
     Symmetric_block squares;
     Vector right = none;
-    double number = 0, sum = 0, longest = 0; // squared lengths
+    double number = 0, sum = 0, longest = 0; // sum and longest are squares
     for (const Index t : coarse_.around(v)) {
       for (const Index w : coarse_.triangles()[t])
         longest = (std::max)(longest, dot(positions_[w] - positions_[v], positions_[w] - positions_[v]));
@@ -112,11 +113,13 @@ private:
     bool is_sound = smallest_angle_of(around) >= (std::min)(is_exact ? min_part_of_angle * angle : angle, min_angle);
     for (std::size_t i = 0; i < around.size(); ++i)
       is_sound = is_sound && dot(normals[i], normal_of(positions_, coarse_.triangles()[around[i]])) > 0;
-    if (is_sound) {
-      samples_.redistribute(around, around);
-      if (is_exact ? cost_of(around) <= max_growth * before : cost_of(around) < before)
-        return true;
+    if (!is_sound) {
+      positions_[v] = from;
+      return false;
     }
+    samples_.redistribute(around, around);
+    if (is_exact ? cost_of(around) <= max_growth * before : cost_of(around) < before)
+      return true;
     positions_[v] = from;
     samples_.redistribute(around, around);
     return false;

@@ -61,9 +61,7 @@ constexpr double min_angle_of_exchange = 30;
 
 // If the clusters are more than this part of the cells of vertices, only the distance counts, too: few faces lie under a triangle,
 // and flips for angles would leave them.
-//! [dense]
 constexpr double min_share_of_dense = 0.3;
-//! [dense]
 
 // Fits all vertices together, starting from quadrics; see `Fitted_placement`. `mean_angle` is in degrees. After `rounds` rounds,
 // `relocation` determines the number of rounds that exchange vertices; they end early when there are no profitable exchanges.
