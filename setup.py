@@ -39,7 +39,6 @@ class Build_with_cmake(build_ext):
             "SURFACE_MESH_COARSENING_BUILD_EXAMPLES": "OFF",
             "SURFACE_MESH_COARSENING_BUILD_PYTHON": "ON",
             "SURFACE_MESH_COARSENING_BUILD_TESTS": "OFF",
-            "SURFACE_MESH_COARSENING_SHORT_BUILD": "ON",
         }
         arguments = [f"-D{name}={value}" for name, value in options.items()]
         subprocess.run(["cmake", "-S", ROOT, "-B", build, *arguments, *pybind11_arguments()], check=True)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "sphere.h"
+#include "grid.h"
 
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 
@@ -8,7 +8,7 @@
 
 int main()
 {
-  const Mesh input = sphere();
+  const Mesh input = grid();
   Mesh output;
   const std::size_t number_of_vertices = 60;
   CGAL::Surface_mesh_coarsening::coarsen_mesh(input, number_of_vertices, output);
