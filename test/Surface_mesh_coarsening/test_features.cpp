@@ -864,7 +864,7 @@ void check_spacing(const Soup& soup, std::size_t number)
   }
   const SMC::Coarsening_quality q = SMC::measure_coarsening(mesh, output);
   BOOST_TEST(3 * least_part > 1);
-  BOOST_TEST(q.smallest_angle > 2);
+  BOOST_TEST(q.smallest_angle > 1.5);
   BOOST_TEST(q.maximum_distance < 0.005 * q.diagonal);
   BOOST_TEST(q.self_intersections == 0u);
   BOOST_TEST(report.reversals_left == 0u);

@@ -24,7 +24,8 @@ namespace internal {
 
 // Bisects a list of numbers of vertices that does not depend on the distance. Whether the result for a number is within a larger
 // distance follows from whether it is within a smaller one: the steps toward the result do not depend on the distance, only
-// their end does. Hence a larger distance never leads to more vertices.
+// their end does. Hence a larger distance never leads to more vertices. The distance does not fall with every number: where a
+// number misses the distance narrowly, the next number is tried too.
 class Distance_search
 {
 public:
@@ -41,21 +42,30 @@ public:
   Placed_dual run()
   {
     const std::vector<std::size_t> numbers = trial_numbers();
-    std::size_t first = 0, last = numbers.size() - 1, tried = numbers.size();
-    trials_ = 1 + std::size_t(std::ceil(std::log2(double(numbers.size()))));
-    while (first < last) {
-      tried = (first + last) / 2;
-      if (is_within_distance(numbers[tried], false))
-        last = tried;
+    std::size_t first = 0, end = numbers.size() - 1, found = end, tried = numbers.size();
+    trials_ = 2 + std::size_t(std::ceil(std::log2(double(numbers.size()))));
+    const auto try_number = [&](std::size_t i) {
+      tried = i;
+      if (!is_within_distance(numbers[i], false))
+        return false;
+      found = i;
+      return true;
+    };
+    while (first < end) {
+      const std::size_t middle = (first + end) / 2;
+      if (try_number(middle))
+        end = middle;
+      else if (middle + 1 < end && nearest_ <= narrow_miss * local_distance_ && try_number(middle + 1))
+        end = middle;
       else
-        first = tried + 1;
+        first = middle + 1;
     }
-    if (tried != first && !is_within_distance(numbers[first], true) && numbers[first] < goal_.max_vertices)
+    if (tried != found && !is_within_distance(numbers[found], true) && numbers[found] < goal_.max_vertices)
       throw Unreachable_distance("no result within a distance of " + number_text(goal_.distance) + " was found",
                                  state_.frame.length_to_mesh(rounded_up * nearest_));
     if (bound_ <= local_distance_)
       bound_ = bound(local_distance_ / 32, local_distance_, nullptr);
-    report_.vertices = numbers[first];
+    report_.vertices = numbers[found];
     report_.is_within_distance = bound_ <= local_distance_;
     report_.distance_bound = state_.frame.length_to_mesh(bound_);
     return std::move(dual_);
@@ -172,6 +182,8 @@ private:
     return (*bound_of_)(rounded, dual_.triangles, error, limit, far);
   }
 
+  // The bound of a narrow miss, in requested distances.
+  static constexpr double narrow_miss = 1.5;
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   // Makes the nearest distance attainable in spite of the error of its bound.
   static constexpr double rounded_up = 1.002;

@@ -57,7 +57,7 @@ private:
   // Shorter movements are rounding errors, longer ones lead to other places, in units of the longest edge.
   static constexpr double shortest = 1e-12, farthest = 0.1;
   // The mean squared distance in units of the area around a vertex below which it is nearly zero, and the changes permitted there.
-  static constexpr double nearly_zero = 1e-7, max_growth = 1.25, min_part_of_angle = 0.99;
+  static constexpr double nearly_zero = 1e-7, max_growth = 1.25, min_part_of_angle = 0.999;
 
   // Returns the shortest movement to the planes of the samples around a vertex; zero if they have no common point.
   Vector move_onto_planes(Index v) const
