@@ -57,8 +57,8 @@ inline void approach_far_points(const std::vector<Far_point>& far, double distan
 // over a part is at a corner. CGAL's bounded_error_symmetric_Hausdorff_distance() finds the nearest triangles without the
 // clusters, takes two to eight times as long, and does not tell where the distance is large.
 //
-// The work of all bounds together is limited in proportion to the mesh. Where surfaces are crumpled or extremely long, a proof would
-// take very many parts; when the work is spent, a bound exceeds the distance by more.
+// The work of all bounds together is limited in proportion to the mesh. Where surfaces are crumpled or extremely long, a proof
+// would take very many parts; when the work is spent, a bound exceeds the distance by more.
 class Distance_bound
 {
 public:
@@ -75,8 +75,9 @@ public:
     surface_.prepare();
   }
 
-  // Returns a bound that exceeds the distance by at most `error` or, if `error` is 0, by at most a 32nd part of the distance. If the
-  // distance exceeds `limit`, may return any number between them; then `far`, if it is not null, receives points that are too far.
+  // Returns a bound that exceeds the distance by at most `error` or, if `error` is 0, by at most a 32nd part of the distance,
+  // unless the work is spent. If the distance exceeds `limit`, may return any number between them; then `far`, if it is not null,
+  // receives points that are too far.
   double operator()(const std::vector<Vector>& positions, const std::vector<Triangle>& triangles, double error, double limit,
                     std::vector<Far_point>* far)
   {
