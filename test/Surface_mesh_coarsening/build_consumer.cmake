@@ -14,6 +14,18 @@ if(WAY STREQUAL "find_package")
   run(${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${WORK_DIR}/installed)
   file(RENAME ${WORK_DIR}/installed ${WORK_DIR}/moved)
   set(way_option -D CMAKE_PREFIX_PATH=${WORK_DIR}/moved)
+  # Without CMake, pkg-config names the headers and the source of the compiled part.
+  find_program(PKG_CONFIG pkg-config)
+  if(PKG_CONFIG)
+    foreach(variable IN ITEMS includedir core)
+      execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${WORK_DIR}/moved/share/pkgconfig
+        ${PKG_CONFIG} --variable=${variable} surface-mesh-coarsening
+        OUTPUT_VARIABLE path OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+      if(NOT path MATCHES "^${WORK_DIR}/moved/" OR NOT EXISTS ${path})
+        message(FATAL_ERROR "pkg-config names '${path}' for ${variable}")
+      endif()
+    endforeach()
+  endif()
 elseif(WAY STREQUAL "debian_package")
   # Unpacked instead of installed, which needs no rights on the machine.
   cmake_path(GET CMAKE_COMMAND PARENT_PATH bin)

@@ -25,11 +25,19 @@ inline generated::Soup folded_sheet(Random& random)
   });
 }
 
+// Rounds coordinates to multiples of `unit`: many points coincide, and many faces are coplanar.
+inline generated::Soup quantized(const generated::Soup& soup, double unit)
+{
+  const auto nearest = [&](double x) { return unit * std::round(x / unit); };
+  return generated::with_points(
+    soup, [&](const generated::Point& p) { return generated::Point{nearest(p[0]), nearest(p[1]), nearest(p[2])}; });
+}
+
 inline generated::Soup random_surface(Random& random)
 {
   using namespace generated;
   const std::size_t a = 1 + random.below(12), b = 1 + random.below(12);
-  switch (random.below(21)) {
+  switch (random.below(23)) {
   case 0: return tetrahedron();
   case 1: return single_triangle();
   case 2: return grid(a, b);
@@ -53,6 +61,8 @@ inline generated::Soup random_surface(Random& random)
     const Soup one = random_surface(random);
     return joined(one, joined(scaled(one, random.between(0.5, 1.5)), translated(one, random.between(0, 0.1), 0, 0)));
   }
+  case 20: return needles(a + 2, b);
+  case 21: return quantized(with_noise(dual(triangle_sphere(unsigned(a % 4))), 0.5), 1); // coordinates 0 and 1, polygons
   default: return many_tetrahedra(a);
   }
 }
@@ -73,14 +83,6 @@ inline generated::Soup with_exponents(const generated::Soup& soup, double larges
     const double factor = random.one_in(every) ? std::pow(10., random.between(-largest, largest)) : 1;
     return generated::Point{factor * p[0], factor * p[1], factor * p[2]};
   });
-}
-
-// Rounds coordinates to multiples of `unit`: many points coincide, and many faces are coplanar.
-inline generated::Soup quantized(const generated::Soup& soup, double unit)
-{
-  const auto nearest = [&](double x) { return unit * std::round(x / unit); };
-  return generated::with_points(
-    soup, [&](const generated::Point& p) { return generated::Point{nearest(p[0]), nearest(p[1]), nearest(p[2])}; });
 }
 
 // Changes coordinates only: faces may self-intersect, shrink to points, or reach the ends of the range of doubles.

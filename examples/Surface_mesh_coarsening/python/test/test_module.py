@@ -340,6 +340,14 @@ def test_unknown_arguments_are_refused():
             function(*torus(), [50] if function is smc.coarsen_levels else 50, wieght="area")
 
 
+def wrapped_sizes(seed):
+    """Returns random sizes that add up to 12 modulo 2**64."""
+    random = np.random.default_rng(seed)
+    sizes = random.integers(13, 2**64, size=1 + seed, dtype=np.uint64)
+    rest = (12 - sum(int(size) for size in sizes)) % 2**64
+    return np.append(sizes, np.array([rest], dtype=np.uint64))
+
+
 @pytest.mark.parametrize(
     "sizes",
     [
@@ -350,6 +358,7 @@ def test_unknown_arguments_are_refused():
         np.array([13]),
         np.array([2**32 + 12]),
         [3, 3, 3, 2],
+        *(wrapped_sizes(seed) for seed in range(8)),
     ],
 )
 def test_sizes_that_do_not_fit_are_refused(sizes):

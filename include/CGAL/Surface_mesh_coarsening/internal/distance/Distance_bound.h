@@ -56,13 +56,17 @@ inline void approach_far_points(const std::vector<Far_point>& far, double distan
 // Parts of triangles are divided until each part is proven: the distance from one triangle is a convex function, so its maximum
 // over a part is at a corner. CGAL's bounded_error_symmetric_Hausdorff_distance() finds the nearest triangles without the
 // clusters, takes two to eight times as long, and does not tell where the distance is large.
+//
+// The work of all bounds together is limited in proportion to the mesh. Where surfaces are crumpled or extremely long, a proof
+// would take very many parts; when the work is spent, a bound exceeds the distance by more.
 class Distance_bound
 {
 public:
   // `cluster_of_face` gives the vertex of the coarse mesh near each face of the mesh, and is below `vertices`.
   Distance_bound(const Flat_mesh& mesh, const std::vector<Index>& cluster_of_face, std::size_t vertices,
                  const Cancellation_point& cancellation)
-    : surface_(mesh.points, vertices), cancellation_(cancellation)
+    : surface_(mesh.points, vertices), cancellation_(cancellation),
+      work_left_(work_of_face * (std::max)(mesh.number_of_faces(), min_faces))
   {
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
       for (Index c = mesh.first_corner[f] + 2; c != mesh.first_corner[f + 1]; ++c)
@@ -71,10 +75,11 @@ public:
     surface_.prepare();
   }
 
-  // Returns a bound that exceeds the distance by at most `error` or, if `error` is 0, by at most a 32nd part of the distance. If the
-  // distance exceeds `limit`, may return any number between them; then `far`, if it is not null, receives points that are too far.
+  // Returns a bound that exceeds the distance by at most `error` or, if `error` is 0, by at most a 32nd part of the distance,
+  // unless the work is spent. If the distance exceeds `limit`, may return any number between them; then `far`, if it is not null,
+  // receives points that are too far.
   double operator()(const std::vector<Vector>& positions, const std::vector<Triangle>& triangles, double error, double limit,
-                    std::vector<Far_point>* far) const
+                    std::vector<Far_point>* far)
   {
     Surface coarse(positions, positions.size());
     for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -98,6 +103,10 @@ public:
   }
 
 private:
+  // In comparisons of points with triangles and boxes. The Fandisk takes 9,000 for a thousandth of its diagonal. Meshes with fewer
+  // faces than the second number have the work of that number.
+  static constexpr std::size_t work_of_face = 16000, min_faces = 200;
+
   // Triangles that are not degenerate, and their groups.
   struct Surface
   {
@@ -159,7 +168,7 @@ private:
   // Raises a bound to a bound of the distance of one surface from the other, and calls `report(part, near)` with the parts
   // whose centers are too far, and their nearest triangles.
   template <class Report>
-  void one_way(const Surface& from, const Surface& to, double error, double limit, double& bound, const Report& report) const
+  void one_way(const Surface& from, const Surface& to, double error, double limit, double& bound, const Report& report)
   {
     const double rounding = 1e-12 * from.largest_coordinate,
                  least_error = std::isfinite(limit) ? (std::max)(limit / 8192, rounding) : rounding;
@@ -188,7 +197,7 @@ private:
     while (!undecided.empty() && reached <= limit) {
       const double largest = undecided.front().bound, permitted = error > 0 ? error : reached / 32;
       // A bound beyond the limit must not be due to the error.
-      if (largest <= (std::max)((std::min)(reached + permitted, limit), reached + least_error)) {
+      if (work_left_ == 0 || largest <= (std::max)((std::min)(reached + permitted, limit), reached + least_error)) {
         bound = (std::max)(bound, largest);
         break;
       }
@@ -204,20 +213,23 @@ private:
     const std::vector<Part> rest = std::move(undecided);
     undecided.clear();
     for (const Part& part : rest)
-      divide(part, to, measure);
+      if (work_left_ > 0)
+        divide(part, to, measure);
     bound = (std::max)(bound, reached);
   }
 
   // Bounds the distance of a part. Returns the point nearest to its center, or one so near that the part is nearer than
   // `near_enough`.
-  static Nearest_point nearest_to_center(Part& part, const Surface& to, double near_enough)
+  Nearest_point nearest_to_center(Part& part, const Surface& to, double near_enough)
   {
     const Vector middle = center(part);
     double squared_radius = 0;
     for (const Vector& p : part.corners)
       squared_radius = (std::max)(squared_radius, dot(p - middle, p - middle));
     const double radius = std::sqrt(squared_radius), inner = (std::max)(near_enough - radius, 0.);
-    const Nearest_point nearest = (*to.search)(middle, part.group, inner * inner);
+    std::size_t compared = 0;
+    const Nearest_point nearest = (*to.search)(middle, part.group, inner * inner, compared);
+    work_left_ -= (std::min)(compared, work_left_);
     const double distance = std::sqrt(nearest.squared_distance);
     part.bound = distance + radius;
     if (part.bound > near_enough) {
@@ -297,6 +309,7 @@ private:
 
   Surface surface_;
   Cancellation_point cancellation_;
+  std::size_t work_left_;
 };
 
 } // namespace internal

@@ -85,10 +85,18 @@ public:
   // If `near_enough` is given, may return any point whose squared distance is at most `near_enough`.
   Nearest_point operator()(const Vector& p, Index first_group, double near_enough = -1) const
   {
+    std::size_t compared = 0;
+    return (*this)(p, first_group, near_enough, compared);
+  }
+
+  // Adds the number of faces and boxes with which the point is compared to `compared`.
+  Nearest_point operator()(const Vector& p, Index first_group, double near_enough, std::size_t& compared) const
+  {
     Nearest_point nearest;
-    improve_in(p, first_group, nearest, near_enough);
+    if (root_of_[first_group] != NONE)
+      compared += improve_below(root_of_[first_group], NONE, p, nearest, near_enough);
     if (!node_.empty())
-      improve_below(0, root_of_[first_group], p, nearest, near_enough);
+      compared += improve_below(0, root_of_[first_group], p, nearest, near_enough);
     return nearest;
   }
 
@@ -149,11 +157,13 @@ private:
     return leaves;
   }
 
-  // Omits the subtree of another node.
-  void improve_below(Index root, Index omitted, const Vector& p, Nearest_point& nearest, double near_enough) const
+  // Omits the subtree of another node. Returns the number of faces and boxes with which the point is compared.
+  std::size_t improve_below(Index root, Index omitted, const Vector& p, Nearest_point& nearest, double near_enough) const
   {
     boost::container::small_vector<Index, 64> stack(1, root);
+    std::size_t compared = 0;
     while (!stack.empty() && nearest.squared_distance > near_enough) {
+      ++compared;
       const Index number = stack.back();
       const Node& n = node_[number];
       stack.pop_back();
@@ -162,7 +172,7 @@ private:
       if (number == omitted || squared_distance_from_box(p, n.box) > limit || is_beyond_turned_box(p, n, limit))
         continue;
       if (n.is_leaf) {
-        for (Index i = n.first; i < n.second && nearest.squared_distance > near_enough; ++i)
+        for (Index i = n.first; i < n.second && nearest.squared_distance > near_enough; ++i, ++compared)
           improve(mesh_, p, order_[i], nearest);
         continue;
       }
@@ -170,6 +180,7 @@ private:
       stack.push_back(is_first_nearer ? n.second : n.first);
       stack.push_back(is_first_nearer ? n.first : n.second);
     }
+    return compared;
   }
 
   bool is_nearer(const Vector& p, const Node& n, const Node& than) const

@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 
 #include <cstddef>
@@ -25,6 +26,18 @@ void complete_stars(Flat_mesh& mesh, std::size_t number_of_vertices, const Cance
 // Computes the densities of section 5.2, raised near borders on request.
 std::vector<double> compute_densities(const Flat_mesh& mesh, double maximum, bool at_borders,
                                       const Cancellation_point& cancellation, Execution execution);
+
+// Computes the areas of the faces, and their centroids where these are stored.
+void compute_areas_and_centroids(Clustering_input& input, const Cancellation_point& cancellation = Cancellation_point(),
+                                 Execution execution = Execution::SEQUENTIAL);
+
+// Returns the input for pieces of the polygons of `whole`, or for some of these polygons. Densities and parents are
+// inherited.
+Clustering_input cut_input(const Clustering_input& whole, Flat_mesh pieces, const std::vector<Index>& whole_face,
+                           const Cancellation_point& cancellation = Cancellation_point());
+
+// Removes components whose area is less than `min_area`. Returns their number.
+std::size_t drop_components_below(Clustering_input& input, double min_area, const Cancellation_point& cancellation);
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

@@ -8,7 +8,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Numbering.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/subdivision.h>
 #include <CGAL/Surface_mesh_coarsening/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>

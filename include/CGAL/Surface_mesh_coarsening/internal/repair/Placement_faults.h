@@ -52,8 +52,8 @@ public:
 
 private:
   // With half of these tests, intersections remain on bipyramids and uneven grids that are repaired otherwise. Meshes with fewer
-  // faces than the second number have the budget of that number.
-  static constexpr std::size_t tests_per_face = 3000, min_faces = 2000;
+  // faces than the second number have the budget of that number, a tenth of a second.
+  static constexpr std::size_t tests_per_face = 3000, min_faces = 200;
   static constexpr std::size_t max_tests_of_repair = 16000000; // one or two seconds
 
   std::size_t all_, left_, left_of_repair_;
@@ -81,6 +81,7 @@ public:
     for (std::size_t v = 0; v < positions_.size(); ++v)
       follow(Index(v));
     has_wide_exponents_ = have_wide_exponents(points_);
+    has_coarse_coordinates_ = have_coarse_coordinates();
     const Triangle_conflict conflict = exact_test();
     std::vector<Bbox_3> boxes;
     boxes.reserve(coarse_.triangles().size());
@@ -92,7 +93,7 @@ public:
     for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), conflict, execution_, cancellation_, tests))
       if (!is_in_input(pair))
         pairs_.push_back(pair);
-    budget_.spend(tests);
+    budget_.spend(tests * work_of_test());
     find_reversed();
   }
 
@@ -211,11 +212,23 @@ private:
 
   Triangle_conflict exact_test() const { return Triangle_conflict(points_, has_wide_exponents_); }
 
+  // Returns whether so many triangles have collinear corners that coordinates seem to be rounded. The filters of exact tests
+  // often fail then.
+  bool have_coarse_coordinates() const
+  {
+    constexpr std::size_t usual_share = 32;
+    const Triangle_conflict conflict = exact_test();
+    const auto& triangles = coarse_.triangles();
+    const auto flat =
+      std::count_if(triangles.begin(), triangles.end(), [&](const Triangle& t) { return conflict.is_flat(t); });
+    return usual_share * std::size_t(flat) > triangles.size();
+  }
+
   // In units of a usual test. At faults, the quick filters decide few tests.
   std::size_t work_of_test() const
   {
-    constexpr std::size_t work_with_wide_exponents = 32;
-    return has_wide_exponents_ ? work_with_wide_exponents : 1;
+    constexpr std::size_t work_with_wide_exponents = 32, work_with_coarse_coordinates = 8;
+    return has_wide_exponents_ ? work_with_wide_exponents : has_coarse_coordinates_ ? work_with_coarse_coordinates : 1;
   }
 
   bool is_fault(Index t, Index u) { return are_in_conflict({t, u}) && !is_in_input({t, u}); }
@@ -282,7 +295,9 @@ private:
 
   bool is_in_input(const Triangle_pair& pair)
   {
-    return reference_.intersects_itself(coarse_.triangles()[pair.first], coarse_.triangles()[pair.second]);
+    const bool result = reference_.intersects_itself(coarse_.triangles()[pair.first], coarse_.triangles()[pair.second]);
+    budget_.spend(reference_.take_tests() * work_of_test());
+    return result;
   }
 
   Repair_budget& budget_;
@@ -295,7 +310,7 @@ private:
   const Output_coordinates output_;
   const int exponent_;
   std::vector<Exact_point> points_; // of the vertices, with the coordinates of the output in this unit
-  bool has_wide_exponents_ = false;
+  bool has_wide_exponents_ = false, has_coarse_coordinates_ = false;
   Box_hierarchy boxes_;
   std::vector<Triangle_pair> pairs_;
   std::vector<Index> reversed_;
