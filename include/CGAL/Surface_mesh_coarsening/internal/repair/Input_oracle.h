@@ -186,9 +186,6 @@ public:
     return false;
   }
 
-  // Returns the number of tests of faces since the last call.
-  std::size_t take_tests() { return std::exchange(tests_, 0); }
-
 private:
   // Returns the bound below which squared distances are equal up to rounding errors, for a triangle of about this squared size.
   static double same_as(double squared_distance, double squared_size)
@@ -258,17 +255,18 @@ private:
     if (pieces_left_ == 0)
       return false;
     const std::vector<Triangle> of_x = pieces_at(x, boxes_.box(y)), of_y = pieces_at(y, boxes_.box(x));
-    const std::size_t tests_before = tests_;
-    const bool result = intersecting_[both] = pieces_intersect(of_x, of_y);
-    pieces_left_ -= (std::min)(pieces_left_, of_x.size() + of_y.size() + tests_ - tests_before);
-    return result;
+    std::size_t work = of_x.size() + of_y.size();
+    const bool result = pieces_intersect(of_x, of_y, work);
+    pieces_left_ -= (std::min)(pieces_left_, work);
+    return intersecting_[both] = result;
   }
 
   // Tests so many pairs at most; then assumes that there is no intersection. Where all boxes overlap, as in a fan of very many
   // long triangles, testing all pairs would take quadratic time.
   static std::size_t max_pairs(std::size_t pieces) { return 1000 + 16 * pieces; }
 
-  bool pieces_intersect(const std::vector<Triangle>& of_x, const std::vector<Triangle>& of_y)
+  // Adds the number of tested pairs to `tests`.
+  bool pieces_intersect(const std::vector<Triangle>& of_x, const std::vector<Triangle>& of_y, std::size_t& tests) const
   {
     std::vector<Triangle> all = of_x;
     all.insert(all.end(), of_y.begin(), of_y.end());
@@ -287,7 +285,7 @@ private:
         if (found || left == 0)
           return;
         --left;
-        ++tests_;
+        ++tests;
         const Triangle& other = named[of_x.size() + j];
         found = !have_common_corner(named[i], other) && conflict(named[i], other);
       });
@@ -335,7 +333,6 @@ private:
   const Cluster_boxes boxes_;
   std::vector<Vector> normals_;
   std::size_t pieces_left_; // of faces, to be tested for intersections
-  std::size_t tests_ = 0;   // since they were taken
   std::unordered_map<std::uint64_t, bool> intersecting_; // tested pairs of clusters
 };
 

@@ -295,9 +295,7 @@ private:
 
   bool is_in_input(const Triangle_pair& pair)
   {
-    const bool result = reference_.intersects_itself(coarse_.triangles()[pair.first], coarse_.triangles()[pair.second]);
-    budget_.spend(reference_.take_tests() * work_of_test());
-    return result;
+    return reference_.intersects_itself(coarse_.triangles()[pair.first], coarse_.triangles()[pair.second]);
   }
 
   Repair_budget& budget_;
