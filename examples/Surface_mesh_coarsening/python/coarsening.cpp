@@ -89,6 +89,9 @@ auto parameters_of(const Options& options, const Fields& fields, Python_visitor&
     .visitor(std::ref(visitor));
 }
 
+// The patches of a result are in this property map of its mesh.
+auto map_of_patches(Mesh& result) { return result.add_property_map<Face, std::int64_t>("f:patch", 0).first; }
+
 void keep_border_vertices(const Mesh& input, Fields& fields)
 {
   fields.kept_vertices.resize(input.number_of_vertices(), false);
@@ -114,7 +117,8 @@ std::vector<Coarsening> coarsen_to_distance(const Mesh& input, const Options& op
       np.number_of_iterations(options.iterations.value_or(Defaults::number_of_iterations))
         .convergence_tolerance(options.convergence_tolerance)
         .vertex_placement(placement)
-        .face_cluster_map(map_to(result.labels)));
+        .face_cluster_map(map_to(result.labels)),
+      SMC::parameters::face_patch_map(map_of_patches(result.mesh)));
     result.report = report.clustering;
     result.distance_bound = report.distance_bound;
     result.is_within_distance = report.is_within_distance;
@@ -159,7 +163,8 @@ std::vector<Coarsening> coarsen_to_numbers(const Mesh& input, const Options& opt
   std::vector<std::int64_t>& counts = results[0].boundary_counts;
   counts.resize(input.number_of_vertices());
   with_placement(options, [&](const auto& placement) {
-    clustering.extract_embedded_dual_mesh(results[0].mesh, placement);
+    clustering.extract_embedded_dual_mesh(results[0].mesh, placement,
+                                          SMC::parameters::face_patch_map(map_of_patches(results[0].mesh)));
     results[0].report = clustering.report();
     clustering.write_clusters(map_to(results[0].labels));
     clustering.write_boundary_counts(
@@ -242,7 +247,13 @@ std::vector<Coarsening> coarsen(const Mesh& input, const Options& options, Field
   if (options.keep_borders)
     keep_border_vertices(input, fields);
   const Coarsen coarsen = coarsen_with_energy(options);
-  return with_threads(options.threads, visitor, [&] { return coarsen(input, options, fields, visitor); });
+  std::vector<Coarsening> results =
+    with_threads(options.threads, visitor, [&] { return coarsen(input, options, fields, visitor); });
+  if (fields.patches) {
+    const auto patch = map_of_patches(results[0].mesh);
+    results[0].patches.assign(patch.begin(), patch.end());
+  }
+  return results;
 }
 
 std::pair<std::size_t, std::size_t> range_of(const Mesh& input, const Options& options, Fields fields, Python_visitor& visitor)

@@ -54,6 +54,7 @@ struct Coarsening
   Mesh mesh;
   std::vector<std::int64_t> labels;          // of each face of the input
   std::vector<std::int64_t> boundary_counts; // of each vertex of the input; not with a distance, nor of coarser levels
+  std::vector<std::int64_t> patches;         // of each face of the mesh, if the input has patches; not of coarser levels
   CGAL::Surface_mesh_coarsening::Coarsening_report report;
   std::optional<double> distance_bound; // if a distance was requested
   bool is_within_distance = true;

@@ -91,9 +91,9 @@ py::list coarsen_arrays(const Number_array& points, const Index_array& sizes, co
   }
   py::list list;
   for (const Coarsening& result : results) {
-    const py::object counts = result.boundary_counts.empty() ? py::none() : py::object(to_array(result.boundary_counts));
-    list.append(
-      py::make_tuple(points_of(result.mesh), faces_of(result.mesh), to_array(result.labels), described(result), counts));
+    const auto optional = [](const auto& values) { return values.empty() ? py::none() : py::object(to_array(values)); };
+    list.append(py::make_tuple(points_of(result.mesh), faces_of(result.mesh), to_array(result.labels), described(result),
+                               optional(result.boundary_counts), optional(result.patches)));
   }
   return list;
 }

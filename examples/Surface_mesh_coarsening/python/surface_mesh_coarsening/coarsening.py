@@ -31,6 +31,7 @@ class Coarsening:
         that the repair found and left
     boundary_counts: the number of edges at each vertex of the input that lie between two clusters or on the border; None if a
         distance was requested, and for all levels but the first
+    patches: the integer of each face, if the input has `patches`; None for all levels but the first
     """
 
     points: np.ndarray
@@ -38,6 +39,7 @@ class Coarsening:
     labels: np.ndarray
     report: Dict[str, Any]
     boundary_counts: Optional[np.ndarray] = None
+    patches: Optional[np.ndarray] = None
 
     def to_trimesh(self) -> Any:
         """Returns a `trimesh.Trimesh`, with vertices and faces in this order."""

@@ -200,7 +200,12 @@ def test_features_patches_and_progress():
     flat = points * [1, 1, 0]
     assert smc.coarsen(flat, faces, 60, features=30).report["feature_lines"] == 0
     patches = (points[faces].mean(axis=1)[:, 0] < 0.5).astype(int)
-    assert smc.coarsen(flat, faces, 60, patches=patches).report["feature_lines"] == 1
+    result = smc.coarsen(flat, faces, 60, patches=patches)
+    assert result.report["feature_lines"] == 1
+    assert np.array_equal(result.patches, (result.points[result.faces].mean(axis=1)[:, 0] < 0.5).astype(int))
+    within = smc.coarsen(flat, faces, maximum_distance=0.01, patches=patches)
+    assert set(within.patches) == {0, 1} and len(within.patches) == len(within.faces)
+    assert smc.coarsen(flat, faces, 60).patches is None
 
 
 def test_values_are_carried_over():

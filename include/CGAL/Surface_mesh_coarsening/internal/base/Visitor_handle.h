@@ -25,10 +25,10 @@ public:
   explicit Visitor_handle(const CGAL::internal_np::Param_not_found&) {}
 
   template <class Visitor>
-  explicit Visitor_handle(const std::reference_wrapper<Visitor>& visitor) { hold(&visitor.get()); }
+  explicit Visitor_handle(const std::reference_wrapper<Visitor>& visitor) { keep(&visitor.get()); }
 
   template <class Visitor>
-  explicit Visitor_handle(const Visitor& visitor) { hold(std::make_shared<Visitor>(visitor)); }
+  explicit Visitor_handle(const Visitor& visitor) { keep(std::make_shared<Visitor>(visitor)); }
 
   void stage_begins(Coarsening_stage stage) const
   {
@@ -72,7 +72,7 @@ private:
   static constexpr std::size_t often = 1 << 14;
 
   template <class Pointer>
-  void hold(const Pointer& visitor)
+  void keep(const Pointer& visitor)
   {
     stage_begins_ = [visitor](Coarsening_stage stage) { visitor->stage_begins(stage); };
     stage_ends_ = [visitor](Coarsening_stage stage) { visitor->stage_ends(stage); };

@@ -161,10 +161,10 @@ private:
       if (!patch_.is_own(f))
         continue;
       const Index x = cell_of(f);
-      const Vector way = sums_[x].area * mean_of_corners(mesh_, f) - sums_[x].moment;
-      if (center_[x] == NONE || dot(way, way) < nearest[x]) {
+      const Vector offset = sums_[x].area * mean_of_corners(mesh_, f) - sums_[x].moment;
+      if (center_[x] == NONE || dot(offset, offset) < nearest[x]) {
         center_[x] = f;
-        nearest[x] = dot(way, way);
+        nearest[x] = dot(offset, offset);
       }
     }
   }

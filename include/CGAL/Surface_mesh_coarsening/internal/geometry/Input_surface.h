@@ -233,7 +233,7 @@ private:
   static double size(const Vector& a, const Vector& b, const Vector& c)
   {
     const Vector n = cross(b - a, c - a);
-    return 0.5 * std::sqrt(dot(n, n));
+    return 0.5 * length(n);
   }
 
   Closest closest(const Candidate& c) const

@@ -220,10 +220,10 @@ private:
     for (Index i = leaf.first; i < leaf.second; ++i) {
       const auto corner = mesh_.corner_vertex.begin() + mesh_.first_corner[order_[i]];
       for (int k = 0; k < 3; ++k) {
-        const Vector &from = mesh_.points[corner[k]], way = mesh_.points[corner[(k + 1) % 3]] - from;
-        if (dot(way, way) > longest) {
-          longest = dot(way, way);
-          side = way;
+        const Vector &from = mesh_.points[corner[k]], edge = mesh_.points[corner[(k + 1) % 3]] - from;
+        if (dot(edge, edge) > longest) {
+          longest = dot(edge, edge);
+          side = edge;
           next = mesh_.points[corner[(k + 2) % 3]] - from;
         }
       }
@@ -313,7 +313,7 @@ inline std::vector<double> coordinates_in_face(const Flat_mesh& m, const Nearest
     fan[corners[i]] += nearest.barycentric[i];
     p = p + nearest.barycentric[i] * m.points[m.corner_vertex[begin + corners[i]]];
   }
-  const double normal_length = std::sqrt(dot(normal, normal));
+  const double normal_length = length(normal);
   if (degree == 3 || !(normal_length > 0))
     return fan;
   // With r_i the distance of corner i and t_i the tangent of half the angle under which side i is seen, the weight of
@@ -323,7 +323,7 @@ inline std::vector<double> coordinates_in_face(const Flat_mesh& m, const Nearest
   double extent = 0;
   for (Index i = 0; i < degree; ++i) {
     to_corner[i] = m.points[m.corner_vertex[begin + i]] - p;
-    r[i] = std::sqrt(dot(to_corner[i], to_corner[i]));
+    r[i] = length(to_corner[i]);
     extent = (std::max)(extent, r[i]);
   }
   for (Index i = 0; i < degree; ++i) {

@@ -132,7 +132,7 @@ private:
   // separated, and exact tests take long.
   bool are_across(Index a, Index b, Index c, Index d) const
   {
-    const Vector edge = way(a, b), to_c = way(a, c), to_d = way(a, d);
+    const Vector edge = vector_between(a, b), to_c = vector_between(a, c), to_d = vector_between(a, d);
     const double bound = rounding * dot(edge, edge) * std::sqrt(dot(to_c, to_c) * dot(to_d, to_d));
     return bound > least_bound && dot(cross(edge, to_c), cross(edge, to_d)) < -bound;
   }
@@ -147,7 +147,7 @@ private:
     // Returns whether the dot products with a vector certainly separate the triangles.
     bool are_separated_by(const Vector& v) const
     {
-      const double bound = 2 * rounding * std::sqrt(dot(v, v)) * size;
+      const double bound = 2 * rounding * length(v) * size;
       const double x = dot(v, second), y = dot(v, third), a = dot(v, other[0]), b = dot(v, other[1]), c = dot(v, other[2]);
       const double low = (std::min)((std::min)(x, y), 0.) - bound, high = (std::max)((std::max)(x, y), 0.) + bound;
       return bound > least_bound && ((a > high && b > high && c > high) || (a < low && b < low && c < low));
@@ -156,14 +156,15 @@ private:
     // Returns whether the other triangle lies about in the plane orthogonal to a vector through the first corner.
     bool is_flat_along(const Vector& v) const
     {
-      const double bound = 2 * rounding * std::sqrt(dot(v, v)) * size;
+      const double bound = 2 * rounding * length(v) * size;
       return std::abs(dot(v, other[0])) <= bound && std::abs(dot(v, other[1])) <= bound && std::abs(dot(v, other[2])) <= bound;
     }
   };
 
   Relative_corners relative_corners(const Triangle& t, const Triangle& u) const
   {
-    Relative_corners r{way(t[0], t[1]), way(t[0], t[2]), {{way(t[0], u[0]), way(t[0], u[1]), way(t[0], u[2])}}, 0};
+    const auto to = [&](Index v) { return vector_between(t[0], v); };
+    Relative_corners r{to(t[1]), to(t[2]), {{to(u[0]), to(u[1]), to(u[2])}}, 0};
     double square = (std::max)(dot(r.second, r.second), dot(r.third, r.third));
     for (const Vector& v : r.other)
       square = (std::max)(square, dot(v, v));
@@ -189,7 +190,8 @@ private:
   // around a vertex of high valence, for which exact tests take long if they are coplanar.
   bool are_apart(Index common, Index a, Index b, Index c, Index d) const
   {
-    const std::array<Vector, 4> to{{way(common, a), way(common, b), way(common, c), way(common, d)}};
+    const std::array<Vector, 4> to{{vector_between(common, a), vector_between(common, b), vector_between(common, c),
+                                    vector_between(common, d)}};
     Vector normal{{0, 0, 0}};
     std::array<double, 4> length;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -201,7 +203,7 @@ private:
            dot(normal, to[2]) < -bound * length[2] && dot(normal, to[3]) < -bound * length[3];
   }
 
-  Vector way(Index from, Index to) const
+  Vector vector_between(Index from, Index to) const
   {
     const Exact_point &p = points_[from], &q = points_[to];
     return {{q.x() - p.x(), q.y() - p.y(), q.z() - p.z()}};
@@ -211,7 +213,7 @@ private:
   Vector direction(Index from, Index to) const
   {
     constexpr double least = 1e-280, largest = 1e300;
-    const Vector w = way(from, to);
+    const Vector w = vector_between(from, to);
     const double size = largest_component(w);
     return size > least && size < largest ? (1 / size) * w : Vector{{0, 0, 0}};
   }

@@ -207,13 +207,13 @@ private:
     const Triangle& c = coarse_.triangles()[t];
     const Index v = c[std::size_t(i)];
     const Vector &p = positions_[v], &a = positions_[c[std::size_t(i + 1) % 3]], &b = positions_[c[std::size_t(i + 2) % 3]];
-    const Vector ab = b - a, pa = p - a, pb = p - b, way = coarse_.mean_of_neighbors(v, positions_) - p;
+    const Vector ab = b - a, pa = p - a, pb = p - b, to_mean = coarse_.mean_of_neighbors(v, positions_) - p;
     const double square = dot(ab, ab);
     const Vector height = square > 0 ? pa - (dot(pa, ab) / square) * ab : pa;
     const double size = std::sqrt((std::max)({square, dot(pa, pa), dot(pb, pb)}));
     std::vector<Vector> found;
     for (const double part : {0.25, 0.5, 1.})
-      found.push_back(p + part * (way - dot(way, normal) * normal));
+      found.push_back(p + part * (to_mean - dot(to_mean, normal) * normal));
     for (const Vector& d : {height, dot(pa, pa) < dot(pb, pb) ? pa : pb}) {
       const double length = std::sqrt(dot(d, d));
       if (length > 0)

@@ -217,7 +217,7 @@ private:
     double area = 0, worth = 0, least = min_angle;
     for (const Index t : coarse_.around(v)) {
       const Vector n = normal(t);
-      area += 0.5 * std::sqrt(dot(n, n));
+      area += 0.5 * length(n);
       worth += worth_(angle_[t]);
       least = (std::min)(least, angle_[t]);
     }

@@ -108,7 +108,7 @@ public:
     const Corners corners(numbers_below(Index(3 * triangles_.size())), n, [this](Index c) { return triangles_[c / 3][c % 3]; });
     const std::vector<Symmetric_block> inverse = inverse_blocks(corners);
     std::vector<Vector> x(n, Vector{{0, 0, 0}}), r = right_, z(n), p(n), q(n);
-    hold(r);
+    clear_fixed(r);
     const double goal = product(r, r) * tolerance * tolerance;
     double rz = 0;
     for (std::size_t step = 0; step < max_steps && product(r, r) > goal; ++step) {
@@ -177,7 +177,7 @@ private:
     return sum;
   }
 
-  void hold(std::vector<Vector>& p) const
+  void clear_fixed(std::vector<Vector>& p) const
   {
     for (std::size_t v = 0; v < p.size(); ++v)
       if (is_fixed_[v])

@@ -400,7 +400,7 @@ private:
   double area_of(const Triangle& t) const
   {
     const Vector n = normal_of(positions_, t);
-    return 0.5 * std::sqrt(dot(n, n));
+    return 0.5 * length(n);
   }
 
   Back_sample back_sample(const Triangle& t, double area, std::size_t i, const Search_starts& starts) const

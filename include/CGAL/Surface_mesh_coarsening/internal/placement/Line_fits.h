@@ -197,7 +197,7 @@ private:
   {
     const std::size_t n = line_.arcs.size();
     const Vector &a = vertex(side), &b = vertex(side + 1), d = b - a;
-    const double weight = part_of_direction * std::sqrt(dot(d, d)) / samples_per_side;
+    const double weight = part_of_direction * length(d) / samples_per_side;
     for (int i = 0; i < samples_per_side; ++i) {
       const double at = (i + 0.5) / samples_per_side;
       const Vector p = a + at * d;
@@ -336,11 +336,11 @@ public:
         Vector b{{0, 0, 0}};
         b[std::size_t(coarse.corner(t, x))] = 1 - at;
         b[std::size_t(coarse.corner(t, y))] = at;
-        const Vector way = positions_[y] - positions_[x];
-        const double square = dot(way, way), weight = width * length;
+        const Vector edge = positions_[y] - positions_[x];
+        const double square = dot(edge, edge), weight = width * length;
         Symmetric_block metric = Symmetric_block::identity(), products;
         if (square > 0)
-          metric.add(-(1 - damping) / square, Symmetric_block::square(way));
+          metric.add(-(1 - damping) / square, Symmetric_block::square(edge));
         products.add(weight, Symmetric_block::square(b));
         equations.add_stiffness(t, products, metric);
         equations.add_force(x, off, weight * (1 - at));

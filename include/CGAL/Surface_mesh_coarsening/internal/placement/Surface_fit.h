@@ -81,7 +81,8 @@ public:
         equations.fix(v);
         return;
       }
-      const Vector way = way_to_middle(v), d = is_on_line ? dot(way, along[v]) * along[v] : way;
+      const Vector to_middle = vector_to_middle(v),
+                   d = is_on_line ? dot(to_middle, along[v]) * along[v] : to_middle;
       equations.add_vertex(v, d, shape * holds[v].weight);
       const double below = is_on_line ? free_part_on_lines : free_part_below;
       equations.add_force(v, free_part(holds[v].normals.matrix(), below, d), damping * holds[v].squared_weight);
@@ -246,7 +247,7 @@ private:
   }
 
   // Returns the tangential component of the vector from a vertex to the mean of its neighbors.
-  Vector way_to_middle(Index v) const
+  Vector vector_to_middle(Index v) const
   {
     Vector normal{{0, 0, 0}};
     for (const Index t : coarse_.around(v))

@@ -41,7 +41,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Vector quadric_position(const Clustered_face
   double mass = 0, area = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
   for (const Index f : surface.faces(cluster)) {
     const Vector at = surface.centroid(f) - origin, s = vector_area(surface.input().mesh, f);
-    const double size = std::sqrt(dot(s, s)), face_mass = surface.input().mass(f);
+    const double size = length(s), face_mass = surface.input().mass(f);
     moment = moment + face_mass * at;
     mass += face_mass;
     if (!(size > 0))

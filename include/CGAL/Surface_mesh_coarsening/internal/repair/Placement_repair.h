@@ -86,33 +86,33 @@ private:
   void search()
   {
     const std::size_t found = faults_.number();
-    std::size_t least = found, rounds_in_vain = 0;
+    std::size_t least = found, rounds_without_gain = 0;
     std::vector<Triangle> best_triangles = coarse_.triangles();
     std::vector<Vector> best_positions = positions_;
-    for (std::size_t round = 0; is_worth_trying(round, rounds_in_vain); ++round) {
+    for (std::size_t round = 0; is_worth_trying(round, rounds_without_gain); ++round) {
       prefers_gain_ = round >= 2;
-      if (rounds_in_vain > 0)
-        perturb_around_faults(rounds_in_vain);
+      if (rounds_without_gain > 0)
+        perturb_around_faults(rounds_without_gain);
       repair_faults();
       faults_.find();
-      ++rounds_in_vain;
+      ++rounds_without_gain;
       if (faults_.number() < least) {
         least = faults_.number();
         best_triangles = coarse_.triangles();
         best_positions = positions_;
-        rounds_in_vain = 0;
+        rounds_without_gain = 0;
       }
       cancellation_.step_done(Coarsening_stage::REPAIR, found - least, found);
     }
     coarse_ = Flippable_triangulation(best_triangles, positions_.size(), surface_.features());
     positions_ = best_positions;
-    if (rounds_in_vain > 0)
+    if (rounds_without_gain > 0)
       faults_.find();
   }
 
-  bool is_worth_trying(std::size_t round, std::size_t rounds_in_vain) const
+  bool is_worth_trying(std::size_t round, std::size_t rounds_without_gain) const
   {
-    return round < max_rounds && faults_.number() > 0 && rounds_in_vain < 6 && !budget_.is_spent_for_repair();
+    return round < max_rounds && faults_.number() > 0 && rounds_without_gain < 6 && !budget_.is_spent_for_repair();
   }
 
   void repair_faults()
@@ -328,10 +328,10 @@ private:
       if (at_input_vertices_ || border_.is_on_border(v))
         continue;
       const bool goes_back = time % 3 == 2;
-      const Vector way = goes_back ? surface_.cluster_centroid(v) - positions_[v]
-                                   : size_around(coarse_, positions_, v) * reference_.normal(v);
+      const Vector direction = goes_back ? surface_.cluster_centroid(v) - positions_[v]
+                                         : size_around(coarse_, positions_, v) * reference_.normal(v);
       const double part = goes_back ? 0.5 : time % 3 == 1 ? 0.03 : -0.03;
-      make_for_good({{{v, surface_.within_bounds(v, without_last_digits(positions_[v] + part * way))}}, NONE, 0});
+      make_for_good({{{v, surface_.within_bounds(v, without_last_digits(positions_[v] + part * direction))}}, NONE, 0});
     }
   }
 

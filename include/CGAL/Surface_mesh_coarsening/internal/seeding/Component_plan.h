@@ -181,20 +181,21 @@ public:
     }
     if (!on_schedule_)
       return leave_usual_way(level, reached);
-    const bool is_in_vain = reached == 0 || reached >= lowest_end_;
-    levels_in_vain_ = is_in_vain ? levels_in_vain_ + 1 : 0;
-    if (!is_in_vain)
+    const bool is_no_progress = reached == 0 || reached >= lowest_end_;
+    levels_without_progress_ = is_no_progress ? levels_without_progress_ + 1 : 0;
+    if (!is_no_progress)
       lowest_end_ = reached;
     if (first_scheduled_level_ == NONE) {
       first_scheduled_level_ = level;
       lowest_has_failed_ = level == 0 || seeds > max_seeds();
       is_climbing_ = reached > wanted_ && wanted_ < enough_ && seeds > 1;
     } else if (is_climbing_) {
-      is_climbing_ = reached != 0 && seeds > 1 && levels_in_vain_ < max_in_vain();
+      is_climbing_ = reached != 0 && seeds > 1 && levels_without_progress_ < max_levels_without_progress();
       if (!is_climbing_)
-        levels_in_vain_ = 0;
+        levels_without_progress_ = 0;
     } else {
-      lowest_has_failed_ = level == 0 || reached == 0 || seeds > max_seeds() || levels_in_vain_ >= max_in_vain();
+      lowest_has_failed_ = level == 0 || reached == 0 || seeds > max_seeds() ||
+                           levels_without_progress_ >= max_levels_without_progress();
     }
     if (is_climbing_)
       level_ = next_scheduled_level(level);
@@ -220,7 +221,7 @@ private:
   // With more seeds, merging takes long on large components, and the result is no better.
   std::size_t max_seeds() const { return 16 * enough_; }
 
-  std::size_t max_in_vain() const
+  std::size_t max_levels_without_progress() const
   {
     const std::size_t faces_of_all_levels = 2000000, faces = from_pieces_ ? 3 * faces_ : faces_;
     return (std::max)(std::size_t(2), faces_of_all_levels / faces);
@@ -236,7 +237,7 @@ private:
 
   void go_to_first()
   {
-    levels_in_vain_ = 0;
+    levels_without_progress_ = 0;
     level_ = first_scheduled_level_ = NONE;
     is_climbing_ = lowest_has_failed_ = false;
   }
@@ -274,7 +275,7 @@ private:
   }
 
   std::size_t enough_ = 0, faces_ = 0, wanted_ = 0;
-  std::size_t levels_in_vain_ = 0, lowest_end_ = 0; // of the levels since begin()
+  std::size_t levels_without_progress_ = 0, lowest_end_ = 0; // of the levels since begin()
   Index level_ = NONE, first_scheduled_level_ = NONE, nearest_level_ = NONE;
   bool on_schedule_ = false, is_climbing_ = false, lowest_has_failed_ = false;
   bool from_pieces_ = false, nearest_from_pieces_ = false;
