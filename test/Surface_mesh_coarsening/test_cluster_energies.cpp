@@ -6,6 +6,7 @@
 #include "support/face_graphs.h"
 #include "support/generate_meshes.h"
 
+#include <CGAL/Surface_mesh_coarsening/Any_cluster_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Normal_deviation_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Quadric_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Weighted_inertia_energy.h>
@@ -469,6 +470,30 @@ BOOST_AUTO_TEST_CASE(weights_are_energies)
   BOOST_CHECK_EQUAL(a.final_energy, b.final_energy);
   BOOST_CHECK(std::equal(by_weight.points().begin(), by_weight.points().end(), by_energy.points().begin(),
                          by_energy.points().end()));
+}
+
+// The type of the energy may be hidden. The default energy still clusters cells where the output is fine.
+typedef boost::mpl::list<SMC::Weighted_inertia_energy<SMC::Weighted_area_weight>, SMC::Quadric_energy, Axis_energy> Hidden_energies;
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(energy_chosen_at_run_time, Energy, Hidden_energies)
+{
+  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(4), 0.02));
+  for (const std::size_t n : {std::size_t(100), std::size_t(mesh.number_of_vertices() / 2)}) {
+    Mesh typed, any;
+    const auto a = SMC::coarsen_mesh(mesh, n, typed, SMC::parameters::cluster_energy(Energy()));
+    const auto b = SMC::coarsen_mesh(mesh, n, any, SMC::parameters::cluster_energy(SMC::Any_cluster_energy(Energy())));
+    BOOST_CHECK_EQUAL(a.final_energy, b.final_energy);
+    BOOST_CHECK(std::equal(typed.points().begin(), typed.points().end(), any.points().begin(), any.points().end()));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(any_energy_is_the_default_energy)
+{
+  const Mesh mesh = test::to_mesh(generated::with_noise(generated::triangle_sphere(4), 0.02));
+  Mesh by_default, any;
+  SMC::coarsen_mesh(mesh, 100, by_default);
+  SMC::coarsen_mesh(mesh, 100, any, SMC::parameters::cluster_energy(SMC::Any_cluster_energy()));
+  BOOST_CHECK(std::equal(by_default.points().begin(), by_default.points().end(), any.points().begin(), any.points().end()));
 }
 
 BOOST_AUTO_TEST_CASE(own_energy_with_and_without_optional_members)

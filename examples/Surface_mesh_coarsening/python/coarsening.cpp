@@ -2,6 +2,7 @@
 
 #include "coarsening.h"
 
+#include <CGAL/Surface_mesh_coarsening/Any_cluster_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Normal_deviation_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Quadric_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Weighted_inertia_energy.h>
@@ -148,11 +149,11 @@ void make_clusters(Clustering& clustering, const Options& options, const Fields&
   clustering.grow();
 }
 
-template <class Energy, class NamedParameters>
+template <class NamedParameters>
 std::vector<Coarsening> coarsen_to_numbers(const Mesh& input, const Options& options, const Fields& fields,
                                            const NamedParameters& np)
 {
-  typedef SMC::Mwcvd_clustering<Mesh, Energy, CGAL::Parallel_if_available_tag> Clustering;
+  typedef SMC::Mwcvd_clustering<Mesh, SMC::Any_cluster_energy, CGAL::Parallel_if_available_tag> Clustering;
   Clustering clustering(input, np);
   with_placement(options, [&](const auto& placement) { clustering.choose_items_for(placement); });
   make_clusters(clustering, options, fields);
@@ -182,13 +183,13 @@ std::vector<Coarsening> coarsen_to_numbers(const Mesh& input, const Options& opt
   return results;
 }
 
-template <class Energy>
-std::vector<Coarsening> coarsen_with(const Mesh& input, const Options& options, const Fields& fields, Python_visitor& visitor)
+std::vector<Coarsening> coarsen_with(const SMC::Any_cluster_energy& energy, const Mesh& input, const Options& options,
+                                     const Fields& fields, Python_visitor& visitor)
 {
-  const auto np = parameters_of(options, fields, visitor).cluster_energy(Energy());
+  const auto np = parameters_of(options, fields, visitor).cluster_energy(energy);
   const auto run = [&](const auto& all) {
     return options.maximum_distance ? coarsen_to_distance(input, options, all)
-                                    : coarsen_to_numbers<Energy>(input, options, fields, all);
+                                    : coarsen_to_numbers(input, options, fields, all);
   };
   if (!fields.density)
     return run(np);
@@ -196,31 +197,35 @@ std::vector<Coarsening> coarsen_with(const Mesh& input, const Options& options, 
     boost::make_function_property_map<Face>([&fields](Face f) -> double { return fields.density[f]; })));
 }
 
-typedef std::vector<Coarsening> (*Coarsen)(const Mesh&, const Options&, const Fields&, Python_visitor&);
+template <class Weight>
+SMC::Any_cluster_energy weighted_energy()
+{
+  return SMC::Any_cluster_energy(SMC::Weighted_inertia_energy<Weight>());
+}
 
-Coarsen coarsen_with_weight(const std::string& weight)
+SMC::Any_cluster_energy energy_with_weight(const std::string& weight)
 {
   if (weight == "uniform")
-    return coarsen_with<SMC::Weighted_inertia_energy<SMC::Uniform_weight> >;
+    return weighted_energy<SMC::Uniform_weight>();
   if (weight == "area")
-    return coarsen_with<SMC::Weighted_inertia_energy<SMC::Weighted_area_weight> >;
+    return weighted_energy<SMC::Weighted_area_weight>();
   if (weight == "maximum")
-    return coarsen_with<SMC::Weighted_inertia_energy<SMC::Maximum_density_weight> >;
+    return weighted_energy<SMC::Maximum_density_weight>();
   if (weight == "exact-maximum")
-    return coarsen_with<SMC::Weighted_inertia_energy<SMC::Exact_maximum_density_weight> >;
+    return weighted_energy<SMC::Exact_maximum_density_weight>();
   if (weight == "variance")
-    return coarsen_with<SMC::Weighted_inertia_energy<SMC::Density_variance_weight> >;
+    return weighted_energy<SMC::Density_variance_weight>();
   throw SMC::Invalid_input("there is no weight '" + weight + "' (uniform, area, maximum, exact-maximum, variance)");
 }
 
-Coarsen coarsen_with_energy(const Options& options)
+SMC::Any_cluster_energy energy_of(const Options& options)
 {
   if (options.energy == "weighted")
-    return coarsen_with_weight(options.weight);
+    return energy_with_weight(options.weight);
   if (options.energy == "quadric")
-    return coarsen_with<SMC::Quadric_energy>;
+    return SMC::Any_cluster_energy(SMC::Quadric_energy());
   if (options.energy == "normals")
-    return coarsen_with<SMC::Normal_deviation_energy>;
+    return SMC::Any_cluster_energy(SMC::Normal_deviation_energy());
   throw SMC::Invalid_input("there is no energy '" + options.energy + "' (weighted, quadric, normals)");
 }
 
@@ -246,9 +251,9 @@ std::vector<Coarsening> coarsen(const Mesh& input, const Options& options, Field
 {
   if (options.keep_borders)
     keep_border_vertices(input, fields);
-  const Coarsen coarsen = coarsen_with_energy(options);
+  const SMC::Any_cluster_energy energy = energy_of(options);
   std::vector<Coarsening> results =
-    with_threads(options.threads, visitor, [&] { return coarsen(input, options, fields, visitor); });
+    with_threads(options.threads, visitor, [&] { return coarsen_with(energy, input, options, fields, visitor); });
   if (fields.patches) {
     const auto patch = map_of_patches(results[0].mesh);
     results[0].patches.assign(patch.begin(), patch.end());

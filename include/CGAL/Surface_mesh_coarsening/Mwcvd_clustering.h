@@ -82,9 +82,7 @@ public:
   {
     internal::prepare(mesh, np, internal::execution<ConcurrencyTag>(), numbering_, state_);
     state_.energy = internal::energy_model(internal::chosen_energy<ClusterWeight>(np));
-    constexpr bool has_default_energy = std::is_same<ClusterWeight, Weighted_area_weight>::value ||
-                                        std::is_same<ClusterWeight, Weighted_inertia_energy<Weighted_area_weight> >::value;
-    state_.may_cluster_cells = has_default_energy && !state_.merges_by_area &&
+    state_.may_cluster_cells = state_.energy->is_default() && !state_.merges_by_area &&
                                !internal::has_parameter<internal_np::face_density_t, NamedParameters>;
   }
 

@@ -63,6 +63,8 @@ public:
   virtual std::vector<Cluster_report> cluster_reports(const Clustering_input& input, const Cluster_labels& labels,
                                                       std::size_t clusters) const = 0;
   virtual bool depends_on_densities() const = 0;
+  // Whether this is the energy of a clustering for which none is chosen.
+  virtual bool is_default() const = 0;
 };
 
 } // namespace internal

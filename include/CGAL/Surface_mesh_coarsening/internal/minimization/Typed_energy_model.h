@@ -79,6 +79,8 @@ public:
 
   bool depends_on_densities() const override { return internal::depends_on_densities<Energy>; }
 
+  bool is_default() const override { return std::is_same<Energy, Weighted_inertia_energy<Weighted_area_weight> >::value; }
+
 private:
   Energy energy_;
 };
@@ -93,9 +95,13 @@ extern template class Typed_energy_model<Quadric_energy>;
 extern template class Typed_energy_model<Normal_deviation_energy>;
 #endif
 
-// Whether a type is a model of `ClusterEnergy`; otherwise it is a model of `ClusterWeight`.
+// Whether a type holds an energy with its type erased, as `Any_cluster_energy` does.
+template <class Choice>
+constexpr bool holds_energy_model = std::is_convertible<const Choice&, std::shared_ptr<const Energy_model> >::value;
+
+// Whether a type is, or holds, a model of `ClusterEnergy`; otherwise it is a model of `ClusterWeight`.
 template <class Choice, class = void>
-constexpr bool is_energy = false;
+constexpr bool is_energy = holds_energy_model<Choice>;
 template <class Choice>
 constexpr bool is_energy<Choice, std::void_t<Energy_outcome<Choice> > > = true;
 
@@ -122,7 +128,10 @@ auto chosen_energy(const NamedParameters& np)
 template <class Energy>
 std::shared_ptr<const Energy_model> energy_model(const Energy& energy)
 {
-  return std::make_shared<Typed_energy_model<Energy> >(energy);
+  if constexpr (holds_energy_model<Energy>)
+    return energy;
+  else
+    return std::make_shared<Typed_energy_model<Energy> >(energy);
 }
 
 } // namespace internal
