@@ -170,7 +170,7 @@ function(check_constant page text header code)
   endif()
 endfunction()
 
-set(angles internal/placement/Angle_worth.h)
+set(angles internal/placement/Trial_fan.h)
 check_constant(Surface_mesh_coarsening.txt "smallest angle of the triangles stays at ([0-9]+) degrees" defaults.h
   "mean_angle = ([0-9]+)")
 check_constant(Surface_mesh_coarsening.txt "create no angle below ([0-9]+) degrees" ${angles} "min_angle = ([0-9]+)")

@@ -8,6 +8,7 @@
 #include "patches.h"
 #include "written.h"
 
+#include <CGAL/Surface_mesh_coarsening/Any_cluster_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Normal_deviation_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Quadric_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Weighted_inertia_energy.h>
@@ -219,16 +220,16 @@ void make_levels(const Mesh& input, const Options& options, const Clustering& cl
   }
 }
 
-template <class Energy>
-Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_visitor& visitor)
+Coarsening_result coarsen_with(const SMC::Any_cluster_energy& energy, const Mesh& input, const Options& options,
+                               Tool_visitor& visitor)
 {
   Coarsening_result result;
-  typedef SMC::Mwcvd_clustering<Mesh, Energy, CGAL::Parallel_if_available_tag> Clustering;
+  typedef SMC::Mwcvd_clustering<Mesh, SMC::Any_cluster_energy, CGAL::Parallel_if_available_tag> Clustering;
   const std::size_t rounds = options.rounds.value_or(Defaults::number_of_iterations);
   const std::vector<std::int64_t> patch_of = wanted_patches(input, options);
   const std::vector<char> is_kept = kept_vertices(input, options);
   const auto np = SMC::parameters::maximum_density(options.maximum_density)
-                    .cluster_energy(Energy())
+                    .cluster_energy(energy)
                     .minimum_component_area(options.minimum_component_area)
                     .subdivide_input(options.subdivide)
                     .border_densities(!options.paper)
@@ -272,50 +273,48 @@ Coarsening_result coarsen_with(const Mesh& input, const Options& options, Tool_v
   return result;
 }
 
+typedef std::vector<std::pair<std::string, SMC::Any_cluster_energy> > Named_energies;
+
 template <class Weight>
-Coarsening_result coarsen_with_weight(const Mesh& input, const Options& options, Tool_visitor& visitor)
+SMC::Any_cluster_energy weighted_energy()
 {
-  return coarsen_with<SMC::Weighted_inertia_energy<Weight> >(input, options, visitor);
+  return SMC::Any_cluster_energy(SMC::Weighted_inertia_energy<Weight>());
 }
 
-struct Named_energy
+// Returns the weighted energies with the names of their weights.
+const Named_energies& weighted_energies()
 {
-  std::string name;
-  Coarsening_result (*coarsen)(const Mesh&, const Options&, Tool_visitor&);
-};
-
-const std::vector<Named_energy>& weights()
-{
-  static const std::vector<Named_energy> all = {{"uniform", coarsen_with_weight<SMC::Uniform_weight>},
-                                                {"area", coarsen_with_weight<SMC::Weighted_area_weight>},
-                                                {"maximum", coarsen_with_weight<SMC::Maximum_density_weight>},
-                                                {"exact-maximum", coarsen_with_weight<SMC::Exact_maximum_density_weight>},
-                                                {"variance", coarsen_with_weight<SMC::Density_variance_weight>}};
+  static const Named_energies all = {{"uniform", weighted_energy<SMC::Uniform_weight>()},
+                                     {"area", weighted_energy<SMC::Weighted_area_weight>()},
+                                     {"maximum", weighted_energy<SMC::Maximum_density_weight>()},
+                                     {"exact-maximum", weighted_energy<SMC::Exact_maximum_density_weight>()},
+                                     {"variance", weighted_energy<SMC::Density_variance_weight>()}};
   return all;
 }
 
-// Coarsens with the weight in the options.
-Coarsening_result coarsen_weighted(const Mesh& input, const Options& options, Tool_visitor& visitor)
+const Named_energies& energies()
 {
-  for (const Named_energy& weight : weights())
-    if (weight.name == options.weight)
-      return weight.coarsen(input, options, visitor);
-  throw Wrong_usage("there is no weight '" + options.weight + "'");
-}
-
-const std::vector<Named_energy>& energies()
-{
-  static const std::vector<Named_energy> all = {{"weighted", coarsen_weighted},
-                                                {"quadric", coarsen_with<SMC::Quadric_energy>},
-                                                {"normals", coarsen_with<SMC::Normal_deviation_energy>}};
+  static const Named_energies all = {{default_energy(), weighted_energy<SMC::Weighted_area_weight>()},
+                                     {"quadric", SMC::Any_cluster_energy(SMC::Quadric_energy())},
+                                     {"normals", SMC::Any_cluster_energy(SMC::Normal_deviation_energy())}};
   return all;
 }
 
-std::vector<std::string> names_of(const std::vector<Named_energy>& energies)
+SMC::Any_cluster_energy energy_of(const Options& options)
+{
+  const bool is_weighted = options.energy == default_energy();
+  const std::string& wanted = is_weighted ? options.weight : options.energy;
+  for (const auto& [name, energy] : is_weighted ? weighted_energies() : energies())
+    if (name == wanted)
+      return energy;
+  throw Wrong_usage((is_weighted ? "there is no weight '" : "there is no energy '") + wanted + "'");
+}
+
+std::vector<std::string> names_of(const Named_energies& energies)
 {
   std::vector<std::string> names;
-  for (const Named_energy& energy : energies)
-    names.push_back(energy.name);
+  for (const auto& [name, energy] : energies)
+    names.push_back(name);
   return names;
 }
 
@@ -329,7 +328,7 @@ const std::vector<std::string>& energy_names()
 
 const std::vector<std::string>& weight_names()
 {
-  static const std::vector<std::string> names = names_of(weights());
+  static const std::vector<std::string> names = names_of(weighted_energies());
   return names;
 }
 
@@ -395,10 +394,7 @@ std::vector<double> face_densities(const Mesh& input, const Options& options)
 
 Coarsening_result coarsen(const Mesh& input, const Options& options, Tool_visitor& visitor)
 {
-  for (const Named_energy& energy : energies())
-    if (energy.name == options.energy)
-      return energy.coarsen(input, options, visitor);
-  throw Wrong_usage("there is no energy '" + options.energy + "'");
+  return coarsen_with(energy_of(options), input, options, visitor);
 }
 
 } // namespace coarsen_mesh_tool

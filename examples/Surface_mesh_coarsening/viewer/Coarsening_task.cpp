@@ -5,6 +5,8 @@
 #include "render/face_distances.h"
 #include "report/Timing_visitor.h"
 
+#include <CGAL/Surface_mesh_coarsening/Any_cluster_energy.h>
+#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Weighted_inertia_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
@@ -43,11 +45,39 @@ public:
 
 namespace {
 
-template <class Weight, class Visitor>
-void coarsen_with(const Mesh& input, double maximum_density, Visitor& visitor, Coarse& result)
+template <class Weight>
+SMC::Any_cluster_energy weighted_energy()
 {
-  SMC::Mwcvd_clustering<Mesh, Weight> clustering(input,
-                                                 SMC::parameters::maximum_density(maximum_density).visitor(std::ref(visitor)));
+  return SMC::Any_cluster_energy(SMC::Weighted_inertia_energy<Weight>());
+}
+
+SMC::Any_cluster_energy energy_of(const Choice& choice)
+{
+  switch (choice.weight) {
+  case 0:
+    return weighted_energy<SMC::Uniform_weight>();
+  case 1:
+    return weighted_energy<SMC::Weighted_area_weight>();
+  case 2:
+    return weighted_energy<SMC::Maximum_density_weight>();
+  default:
+    return weighted_energy<SMC::Density_variance_weight>();
+  }
+}
+
+double maximum_density_of(const Choice& choice)
+{
+  constexpr double of_variance = 3;
+  return choice.weight < 3 ? SMC::Coarsening_defaults::maximum_density : of_variance;
+}
+
+template <class Visitor>
+void coarsen(const Mesh& input, Visitor& visitor, Coarse& result)
+{
+  SMC::Mwcvd_clustering<Mesh, SMC::Any_cluster_energy> clustering(
+    input, SMC::parameters::cluster_energy(energy_of(result.choice))
+             .maximum_density(maximum_density_of(result.choice))
+             .visitor(std::ref(visitor)));
   clustering.seed(result.choice.vertices);
   clustering.grow();
   clustering.minimize();
@@ -71,22 +101,9 @@ void coarsen_with(const Mesh& input, double maximum_density, Visitor& visitor, C
 template <class Visitor>
 Coarse coarsened(const Mesh& input, const Choice& choice, Visitor& visitor)
 {
-  constexpr double density = SMC::Coarsening_defaults::maximum_density, density_of_variance = 3;
   Coarse result;
   result.choice = choice;
-  switch (choice.weight) {
-  case 0:
-    coarsen_with<SMC::Uniform_weight>(input, density, visitor, result);
-    break;
-  case 1:
-    coarsen_with<SMC::Weighted_area_weight>(input, density, visitor, result);
-    break;
-  case 2:
-    coarsen_with<SMC::Maximum_density_weight>(input, density, visitor, result);
-    break;
-  default:
-    coarsen_with<SMC::Density_variance_weight>(input, density_of_variance, visitor, result);
-  }
+  coarsen(input, visitor, result);
   const auto poll = [&visitor] {
     if (!visitor.go_further())
       throw SMC::Coarsening_cancelled();

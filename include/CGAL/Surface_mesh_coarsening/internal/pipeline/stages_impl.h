@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/place_and_exchange.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/vertex_numbers_impl.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
 #include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Initial_clustering.h>
 

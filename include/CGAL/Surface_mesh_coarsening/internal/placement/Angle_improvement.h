@@ -5,7 +5,6 @@
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
 

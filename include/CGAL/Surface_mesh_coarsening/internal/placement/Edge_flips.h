@@ -3,8 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EDGE_FLIPS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EDGE_FLIPS_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
 
 #include <CGAL/number_type_config.h>
 

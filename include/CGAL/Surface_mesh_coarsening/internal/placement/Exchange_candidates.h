@@ -4,7 +4,6 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EXCHANGE_CANDIDATES_H
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
 

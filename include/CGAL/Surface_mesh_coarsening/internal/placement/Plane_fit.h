@@ -3,9 +3,9 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLANE_FIT_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLANE_FIT_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_equations.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
 
 #include <Eigen/Eigenvalues>
 

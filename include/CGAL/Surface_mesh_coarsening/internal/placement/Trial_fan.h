@@ -5,8 +5,9 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Prepared_triangle.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_equations.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -14,12 +15,40 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+// No flip, exchange or improvement creates a smaller angle, unless the affected triangles already have one.
+constexpr double min_angle = 10 * CGAL_PI / 180;
+// Triangles with a smaller angle are narrow.
+constexpr double narrow_angle = 25 * CGAL_PI / 180;
+
+// Returns the amount by which the smallest angle of a triangle falls below `narrow_angle`.
+inline double narrowness(double angle) { return (std::max)(0., narrow_angle - angle); }
+
+// The exchange rate between angles and distance: the squared distance that the smallest angle of a triangle is worth.
+struct Angle_worth
+{
+  double rate = 0;        // per radian
+  double narrow_rate = 0; // per radian of narrowness, in addition
+
+  double operator()(double angle) const { return rate * angle - narrow_rate * narrowness(angle); }
+};
+
+// Returns the triangles with an angle below `min_angle`.
+inline std::vector<std::size_t> narrowest_triangles(const std::vector<Vector>& positions, const std::vector<Triangle>& triangles)
+{
+  std::vector<std::size_t> narrowest;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (smallest_angle(positions, triangles[t]) < min_angle)
+      narrowest.push_back(t);
+  return narrowest;
+}
 
 // A few triangles that would replace other triangles in a change, with their samples of the input. One of their vertices may
 // move to the position closest to the samples.

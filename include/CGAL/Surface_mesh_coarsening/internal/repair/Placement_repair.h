@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_worth.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Input_oracle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Placement_faults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_counts.h>
