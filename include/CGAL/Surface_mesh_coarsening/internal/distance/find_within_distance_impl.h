@@ -123,7 +123,9 @@ private:
     if (may_exchange_vertices(state_, placement_)) {
       dual_ = place(state_, placement_, output_coordinates_, budget);
       prepare_bounds();
-      if (bound_distance() <= local_distance_)
+      bound_distance();
+      approach(budget);
+      if (bound_ <= local_distance_)
         return true;
       if (bound_ > largest_gain * local_distance_ && !is_last)
         return false;

@@ -53,7 +53,7 @@ public:
 private:
   // With half of these tests, intersections remain on bipyramids and uneven grids that are repaired otherwise. Meshes with fewer
   // faces than the second number have the budget of that number.
-  static constexpr std::size_t tests_per_face = 3000, min_faces = 500;
+  static constexpr std::size_t tests_per_face = 3000, min_faces = 1000;
   static constexpr std::size_t max_tests_of_repair = 16000000; // one or two seconds
 
   std::size_t all_, left_, left_of_repair_;
