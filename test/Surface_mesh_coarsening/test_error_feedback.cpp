@@ -265,30 +265,41 @@ std::vector<double> smallest_angles(const Mesh& mesh)
   return angles;
 }
 
-// Smooth models have no small angles, and few below 25 degrees with error feedback, whether faces or cells of vertices are
-// clustered. The share of narrow triangles scatters by two points from one number of vertices to the next, so it is summed.
+// Smooth models have no small angles, and few below 25 degrees with error feedback.
 BOOST_AUTO_TEST_CASE(angles_stay_large)
 {
   const std::pair<std::string, std::size_t> cases[] = {
-    {"elephant.off", 240}, {"elephant.off", 300}, {"blobby.off", 202}, {"eight.off", 94}};
-  std::size_t narrow = 0, triangles = 0;
+    {"elephant.off", 139}, {"blobby.off", 202}, {"eight.off", 94}};
   for (const auto& [name, vertices] : cases)
     for (const std::size_t rounds : {std::size_t(0), SMC::Coarsening_defaults::error_feedback}) {
       const Outcome outcome = coarsened(data_mesh(name), vertices, parameters(rounds));
       const Mesh& mesh = outcome.mesh;
       const std::vector<double> angles = smallest_angles(mesh);
       const double least = *std::min_element(angles.begin(), angles.end());
+      const auto narrow = std::count_if(angles.begin(), angles.end(), [](double angle) { return angle < 25; });
       BOOST_TEST_CONTEXT(name << ", " << rounds << " rounds")
       {
         // Without exchanges, flips create angles down to 7 degrees.
         BOOST_TEST(least >= (rounds > 0 ? 8 : 7));
+        if (rounds > 0)
+          BOOST_TEST(double(narrow) <= 0.07 * double(mesh.number_of_faces()));
         BOOST_TEST(outcome.report.narrow_faces.empty() == (least >= 10));
       }
-      if (rounds > 0) {
-        narrow += std::size_t(std::count_if(angles.begin(), angles.end(), [](double angle) { return angle < 25; }));
-        triangles += angles.size();
-      }
     }
+}
+
+// Cells of vertices, too, have few triangles with angles below 25 degrees. Their share scatters by two points from one number of
+// vertices to the next, so it is summed.
+BOOST_AUTO_TEST_CASE(angles_stay_large_with_cells)
+{
+  std::size_t narrow = 0, triangles = 0;
+  for (const std::size_t vertices : {240, 300}) {
+    const Outcome outcome = coarsened(data_mesh("elephant.off"), vertices, parameters(SMC::Coarsening_defaults::error_feedback));
+    const std::vector<double> angles = smallest_angles(outcome.mesh);
+    BOOST_TEST(*std::min_element(angles.begin(), angles.end()) >= 8);
+    narrow += std::size_t(std::count_if(angles.begin(), angles.end(), [](double angle) { return angle < 25; }));
+    triangles += angles.size();
+  }
   BOOST_TEST(double(narrow) <= 0.06 * double(triangles));
 }
 

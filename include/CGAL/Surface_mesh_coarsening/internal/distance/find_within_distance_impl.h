@@ -194,7 +194,7 @@ private:
   Output_coordinates output_coordinates_;
   Distance_goal goal_;
   double local_distance_;
-  std::size_t trials_ = 1; // at most, each with its part of the repair's budget
+  std::size_t trials_ = 1; // without second ones, each with its part of the repair's budget
   Distance_report& report_;
   Placed_dual dual_;
   std::optional<Distance_bound> bound_of_;
