@@ -208,6 +208,7 @@ std::set<std::array<int, 3> > block(int x, int y, int z, int width, int depth, i
 // On planar faces the fit is exact with features, and without them except at few edges, which hardly change the mean.
 BOOST_AUTO_TEST_CASE(fit_is_exact_on_planes)
 {
+  std::size_t far = 0; // results without features with an edge that is not found
   std::vector<std::set<std::array<int, 3> > > shapes{block(0, 0, 0, 14, 9, 6), block(0, 0, 0, 16, 6, 6), {}, {},
                                                      block(0, 0, 0, 18, 18, 6)};
   shapes[1].merge(block(0, 0, 0, 6, 16, 6));
@@ -231,10 +232,12 @@ BOOST_AUTO_TEST_CASE(fit_is_exact_on_planes)
         BOOST_TEST(q.rms_distance < 5e-6 * q.diagonal);
         if (has_features)
           BOOST_TEST(q.maximum_distance < 1e-6 * q.diagonal);
+        far += !(q.maximum_distance < (has_features ? 1e-6 : 5e-5) * q.diagonal);
         BOOST_TEST(q.smallest_angle > 1);
       }
     }
   }
+  BOOST_TEST(far <= 1u);
 }
 
 BOOST_AUTO_TEST_CASE(fit_is_deterministic_and_the_same_on_a_polyhedron)
