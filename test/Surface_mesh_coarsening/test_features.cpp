@@ -876,9 +876,12 @@ void check_spacing(const Soup& soup, std::size_t number)
 BOOST_AUTO_TEST_CASE(vertices_on_lines_keep_apart)
 {
   const Soup prism = generated::triangulated(generated::scaled(cylinder(24, 1, true), 1, 1, 24));
-  for (const std::size_t n : {200, 600})
+  for (const std::size_t n : {150, 200, 250, 400, 600, 800})
     check_spacing(prism, n);
-  for (const std::size_t n : {400, 500, 1000})
+  const Soup rod = generated::triangulated(generated::scaled(cylinder(60, 1, true), 1, 1, 60 / generated::pi));
+  for (const std::size_t n : {150, 500, 600, 800})
+    check_spacing(rod, n);
+  for (const std::size_t n : {400, 500, 800, 1000})
     check_spacing(plate_with_pins(24), n);
 }
 

@@ -169,7 +169,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNBegin{subdivide_input}
 ///     \cgalParamDescription{whether to subdivide the faces of an internal copy into one quadrilateral per corner,
 ///                           repeatedly, until there are 20 faces for each vertex of the output. This makes clusters of few faces
-///                           rounder, and removes the upper limit of `number_of_vertices`.}
+///                           rounder, and removes the upper limit of `number_of_vertices`. If features are kept, long edges are
+///                           halved first.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///     \cgalParamExtra{the cluster of a face is the cluster of its largest part}

@@ -9,6 +9,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/subdivision.h>
 
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -52,6 +54,19 @@ public:
     const Clustering_input finer = subdivided_input(base_, chosen_component, cancellation);
     const Feature_edges edges = edges_.subdivided(base_.mesh, chosen_component, finer.mesh);
     return run(finer, edges, cancellation, extent_);
+  }
+
+  // The same after edges have been halved that are long for faces of the mean area; nothing if there are none.
+  std::optional<Featured_input> with_long_edges_halved(const Cancellation_point& cancellation) const
+  {
+    constexpr double long_part = 3; // in units of the square root of the area
+    const double area = std::accumulate(base_.area.begin(), base_.area.end(), 0.);
+    Long_edge_cutting cutting(base_.mesh, long_part * long_part * area / double(base_.area.size()));
+    if (!cutting.has_cut())
+      return std::nullopt;
+    Flat_mesh pieces = cutting.run(cancellation);
+    const Feature_edges edges = edges_.cut(pieces, cutting.old_corner());
+    return run(cut_input(base_, std::move(pieces), cutting.old_face(), cancellation), edges, cancellation, extent_);
   }
 
   const Clustering_input& base() const { return base_; }

@@ -176,6 +176,16 @@ struct Feature_edges
       }
     return result;
   }
+
+  // Returns the features after Long_edge_cutting. `old_corner` is the corner before the edge of each new corner, or NONE.
+  Feature_edges cut(const Flat_mesh& pieces, const std::vector<Index>& old_corner) const
+  {
+    Feature_edges result(pieces);
+    std::copy(is_corner.begin(), is_corner.end(), result.is_corner.begin());
+    for (std::size_t i = 0; i < old_corner.size(); ++i)
+      result.is_feature[i] = old_corner[i] != NONE && is_feature[old_corner[i]];
+    return result;
+  }
 };
 
 // Finds feature edges and corners. Omits border edges, because the border is always kept.

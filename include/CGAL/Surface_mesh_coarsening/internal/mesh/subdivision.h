@@ -163,6 +163,151 @@ private:
   std::vector<Index> middle_, center_, first_piece_, old_face_;
 };
 
+// Halves edges that are longer than a bound, and cuts their faces from midpoint to midpoint: to a common center if there are more
+// than two, and to an opposite vertex if there is only one. The surface does not change. Repeated cuts divide long faces into
+// round pieces, which subdivisions of all edges would never do.
+class Long_edge_cutting
+{
+public:
+  Long_edge_cutting(const Flat_mesh& m, double max_squared_length)
+    : m_(m), builder_(m.points), middle_(m.corner_vertex.size(), NONE), first_half_(middle_), second_half_(middle_)
+  {
+    for (Index f = 0; f < m.number_of_faces(); ++f)
+      for (const Index c : m.corners(f))
+        if (middle_[c] == NONE)
+          halve_if_long(f, c, max_squared_length);
+  }
+
+  bool has_cut() const { return has_cut_; }
+
+  Flat_mesh run(const Cancellation_point& cancellation)
+  {
+    for (Index f = 0; f < m_.number_of_faces(); ++f)
+      number_pieces(f);
+    for (Index f = 0; f < m_.number_of_faces(); ++f) {
+      cancellation.poll();
+      add_pieces(f);
+    }
+    return builder_.finish(cancellation);
+  }
+
+  // The original face of each new face, and the original corner before the edge that contains the edge after each new corner;
+  // NONE inside the face.
+  const std::vector<Index>& old_face() const { return old_face_; }
+  const std::vector<Index>& old_corner() const { return old_corner_; }
+
+private:
+  // A vertex on the boundary of a face, the corner before it or at it, and whether it is the midpoint of the edge after the corner.
+  struct Place
+  {
+    Index vertex, corner;
+    bool is_middle;
+  };
+
+  void halve_if_long(Index f, Index c, double max_squared_length)
+  {
+    const Index end = m_.corner_vertex[m_.next_corner(f, c)], g = m_.face_across[c];
+    const Vector &p = m_.points[m_.corner_vertex[c]], &q = m_.points[end];
+    if (!(dot(q - p, q - p) > max_squared_length))
+      return;
+    has_cut_ = true;
+    middle_[c] = builder_.add_point(0.5 * (p + q));
+    if (g != NONE)
+      middle_[m_.corner_of(g, end)] = middle_[c];
+  }
+
+  std::vector<Place> boundary(Index f) const
+  {
+    std::vector<Place> places;
+    for (const Index c : m_.corners(f)) {
+      places.push_back({m_.corner_vertex[c], c, false});
+      if (middle_[c] != NONE)
+        places.push_back({middle_[c], c, true});
+    }
+    return places;
+  }
+
+  // Returns the places where pieces meet: none if the face stays whole.
+  static std::vector<std::size_t> ends_of_cuts(const std::vector<Place>& places)
+  {
+    std::vector<std::size_t> ends;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (places[i].is_middle)
+        ends.push_back(i);
+    if (ends.size() == 1)
+      ends.push_back((ends[0] + places.size() / 2) % places.size());
+    std::sort(ends.begin(), ends.end());
+    return ends;
+  }
+
+  void number_pieces(Index f)
+  {
+    const std::vector<Place> places = boundary(f);
+    const std::vector<std::size_t> ends = ends_of_cuts(places);
+    const Index pieces = (std::max)(Index(1), Index(ends.size())), first = Index(old_face_.size());
+    Index piece = pieces - 1; // the last piece contains the first place
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (std::binary_search(ends.begin(), ends.end(), i))
+        piece = (piece + 1) % pieces;
+      (places[i].is_middle ? second_half_ : first_half_)[places[i].corner] = first + piece;
+    }
+    old_face_.insert(old_face_.end(), pieces, f);
+  }
+
+  void add_pieces(Index f)
+  {
+    const std::vector<Place> places = boundary(f);
+    const std::vector<std::size_t> ends = ends_of_cuts(places);
+    const std::size_t n = ends.size();
+    if (n == 0)
+      add_boundary(f, places, 0, places.size());
+    const Index center = n > 2 ? builder_.add_point(mean_of_corners(m_, f)) : NONE;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t begin = ends[i], end = i + 1 < n ? ends[i + 1] : ends[0] + places.size();
+      const auto piece = [&](std::size_t k) { return piece_after(places[ends[k % n]]); };
+      add_boundary(f, places, begin, end);
+      add_corner(places[end % places.size()].vertex, piece(i + 1), NONE);
+      if (n > 2)
+        add_corner(center, piece(i + n - 1), NONE);
+      builder_.end_face();
+    }
+    if (n == 0)
+      builder_.end_face();
+  }
+
+  void add_boundary(Index f, const std::vector<Place>& places, std::size_t begin, std::size_t end)
+  {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Place& place = places[i % places.size()];
+      add_corner(place.vertex, piece_across(f, place), place.corner);
+    }
+  }
+
+  void add_corner(Index vertex, Index face_across, Index old_corner)
+  {
+    builder_.add_corner(vertex, face_across);
+    old_corner_.push_back(old_corner);
+  }
+
+  // Return the pieces on both sides of the boundary after a place. The other face has the halves of an edge in the other order.
+  Index piece_after(const Place& place) const { return (place.is_middle ? second_half_ : first_half_)[place.corner]; }
+  Index piece_across(Index f, const Place& place) const
+  {
+    const Index c = place.corner, g = m_.face_across[c];
+    if (g == NONE)
+      return NONE;
+    const Index corner = m_.corner_of(g, m_.corner_vertex[m_.next_corner(f, c)]);
+    return (middle_[c] == NONE || place.is_middle ? first_half_ : second_half_)[corner];
+  }
+
+  const Flat_mesh& m_;
+  Flat_mesh_builder builder_;
+  std::vector<Index> middle_;                   // of the edge after each corner; NONE if it is not halved
+  std::vector<Index> first_half_, second_half_; // the pieces at the halves of the edge after each corner
+  std::vector<Index> old_face_, old_corner_;
+  bool has_cut_ = false;
+};
+
 // Cuts chosen corners off their faces, as triangles that contain the corner and a third of each of its two edges. The surface
 // does not change. The triangles cut off a face follow the face.
 class Corner_truncation

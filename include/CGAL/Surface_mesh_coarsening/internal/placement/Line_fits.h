@@ -111,8 +111,8 @@ private:
   static constexpr double damping = 0.02; // the weight of movements along the line
   // The least length of a side, in units of the mean length of all sides and of the edges around it. Where a line needs more
   // vertices than the surface, sides are shorter than other edges.
-  static constexpr double min_part_of_sides = 0.55, min_part_of_edges = 0.4;
-  static constexpr int passes = 3; // over the sides that are too short
+  static constexpr double min_part_of_sides = 0.8, min_part_of_edges = 0.4;
+  static constexpr int passes = 10; // over the sides that are too short
 
   // A point of the line with its foot on a side, or a point of a side with its foot on the line.
   struct Sample

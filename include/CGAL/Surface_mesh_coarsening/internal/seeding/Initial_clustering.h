@@ -57,14 +57,18 @@ public:
     is_pinched_.assign(components.size(), false);
   }
 
-  // Subdivides all faces until there are at least `faces_each` faces for each cluster.
+  // Subdivides all faces until there are at least `faces_each` faces for each cluster. At features, long edges are halved first:
+  // clusters of long pieces would be narrow beside lines, and lines would have more vertices than the surface beside them.
   void subdivide(std::size_t clusters, std::size_t faces_each)
   {
     if (clusters > max_clusters_of_subdivided(faces_each))
       throw Invalid_input("faces subdivided for " + std::to_string(clusters) + " vertices are more than can be numbered");
     const std::size_t faces = clusters * faces_each;
     while (uncut_input_->items.mesh.number_of_faces() < faces) {
-      subdivided_input_ = subdivided(*uncut_input_, std::vector<bool>(cut_.size(), true));
+      std::optional<Featured_input> halved;
+      if (uncut_input_->cells)
+        halved = uncut_input_->cells->with_long_edges_halved(cancellation_);
+      subdivided_input_ = halved ? std::move(*halved) : subdivided(*uncut_input_, std::vector<bool>(cut_.size(), true));
       input_ = uncut_input_ = &*subdivided_input_;
     }
     bound_by_vertices();
