@@ -82,12 +82,10 @@ int main(int argc, char* argv[])
   //! [repair]
 
   //! [prepared]
-  // As many vertices as in the input: faces of a copy are subdivided. Debris is removed, and densities near borders
-  // are as in the paper.
+  // As many vertices as in the input: faces of a copy are subdivided. Debris is removed.
   const SMC::Coarsening_report prepared =
     SMC::coarsen_mesh(input, input.number_of_vertices(), output,
-                      SMC::parameters::subdivide_input(true).minimum_component_area(1e-6).border_densities(false)
-                        .number_of_iterations(5));
+                      SMC::parameters::subdivide_input(true).minimum_component_area(1e-6).number_of_iterations(5));
   //! [prepared]
   std::cout << "subdivided: " << output.number_of_vertices() << " vertices, " << prepared.dropped_components
             << " components left out" << std::endl;

@@ -32,7 +32,7 @@ struct Options
   double maximum_density = 10;
   double feature_angle = 180;
   double mean_angle = 40; // of the smallest angles, in degrees
-  std::size_t error_feedback = 0, local_repairs = 0;
+  std::size_t error_feedback = 0;
   double minimum_component_area = 0;
   bool subdivide = false, repair_output = true, keep_borders = false, keep_small = false;
   std::optional<std::size_t> iterations;

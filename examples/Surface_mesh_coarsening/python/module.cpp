@@ -110,13 +110,13 @@ std::pair<std::size_t, std::size_t> range_of_arrays(const Number_array& points, 
 }
 
 Number_array face_densities(const Number_array& points, const Index_array& sizes, const Index_array& indices,
-                            double maximum_density, bool border_densities)
+                            double maximum_density, bool paper)
 {
   const Mesh mesh = to_mesh({points, sizes, indices});
   Number_array densities(py::ssize_t(mesh.number_of_faces()));
   double* const values = densities.mutable_data();
   SMC::compute_face_densities(mesh, boost::make_function_property_map<Face>([&](Face f) -> double& { return values[f]; }),
-                              SMC::parameters::maximum_density(maximum_density).border_densities(border_densities));
+                              SMC::parameters::maximum_density(maximum_density).paper_rules(paper));
   return densities;
 }
 
@@ -253,7 +253,6 @@ void define_options(py::module_& m)
     .def_readwrite("keep_small", &Options::keep_small)
     .def_readwrite("energy", &Options::energy)
     .def_readwrite("paper", &Options::paper)
-    .def_readwrite("local_repairs", &Options::local_repairs)
     .def_readwrite("keep_borders", &Options::keep_borders)
     .def_readwrite("weight", &Options::weight)
     .def_readwrite("placement", &Options::placement)

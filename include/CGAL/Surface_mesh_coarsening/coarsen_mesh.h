@@ -72,12 +72,6 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{`Coarsening_defaults::maximum_density`, which is `10`}
 ///     \cgalParamExtra{not used if `face_density_map` is given}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{border_densities}
-///     \cgalParamDescription{whether densities are raised near curved borders, which places more vertices there}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
-///     \cgalParamExtra{not used if `face_density_map` is given}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_density_map}
 ///     \cgalParamDescription{densities that replace the result of `compute_face_densities()`, in
 ///                           \f$ [10^{-20}, 10^{20}] \f$}
@@ -99,26 +93,18 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDescription{the position of the vertex of a cluster}
 ///     \cgalParamType{a model of `VertexPlacement` or `GlobalVertexPlacement`}
 ///     \cgalParamDefault{`Fitted_placement()`}
-///     \cgalParamExtra{clusters on the border have their vertex on the border, unless `place_on_borders` is `false`}
+///     \cgalParamExtra{clusters on the border have their vertex on the border, unless `paper_rules` is `true`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{place_on_borders}
-///     \cgalParamDescription{whether clusters on the border have their vertex on the border. If not, the placement computes
-///                           their vertices, as for other clusters.}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{merge_by_area}
-///     \cgalParamDescription{whether clusters are merged to the number of vertices by their area, as in section 6 of the paper,
-///                           instead of by mass and number of faces}
+///   \cgalParamNBegin{paper_rules}
+///     \cgalParamDescription{whether to follow the rules of the paper where the package replaces them: densities are not raised
+///                           near borders, clusters are merged to the number of vertices by their area (section 6) instead of by
+///                           mass and number of faces, moves in the minimization must also pass the check of section 7, and the
+///                           placement computes the vertices of clusters on the border, too (section 8.3). The check is defined
+///                           for triangle meshes; with it, the rounds run over the whole mesh, and the report counts the tests of
+///                           moves that fail it, and of moves that pass it but fail the check of this package.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{boundary_count_check}
-///     \cgalParamDescription{whether moves in the minimization must also pass the check of section 7 of the paper, which is
-///                           defined for triangle meshes. The rounds then run over the whole mesh. The report counts the tests
-///                           of moves that fail this check, and of moves that pass it but fail the check of this package.}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{`paper()` sets this parameter and the other parameters of the paper.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{repair_output}
 ///     \cgalParamDescription{whether to repair the output: vertices are moved and edges are flipped where triangles intersect
@@ -137,13 +123,6 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{`Coarsening_defaults::error_feedback`, which is `8`; `0` if `face_density_map` is given}
 ///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, or if clusters are given, edited or
 ///                     frozen. Clusters on features and borders are not split.}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{local_repairs}
-///     \cgalParamDescription{the maximum number of relocations of vertices, with their clusters, to triangles that still
-///                           intersect after the repair. With 0, the mesh is reclustered at once.}
-///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{`Coarsening_defaults::local_repairs`, which is `5`}
-///     \cgalParamExtra{not used without `repair_output`, nor if `error_feedback` is not used}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{feature_angle}
 ///     \cgalParamDescription{the angle of features in degrees, in \f$ [0, 180] \f$. Edges between two faces whose normals differ

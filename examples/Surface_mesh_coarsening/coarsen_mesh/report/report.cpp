@@ -68,7 +68,6 @@ Json parameters_of(const Options& options)
   result["mean_angle"] = options.placement == default_placement() ? Json(options.mean_angle) : Json();
   result["paper"] = options.paper;
   result["error_feedback"] = options.error_feedback;
-  result["local_repairs"] = options.local_repairs;
   result["features"] = options.features ? Json(*options.features) : Json();
   result["patches"] = options.patches.empty() ? Json() : Json(options.patches);
   result["keep"] = options.keep.empty() ? Json() : Json(options.keep);

@@ -460,7 +460,7 @@ def test_other_targets():
 
 def test_numbers_are_refused_by_name():
     points, faces = torus()
-    for name in ("n", "iterations", "threads", "error_feedback", "local_repairs"):
+    for name in ("n", "iterations", "threads", "error_feedback"):
         for value in (2**64, 2.5, -1, float("nan"), float("inf")):
             with pytest.raises(ValueError, match=name):
                 smc.coarsen(points, faces, **{"n": 100, name: value})
@@ -526,7 +526,7 @@ def test_boundary_counts_and_densities():
     assert smc.face_densities(*torus()).max() == pytest.approx(10)
     given = smc.coarsen(points, faces, 39, density=density, error_feedback=8)
     assert np.array_equal(given.labels, result.labels)
-    assert smc.face_densities(points, faces, maximum_density=50, border_densities=False).max() == pytest.approx(50)
+    assert smc.face_densities(points, faces, maximum_density=50, paper=True).max() == pytest.approx(50)
 
 
 def test_kept_elements():

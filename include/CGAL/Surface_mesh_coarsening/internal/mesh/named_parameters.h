@@ -93,7 +93,7 @@ struct Order_parameters
 {};
 
 struct Density_parameters
-  : Parameter_list<internal_np::maximum_density_t, internal_np::border_densities_t>
+  : Parameter_list<internal_np::maximum_density_t, internal_np::paper_rules_t>
 {};
 
 // The maps of features of a mesh, which are read or written.
@@ -107,10 +107,8 @@ struct Clustering_parameters
   : Parameter_lists<Geometry_parameters, Order_parameters, Density_parameters, Feature_map_parameters,
                     Parameter_list<internal_np::face_density_t, internal_np::cluster_weight_t, internal_np::cluster_energy_t,
                                    internal_np::minimum_component_area_t, internal_np::subdivide_input_t,
-                                   internal_np::repair_output_t, internal_np::error_feedback_t, internal_np::local_repairs_t,
-                                   internal_np::feature_angle_t, internal_np::merge_by_area_t,
-                                   internal_np::boundary_count_check_t, internal_np::place_on_borders_t,
-                                   CGAL::internal_np::visitor_t> >
+                                   internal_np::repair_output_t, internal_np::error_feedback_t,
+                                   internal_np::feature_angle_t, CGAL::internal_np::visitor_t> >
 {};
 
 // The parameters of all functions that compute a coarser mesh.
@@ -236,7 +234,7 @@ Density_choice density_choice(const NamedParameters& np)
   const double r = choose_parameter(get_parameter(np, internal_np::maximum_density_p), Coarsening_defaults::maximum_density);
   if (!(r >= 1 && r <= largest_density))
     throw Invalid_input("the maximum density is " + number_text(r) + ", not in [1, 1e20]");
-  return {r, choose_parameter(get_parameter(np, internal_np::border_densities_p), true)};
+  return {r, !choose_parameter(get_parameter(np, internal_np::paper_rules_p), false)};
 }
 
 // Checks and returns the caller's densities.

@@ -76,7 +76,7 @@ inline void begin_minimization(Clustering_state& state)
   if (state.minimization)
     return;
   state.minimization = state.energy->minimization(state.featured_input(), *state.labels, state.number_of_clusters(),
-                                                  state.checks_boundary_counts, state.cancellation(), state.execution);
+                                                  state.follows_paper, state.cancellation(), state.execution);
   state.report.initial_energy = state.report.final_energy = state.minimization->energy();
 }
 
@@ -102,7 +102,7 @@ inline void seed_items(Clustering_state& state, const Seeding& seeding)
   reset_report(state);
   state.seeding = seeding;
   state.minimization_end = Minimization_end();
-  state.initial = std::make_unique<Initial_clustering>(state.input, state.merges_by_area, state.report, state.cancellation(),
+  state.initial = std::make_unique<Initial_clustering>(state.input, state.follows_paper, state.report, state.cancellation(),
                                                        state.execution);
   all_or_nothing(state, [&] {
     if (seeding.kind == Seeding::AT_LEVEL) {
