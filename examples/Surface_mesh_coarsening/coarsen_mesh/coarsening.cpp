@@ -230,7 +230,6 @@ Coarsening_result coarsen_with(const SMC::Any_cluster_energy& energy, const Mesh
   const std::vector<char> is_kept = kept_vertices(input, options);
   const auto np = SMC::parameters::maximum_density(options.maximum_density)
                     .cluster_energy(energy)
-                    .minimum_component_area(options.minimum_component_area)
                     .subdivide_input(options.subdivide)
                     .paper_rules(options.paper)
                     .repair_output(!options.paper)
@@ -370,8 +369,7 @@ SMC::Vertex_number_range range_of(const Mesh& input, const Options& options, Too
   const std::vector<char> is_kept = kept_vertices(input, options);
   const auto patches = boost::make_function_property_map<Face>([&](Face f) { return patch_of[f]; });
   const auto kept = boost::make_function_property_map<Vertex>([&](Vertex v) { return is_kept[v] != 0; });
-  return SMC::vertex_number_range(input, SMC::parameters::minimum_component_area(options.minimum_component_area)
-                                           .subdivide_input(options.subdivide)
+  return SMC::vertex_number_range(input, SMC::parameters::subdivide_input(options.subdivide)
                                            .feature_angle(options.features.value_or(Defaults::feature_angle))
                                            .face_patch_map(patches)
                                            .vertex_is_constrained_map(kept)

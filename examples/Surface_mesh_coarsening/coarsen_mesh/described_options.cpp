@@ -80,8 +80,8 @@ po::options_description preparing_options()
      "diagonal of its "
      "bounding box, such as 10%, or all; --report lists the holes with their lengths, and whether they were filled")
     ("minimum-component-area", text("A"),
-     "remove connected components of an area below A, in the square of the mesh's unit of length (a cube of side 2 "
-     "has area 24); --report lists them");
+     "after --repair, remove connected components of an area below A, in the square of the mesh's unit of length (a cube of side "
+     "2 has area 24); --report counts them");
   return result;
 }
 

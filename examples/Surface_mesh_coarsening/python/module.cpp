@@ -43,7 +43,7 @@ py::dict described(const Coarsening& result)
                   "clusters"_a = r.clusters, "rounds"_a = r.rounds, "moves"_a = r.moves,
                   "initial_energy"_a = r.initial_energy,
                   "final_energy"_a = r.final_energy, "converged"_a = r.converged,
-                  "subdivided_components"_a = r.subdivided_components, "dropped_components"_a = r.dropped_components,
+                  "subdivided_components"_a = r.subdivided_components, "dropped_components"_a = result.dropped_components,
                   "exchanged_vertices"_a = r.exchanged_vertices, "intersections_found"_a = r.intersections_found,
                   "intersections_left"_a = r.intersections_left, "reversals_found"_a = r.reversals_found,
                   "reversals_left"_a = r.reversals_left, "feature_lines"_a = r.feature_lines,
@@ -81,13 +81,13 @@ struct Field_arrays
 py::list coarsen_arrays(const Number_array& points, const Index_array& sizes, const Index_array& indices,
                         const Options& options, const Field_arrays& arrays, const py::object& progress)
 {
-  const Mesh input = to_mesh({points, sizes, indices});
+  Mesh input = to_mesh({points, sizes, indices});
   const Fields fields = arrays.fields(input);
   Python_visitor visitor(progress);
   std::vector<Coarsening> results;
   {
     const py::gil_scoped_release unlock;
-    results = coarsen(input, options, fields, visitor);
+    results = coarsen(std::move(input), options, fields, visitor);
   }
   py::list list;
   for (const Coarsening& result : results) {
@@ -102,11 +102,11 @@ std::pair<std::size_t, std::size_t> range_of_arrays(const Number_array& points, 
                                                     const Index_array& indices, const Options& options,
                                                     const Field_arrays& arrays, const py::object& progress)
 {
-  const Mesh input = to_mesh({points, sizes, indices});
+  Mesh input = to_mesh({points, sizes, indices});
   const Fields fields = arrays.fields(input);
   Python_visitor visitor(progress);
   const py::gil_scoped_release unlock;
-  return range_of(input, options, fields, visitor);
+  return range_of(std::move(input), options, fields, visitor);
 }
 
 Number_array face_densities(const Number_array& points, const Index_array& sizes, const Index_array& indices,

@@ -48,8 +48,6 @@ struct Coarsening_report
   /// the number of connected components whose faces were subdivided internally, either because whole faces could not form the
   /// number of clusters, or because of parameter `subdivide_input`.
   std::size_t subdivided_components = 0;
-  /// the number of connected components removed because of parameter `minimum_component_area`.
-  std::size_t dropped_components = 0;
   /// the number of clusters that were relocated to regions of large distance (parameter `error_feedback`).
   std::size_t exchanged_vertices = 0;
   /// the number of pairs of triangles that intersected after the placement of the vertices, but not in the input. This

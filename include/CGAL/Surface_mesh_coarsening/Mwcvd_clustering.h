@@ -57,11 +57,11 @@ public:
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \param mesh a 2-manifold polygon mesh
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{face_density_map},
-  /// \smcParam{maximum_density}, \smcParam{cluster_weight}, \smcParam{cluster_energy}, \smcParam{minimum_component_area},
-  /// \smcParam{subdivide_input}, \smcParam{paper_rules}, \smcParam{repair_output}, \smcParam{error_feedback},
-  /// \smcParam{feature_angle}, \smcParam{edge_is_constrained_map}, \smcParam{vertex_is_constrained_map},
-  /// \smcParam{face_patch_map}, \smcParam{vertex_point_map}, \smcParam{face_index_map}, \smcParam{geom_traits} and
-  /// \smcParam{visitor}, as in `coarsen_mesh()`
+  /// \smcParam{maximum_density}, \smcParam{cluster_weight}, \smcParam{cluster_energy}, \smcParam{subdivide_input},
+  /// \smcParam{paper_rules}, \smcParam{repair_output}, \smcParam{error_feedback}, \smcParam{feature_angle},
+  /// \smcParam{edge_is_constrained_map}, \smcParam{vertex_is_constrained_map}, \smcParam{face_patch_map},
+  /// \smcParam{vertex_point_map}, \smcParam{face_index_map}, \smcParam{geom_traits} and \smcParam{visitor}, as in
+  /// `coarsen_mesh()`
   /// \throws Invalid_input if the mesh has no faces, is not a 2-manifold, has a coordinate that is not finite, or if a
   /// parameter is out of range.
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -131,7 +131,7 @@ public:
   }
 
   /// finds seeds for a number of clusters that is `vertex_ratio` times the number of vertices of the mesh, rounded, and at least
-  /// 1, as `seed_faces_or_cells()` does. Vertices of removed components do not count.
+  /// 1, as `seed_faces_or_cells()` does.
   ///
   /// If `keeps_small_components` is `true`, components whose topology needs more vertices than their part stay as they are, as
   /// features: their vertices are corners and their edges are lines. The ratio then applies to the other components.
@@ -206,7 +206,7 @@ public:
     std::size_t number = 0;
     auto labels = std::make_unique<internal::Cluster_labels>(input.mesh);
     for (std::size_t i = 0; i < input.mesh.number_of_faces(); ++i) {
-      const std::size_t label = std::size_t(get(clusters, numbering_.faces[input.parent_of(Index(i))]));
+      const std::size_t label = std::size_t(get(clusters, numbering_.faces[i]));
       if (label >= numbering_.faces.size())
         throw Invalid_input("the cluster of face " + std::to_string(i) + " is " + std::to_string(label) +
                             " in a mesh of " + std::to_string(numbering_.faces.size()) + " faces");
@@ -266,7 +266,7 @@ public:
   }
 
   /// returns the cluster of a face. If the faces of a component are subdivided internally, the function returns the cluster of
-  /// the largest part of the face. For faces of removed components it returns `number_of_clusters()`.
+  /// the largest part of the face.
   std::size_t cluster(face_descriptor f) const { return internal::cluster_of_face(state_, numbering_.number_of(f)); }
 
   /// writes the cluster of each face, see `cluster()`.

@@ -153,13 +153,6 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{`false`}
 ///     \cgalParamExtra{the cluster of a face is the cluster of its largest part}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{minimum_component_area}
-///     \cgalParamDescription{the minimum area of a connected component; smaller components are removed, and the report counts
-///                           them}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{`0`: every component is kept}
-///     \cgalParamExtra{faces of removed components get the number of clusters as their cluster}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_cluster_map}
 ///     \cgalParamDescription{receives the cluster of each face of `input`}
 ///     \cgalParamType{a model of `ReadWritePropertyMap` with the faces as keys and an integral value type}
@@ -170,7 +163,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///                           of largest area there}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertices as keys and an integral value type}
 ///     \cgalParamDefault{the clusters are not written}
-///     \cgalParamExtra{isolated vertices, and vertices of removed components, get the number of clusters}
+///     \cgalParamExtra{isolated vertices get the number of clusters}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{start_from_face_clusters}
 ///     \cgalParamDescription{whether the minimization starts from the clusters in `face_cluster_map`, which have to be valid
@@ -226,8 +219,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertices of `output` as keys and `Surface_location<FaceGraph>` as
 ///                    value}
 ///     \cgalParamDefault{no sources are computed}
-///     \cgalParamExtra{removed components do not belong to the surface; faces of more than three sides are triangulated as
-///                     fans}
+///     \cgalParamExtra{faces of more than three sides are triangulated as fans}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{receives, for each edge, whether it belongs to a feature line}
@@ -288,8 +280,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_ratio}
 ///     \cgalParamDescription{the number of vertices of the output divided by the number of vertices of `input`, for example
-///                           `0.1`. The resulting number is rounded, and at least 1. Isolated vertices and vertices of removed
-///                           components do not count.}
+///                           `0.1`. The resulting number is rounded, and at least 1. Isolated vertices do not count.}
 ///     \cgalParamType{`double`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{keep_small_components}

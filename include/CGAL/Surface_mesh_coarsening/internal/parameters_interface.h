@@ -20,7 +20,6 @@ CGAL_add_named_parameter(neighborhood_level_t, neighborhood_level_p, neighborhoo
 CGAL_add_named_parameter(convergence_tolerance_t, convergence_tolerance_p, convergence_tolerance)
 CGAL_add_named_parameter(vertex_placement_t, vertex_placement_p, vertex_placement)
 CGAL_add_named_parameter(subdivide_input_t, subdivide_input_p, subdivide_input)
-CGAL_add_named_parameter(minimum_component_area_t, minimum_component_area_p, minimum_component_area)
 CGAL_add_named_parameter(repair_output_t, repair_output_p, repair_output)
 CGAL_add_named_parameter(feature_angle_t, feature_angle_p, feature_angle)
 CGAL_add_named_parameter(error_feedback_t, error_feedback_p, error_feedback)

@@ -81,7 +81,6 @@ void refuse_unavailable(const NPIn& np_in, const NPOut& np_out)
   refuse_across_ranks(np_in, CGAL::internal_np::face_index, "face_index_map");
   refuse_across_ranks(np_in, internal_np::neighborhood_level_p, "neighborhood_level");
   refuse_across_ranks(np_in, internal_np::vertex_ratio_p, "vertex_ratio");
-  refuse_across_ranks(np_in, internal_np::minimum_component_area_p, "minimum_component_area");
   refuse_across_ranks(np_in, internal_np::vertex_to_cluster, "vertex_to_cluster_map");
   refuse_across_ranks(np_in, internal_np::vertex_boundary_count, "vertex_boundary_count_map");
   refuse_if_set(np_in, internal_np::start_from_face_clusters_p, "start_from_face_clusters");

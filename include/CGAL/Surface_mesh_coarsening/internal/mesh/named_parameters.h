@@ -106,8 +106,7 @@ struct Feature_map_parameters
 struct Clustering_parameters
   : Parameter_lists<Geometry_parameters, Order_parameters, Density_parameters, Feature_map_parameters,
                     Parameter_list<internal_np::face_density_t, internal_np::cluster_weight_t, internal_np::cluster_energy_t,
-                                   internal_np::minimum_component_area_t, internal_np::subdivide_input_t,
-                                   internal_np::repair_output_t, internal_np::error_feedback_t,
+                                   internal_np::subdivide_input_t, internal_np::repair_output_t, internal_np::error_feedback_t,
                                    internal_np::feature_angle_t, CGAL::internal_np::visitor_t> >
 {};
 
@@ -280,20 +279,6 @@ Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& 
   input.density = densities_of(n, input.mesh, choice, get_parameter(np, internal_np::face_density), cancellation, execution);
   compute_areas_and_centroids(input, cancellation, execution);
   return input;
-}
-
-// Removes the components below the minimum area, which is given in units of the mesh.
-template <class NamedParameters>
-std::size_t drop_small_components(const NamedParameters& np, const Local_frame& frame, Clustering_input& input,
-                                  const Cancellation_point& cancellation)
-{
-  const double least = choose_parameter(get_parameter(np, internal_np::minimum_component_area_p), 0.);
-  if (!(least >= 0))
-    throw Invalid_input("the minimum component area is " + number_text(least));
-  const std::size_t dropped = drop_components_below(input, frame.area_to_local(least), cancellation);
-  if (input.mesh.number_of_faces() == 0)
-    throw Invalid_input("no component of the input has an area of " + number_text(least));
-  return dropped;
 }
 
 } // namespace internal

@@ -62,7 +62,6 @@ struct Clustering_state
   Local_frame frame;
   Featured_input input;
   std::vector<long long> patches; // per face of the caller's mesh, if given
-  std::size_t dropped_components = 0;
   std::shared_ptr<const Energy_model> energy;
 
   // Set by seeding and growth:
@@ -78,7 +77,7 @@ struct Clustering_state
   Coarsening_report report;
 
   Cancellation_point cancellation() const { return Cancellation_point(visitor); }
-  // The faces of the mesh, without removed components.
+  // The faces of the mesh.
   const Clustering_input& base_input() const;
   // The labelled faces: the faces of the input, or pieces of them.
   const Featured_input& featured_input() const;

@@ -36,7 +36,7 @@ void cluster_faces(Clustering_state& state);
 // Returns the smallest and the largest attainable number of clusters.
 std::pair<std::size_t, std::size_t> vertex_number_range(const Clustering_state& state);
 
-// Returns `ratio` times the number of vertices of the mesh, without removed components.
+// Returns `ratio` times the number of vertices of the mesh.
 std::size_t number_of_vertices(const Clustering_state& state, double ratio);
 
 // Keeps the components whose topology needs more than `ratio` times their vertices as they are. Returns `ratio` times the number of
@@ -123,7 +123,6 @@ void prepare(const FaceGraph& mesh, const NamedParameters& np, Execution executi
   constexpr bool has_densities = has_parameter<internal_np::face_density_t, NamedParameters>;
   const std::size_t default_feedback = has_densities ? 0 : Coarsening_defaults::error_feedback;
   state.exchange_rounds = choose_parameter(get_parameter(np, internal_np::error_feedback_p), default_feedback);
-  state.dropped_components = drop_small_components(np, state.frame, state.input.items, cancellation);
   read_features(mesh, np, elements, state.input, state.frame, state.patches, cancellation);
   state.visitor.stage_ends(Coarsening_stage::PREPARATION);
 }

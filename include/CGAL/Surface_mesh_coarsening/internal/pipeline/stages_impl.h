@@ -63,7 +63,6 @@ void all_or_nothing(Clustering_state& state, const Step& step)
 inline void reset_report(Clustering_state& state)
 {
   state.report = Coarsening_report();
-  state.report.dropped_components = state.dropped_components;
   if (state.input.cells) {
     state.report.feature_lines = state.input.cells->graph().lines().size();
     state.report.feature_corners = state.input.cells->graph().number_of_corners();
@@ -254,7 +253,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> seeds(const Clustering_st
 
 CGAL_SURFACE_MESH_COARSENING_INLINE std::size_t cluster_of_face(const Clustering_state& state, Index face)
 {
-  return cluster_of_face(state.featured_input(), labels(state), state.number_of_clusters(), face);
+  return cluster_of_face(state.featured_input(), labels(state), face);
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> clusters_of_base_faces(const Clustering_state& state)
@@ -263,7 +262,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> clusters_of_base_faces(co
   std::vector<Index> clusters;
   clusters.reserve(base.mesh.number_of_faces());
   for (std::size_t f = 0; f < base.mesh.number_of_faces(); ++f)
-    clusters.push_back(Index(cluster_of_face(state, base.parent_of(Index(f)))));
+    clusters.push_back(Index(cluster_of_face(state, Index(f))));
   return clusters;
 }
 
