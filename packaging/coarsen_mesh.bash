@@ -24,11 +24,11 @@ _coarsen_mesh()
     --picture) endings=png ;;
     --report) endings=json ;;
     -n | --vertices | --faces | -k | --neighborhood-level | --maximum-distance | --maximum-distance-absolute | --levels | \
-    --rounds | --convergence-tolerance | --maximum-density | --angle | --error-feedback | --local-repairs | --view | --up | \
+    --rounds | --convergence-tolerance | --maximum-density | --angle | --error-feedback | --view | --up | \
     --minimum-component-area | --threads | --keep | --weld) return ;;
     *)
       if [[ $word == -* ]]; then
-        values="--vertices --keep-small --faces --range --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --energy --weight --maximum-density --placement --angle --error-feedback --local-repairs --paper --features --patches --keep-borders --keep --clusters --picture
+        values="--vertices --keep-small --faces --range --neighborhood-level --maximum-distance --maximum-distance-absolute --levels --rounds --convergence-tolerance --energy --weight --maximum-density --placement --angle --error-feedback --paper --features --patches --keep-borders --keep --clusters --picture
           --view --up --report --format --repair --weld --fill-holes --minimum-component-area --subdivide --measure --distances --threads --force --quiet
           --version --help -n -k -w -h"
       else

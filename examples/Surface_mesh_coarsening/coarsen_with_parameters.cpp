@@ -82,15 +82,10 @@ int main(int argc, char* argv[])
   //! [repair]
 
   //! [prepared]
-  // As many vertices as in the input: faces of a copy are subdivided. Debris is removed, and densities near borders
-  // are as in the paper.
-  const SMC::Coarsening_report prepared =
-    SMC::coarsen_mesh(input, input.number_of_vertices(), output,
-                      SMC::parameters::subdivide_input(true).minimum_component_area(1e-6).border_densities(false)
-                        .number_of_iterations(5));
+  // As many vertices as in the input: faces of a copy are subdivided.
+  SMC::coarsen_mesh(input, input.number_of_vertices(), output, SMC::parameters::subdivide_input(true).number_of_iterations(5));
   //! [prepared]
-  std::cout << "subdivided: " << output.number_of_vertices() << " vertices, " << prepared.dropped_components
-            << " components left out" << std::endl;
+  std::cout << "subdivided: " << output.number_of_vertices() << " vertices" << std::endl;
 
   //! [maps]
   auto cluster = input.add_property_map<Mesh::Face_index, std::size_t>("f:cluster").first;

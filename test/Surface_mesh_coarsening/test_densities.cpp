@@ -39,7 +39,7 @@ void check_against_definition(const Soup& soup)
   const Mesh mesh = test::to_mesh(soup);
   const reference::Reference_mesh m(test::to_soup(mesh));
   for (const double r_new : {1., 3., 50., 1e6}) {
-    const std::vector<double> computed = densities(mesh, SMC::parameters::maximum_density(r_new).border_densities(false)),
+    const std::vector<double> computed = densities(mesh, SMC::parameters::maximum_density(r_new).paper_rules(true)),
                               expected = reference::densities(m, r_new);
     BOOST_REQUIRE_EQUAL(computed.size(), expected.size());
     std::size_t wrong = 0;
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(by_hand)
   // Two triangles at a right angle. At both ends of the common edge, normals differ by sqrt(2): 2 sqrt(2) of 2 + 2
   // + 1 pairs. A third triangle, in the plane of the second, deviates from the first at one vertex.
   const Soup fold{{{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 1, 1}}, {{0, 1, 2}, {1, 0, 3}, {1, 3, 4}}};
-  const std::vector<double> d = densities(test::to_mesh(fold), SMC::parameters::maximum_density(11.).border_densities(false));
+  const std::vector<double> d = densities(test::to_mesh(fold), SMC::parameters::maximum_density(11.).paper_rules(true));
   const double first = 3 * s / 6, second = 2 * s / 7, third = s / 6; // pairs: 2 + 3 + 1, 2 + 3 + 2, 3 + 2 + 1
   BOOST_CHECK_CLOSE(d[0], 11, 1e-10);
   BOOST_CHECK_CLOSE(d[1], 1 + 10 * second / first, 1e-10);
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(near_borders)
     soup.polygons.push_back(p);
   const Mesh mesh = test::to_mesh(soup);
   const double r_new = 50;
-  const std::vector<double> paper = densities(mesh, SMC::parameters::border_densities(false)), raised = densities(mesh);
+  const std::vector<double> paper = densities(mesh, SMC::parameters::paper_rules(true)), raised = densities(mesh);
   const double largest = (raised[0] - 1) / (r_new - 1); // checked against the definition below
   BOOST_REQUIRE_EQUAL(paper.size(), m * n + 4);
   BOOST_CHECK(std::equal(paper.begin() + m * n, paper.end(), raised.begin() + m * n)); // no border there, the same scale
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(near_borders)
   }
   // Closed meshes have no border. The sides of a tube alone deviate most, and its ends get four times that.
   const Mesh closed = test::to_mesh(generated::with_noise(generated::triangle_sphere(3), 0.05));
-  BOOST_CHECK(densities(closed) == densities(closed, SMC::parameters::border_densities(false)));
+  BOOST_CHECK(densities(closed) == densities(closed, SMC::parameters::paper_rules(true)));
   const std::vector<double> alone = densities(test::to_mesh(generated::tube(30, 20)), SMC::parameters::maximum_density(50));
   for (std::size_t f = 0; f < alone.size(); ++f)
     BOOST_CHECK_CLOSE(alone[f], f % 20 == 0 || f % 20 == 19 ? 197 : std::clamp(alone[f], 50., 197.), 1e-6);

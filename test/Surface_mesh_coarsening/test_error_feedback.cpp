@@ -348,25 +348,6 @@ BOOST_AUTO_TEST_CASE(intersecting_faces_are_named)
   BOOST_TEST(outcome.report.intersections_left == pairs.size());
 }
 
-// Without local repairs, more is left to the reclustering.
-BOOST_AUTO_TEST_CASE(local_repairs_can_be_turned_off)
-{
-  std::size_t left = 0, left_without = 0, clusterings = 0, clusterings_without = 0;
-  const std::pair<std::string, std::size_t> cases[] = {
-    {"anchor.off", 31}, {"helmet.off", 29}, {"helmet.off", 49}, {"b9_mesh.off", 595}, {"cheese.off", 862}};
-  for (const auto& [name, vertices] : cases) {
-    const Mesh input = data_mesh(name);
-    const auto with = coarsened(input, vertices, parameters(7)).report,
-               without = coarsened(input, vertices, parameters(7).local_repairs(0)).report;
-    left += with.intersections_left;
-    left_without += without.intersections_left;
-    clusterings += with.clusterings;
-    clusterings_without += without.clusterings;
-  }
-  BOOST_TEST(left < left_without);
-  BOOST_TEST(clusterings < clusterings_without);
-}
-
 // Given or frozen clusters do not change.
 BOOST_AUTO_TEST_CASE(clusters_by_hand_stay)
 {

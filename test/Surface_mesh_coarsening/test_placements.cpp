@@ -402,30 +402,6 @@ BOOST_AUTO_TEST_CASE(reclusters_where_triangles_intersect)
   BOOST_TEST(left_of_several < left);
 }
 
-// A removed component remains removed, with the result of a mesh without it.
-BOOST_AUTO_TEST_CASE(clusters_without_dropped_components_are_recomputed)
-{
-  const CGAL::Constant_property_map<Mesh::Face_index, double> ones(1);
-  std::size_t most = 0;
-  for (const auto& [thickness, n] : {std::make_pair(0.008, std::size_t(40)), std::make_pair(0.008, std::size_t(50)),
-                                     std::make_pair(0.004, std::size_t(30)), std::make_pair(0.004, std::size_t(40)),
-                                     std::make_pair(0.004, std::size_t(50)), std::make_pair(0.004, std::size_t(60))}) {
-    const Mesh plate = test::to_mesh(generated::thin_plate(30, thickness));
-    Mesh both = plate, expected, output;
-    CGAL::make_tetrahedron(Mesh::Point(0, 0, 0.1), Mesh::Point(0.01, 0, 0.1), Mesh::Point(0, 0.01, 0.1),
-                           Mesh::Point(0, 0, 0.11), both);
-    const auto np = SMC::parameters::cluster_weight(SMC::Maximum_density_weight())
-                      .vertex_placement(SMC::Quadric_placement())
-                      .face_density_map(ones);
-    SMC::coarsen_mesh(plate, n, expected, np);
-    const SMC::Coarsening_report report = SMC::coarsen_mesh(both, n, output, np.minimum_component_area(1.));
-    most = (std::max)(most, report.clusterings);
-    BOOST_TEST(report.dropped_components == 1);
-    BOOST_TEST((test::to_soup(output).points == test::to_soup(expected).points));
-  }
-  BOOST_TEST(most > 1);
-}
-
 // Edited clusters are not reclustered, nor clusters that do not depend on densities.
 BOOST_AUTO_TEST_CASE(clusters_of_others_are_not_recomputed)
 {

@@ -696,6 +696,29 @@ BOOST_AUTO_TEST_CASE(small_components_are_kept)
     }));
 }
 
+// Components that are removed take their fields along, also if they are the first of the file.
+BOOST_AUTO_TEST_CASE(small_components_are_removed)
+{
+  using namespace generated;
+  const generated::Soup sphere = triangle_sphere(3);
+  std::istringstream lines(
+    mesh_files::obj(joined(joined(translated(scaled(tetrahedron(), 0.01), 9, 0, 0), sphere), translated(sphere, 4, 0, 0))));
+  std::string text, line;
+  for (std::size_t f = 0; std::getline(lines, line); text += line + '\n')
+    if (line[0] == 'f') {
+      text += f < 4 ? "g debris\n" : f < 4 + sphere.polygons.size() ? "g left\n" : "g right\n";
+      ++f;
+    }
+  const Tool_directory shop;
+  shop.write("in.obj", text);
+  check_done(shop.run("in.obj out.obj -n 60 --minimum-component-area 0.1"));
+  const auto output = parse_soup(test::content_of(shop / "out.obj"), "obj");
+  BOOST_CHECK_EQUAL(output.points.size(), 60u);
+  BOOST_REQUIRE_EQUAL(output.groups.size(), output.polygons.size());
+  for (std::size_t f = 0; f < output.polygons.size(); ++f)
+    BOOST_CHECK_EQUAL(output.groups[f], output.points[output.polygons[f][0]].x() < 2 ? "left" : "right");
+}
+
 BOOST_AUTO_TEST_CASE(neighboring_tiles_fit)
 {
   const Tool_directory shop;

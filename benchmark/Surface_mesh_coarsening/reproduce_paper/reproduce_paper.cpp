@@ -131,7 +131,7 @@ bool is_good(const Paper_model& model, const Mesh& mesh, Paper_weight weight, co
 {
   auto fault = triangle_mesh_fault(run.dual);
   if (!fault)
-    fault = certify(mesh, run.labels, run.dual, 0, run.report.subdivided_components == 0).change();
+    fault = certify(mesh, run.labels, run.dual, run.report.subdivided_components == 0).change();
   if (fault)
     std::printf("%s, %s: %s\n", model.name.c_str(), weight_names[weight], fault->c_str());
   return !fault;

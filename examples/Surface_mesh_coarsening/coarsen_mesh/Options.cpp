@@ -286,7 +286,6 @@ void read_method(const po::variables_map& values, Options& options)
   if (options.mean_angle > 60)
     throw Wrong_usage("--angle takes an angle from 0 to 60 degrees, not '" + angle + "'");
   options.error_feedback = to_count("error-feedback", *given(values, "error-feedback"), 0, any);
-  options.local_repairs = to_count("local-repairs", *given(values, "local-repairs"), 0, any);
   if (options.paper)
     choose_as_in_paper(values, options);
   if (!values["angle"].defaulted() && options.placement != default_placement())

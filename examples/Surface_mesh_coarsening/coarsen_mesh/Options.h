@@ -45,7 +45,6 @@ struct Options
   double mean_angle = Defaults::mean_angle; // of the triangles' smallest angles, in degrees
   bool paper = false; // in what no other option names
   std::size_t error_feedback = Defaults::error_feedback; // rounds of it
-  std::size_t local_repairs = Defaults::local_repairs;   // at most
   std::optional<double> features; // the angle in degrees from which edges are kept
   std::string patches; // the field of faces whose patches are kept
   std::string keep; // the field of vertices or faces that are kept

@@ -230,15 +230,10 @@ Coarsening_result coarsen_with(const SMC::Any_cluster_energy& energy, const Mesh
   const std::vector<char> is_kept = kept_vertices(input, options);
   const auto np = SMC::parameters::maximum_density(options.maximum_density)
                     .cluster_energy(energy)
-                    .minimum_component_area(options.minimum_component_area)
                     .subdivide_input(options.subdivide)
-                    .border_densities(!options.paper)
-                    .merge_by_area(options.paper)
-                    .boundary_count_check(options.paper)
-                    .place_on_borders(!options.paper)
+                    .paper_rules(options.paper)
                     .repair_output(!options.paper)
                     .error_feedback(options.error_feedback)
-                    .local_repairs(options.local_repairs)
                     .feature_angle(options.features.value_or(Defaults::feature_angle))
                     .face_patch_map(boost::make_function_property_map<Face>([&](Face f) { return patch_of[f]; }))
                     .vertex_is_constrained_map(boost::make_function_property_map<Vertex>([&](Vertex v) { return is_kept[v] != 0; }))
@@ -374,8 +369,7 @@ SMC::Vertex_number_range range_of(const Mesh& input, const Options& options, Too
   const std::vector<char> is_kept = kept_vertices(input, options);
   const auto patches = boost::make_function_property_map<Face>([&](Face f) { return patch_of[f]; });
   const auto kept = boost::make_function_property_map<Vertex>([&](Vertex v) { return is_kept[v] != 0; });
-  return SMC::vertex_number_range(input, SMC::parameters::minimum_component_area(options.minimum_component_area)
-                                           .subdivide_input(options.subdivide)
+  return SMC::vertex_number_range(input, SMC::parameters::subdivide_input(options.subdivide)
                                            .feature_angle(options.features.value_or(Defaults::feature_angle))
                                            .face_patch_map(patches)
                                            .vertex_is_constrained_map(kept)
@@ -388,7 +382,7 @@ std::vector<double> face_densities(const Mesh& input, const Options& options)
   const auto map = boost::make_function_property_map<Face>(
     [&](Face f) -> double& { return densities[static_cast<std::size_t>(f)]; });
   SMC::compute_face_densities(
-    input, map, SMC::parameters::maximum_density(options.maximum_density).border_densities(!options.paper));
+    input, map, SMC::parameters::maximum_density(options.maximum_density).paper_rules(options.paper));
   return densities;
 }
 

@@ -80,8 +80,8 @@ po::options_description preparing_options()
      "diagonal of its "
      "bounding box, such as 10%, or all; --report lists the holes with their lengths, and whether they were filled")
     ("minimum-component-area", text("A"),
-     "remove connected components of an area below A, in the square of the mesh's unit of length (a cube of side 2 "
-     "has area 24); --report lists them");
+     "after --repair, remove connected components of an area below A, in the square of the mesh's unit of length (a cube of side "
+     "2 has area 24); --report counts them");
   return result;
 }
 
@@ -127,8 +127,6 @@ po::options_description method_options()
     ("error-feedback", text("R")->default_value(std::to_string(Defaults::error_feedback)),
      "with the placement fitted: in R rounds, relocate vertices to places of large distance; with 0, the densities alone "
      "distribute the vertices")
-    ("local-repairs", text("R")->default_value(std::to_string(Defaults::local_repairs)),
-     "relocate vertices to triangles that still intersect after the repair up to R times, before the mesh is reclustered")
     ("rounds", text("R"),
      "stop after R rounds of minimization; 0 shows seeds and growth alone (default: up to --convergence-tolerance, at most 1000)")
     ("convergence-tolerance", text("T")->default_value(number_text(Defaults::convergence_tolerance)),

@@ -9,7 +9,10 @@
 #include "io/soup_properties.h"
 #include "io/to_mesh.h"
 #include "repair/Muted_streams.h"
+#include "repair/drop_small_components.h"
 #include "Interruption.h"
+
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
 
 #include <exception>
 #include <optional>
@@ -24,6 +27,17 @@ std::vector<Repair_step> try_repair(const Options& options, Soup& soup)
     return repair(soup, options.weld);
   } catch (const std::exception& e) {
     throw Failure(options.input, "cannot be repaired: " + one_line(e.what()));
+  }
+}
+
+std::size_t try_to_drop_components(const Options& options, Mesh& mesh)
+{
+  try {
+    const std::size_t dropped = drop_small_components(mesh, options.minimum_component_area);
+    mesh.collect_garbage();
+    return dropped;
+  } catch (const CGAL::Surface_mesh_coarsening::Invalid_input& e) {
+    throw Failure(options.input, e.what());
   }
 }
 
@@ -54,6 +68,7 @@ Input read_input(const Options& options, Stage_times& times, Progress_line& prog
   add_properties(soup, result.mesh);
   result.notes = soup.notes;
   result.left_out = soup.left_out;
+  result.dropped_components = try_to_drop_components(options, result.mesh);
   times.end();
   return result;
 }

@@ -21,11 +21,12 @@ struct Input
   std::size_t points_in_file = 0, polygons_in_file = 0;
   std::size_t unused_points = 0; // removed unconditionally: they belong to no surface
   std::vector<Repair_step> repairs;
+  std::size_t dropped_components = 0; // because they are small
   File_notes notes;
   std::vector<std::string> left_out; // fields of the file, in words
 };
 
-// Reads the input, repairs it on request, and throws Failure unless it is an oriented 2-manifold.
+// Reads the input, repairs it and drops small components on request, and throws Failure unless it is an oriented 2-manifold.
 Input read_input(const Options& options, Stage_times& times, Progress_line& progress);
 
 } // namespace coarsen_mesh_tool

@@ -182,8 +182,8 @@ std::string summary(const Options& options, const Input& input, const Coarsening
                (result.is_within_distance ? ", " : ", where the number of vertices ended the search, ");
   if (!result.levels.empty())
     remarks += counted(result.levels.size(), "level") + ", ";
-  if (report.dropped_components > 0)
-    remarks += counted(report.dropped_components, "component") + " left out, ";
+  if (input.dropped_components > 0)
+    remarks += counted(input.dropped_components, "component") + " left out, ";
   const std::string dropped = input.unused_points > 0 ? ", " + counted(input.unused_points, "unused point") + " dropped" : "";
   return escaped_utf8(options.input) + " (" + sizes(input.mesh) + dropped + ") -> " + escaped_utf8(options.output) + " (" +
          sizes(result.mesh) + "), " + counted(report.rounds, "round") + ", " + remarks +
@@ -269,13 +269,13 @@ void check_result(const Options& options, const Input& input, const Coarsening_r
   const auto& report = result.report;
   const bool faces_are_whole = report.subdivided_components == 0 && report.feature_lines == 0 && report.feature_corners == 0 &&
                                report.rounds > 0;
-  findings.certificate = certify(input.mesh, result.labels, result.mesh, report.dropped_components, faces_are_whole);
+  findings.certificate = certify(input.mesh, result.labels, result.mesh, faces_are_whole);
   if (const auto change = findings.certificate.change())
     throw Failure(options.input, "the result does not have the topology of the input and is not written: " + *change);
   if (options.measure) {
     times.begin("measuring");
     progress.say("measuring");
-    findings.quality = measure(input.mesh, result);
+    findings.quality = measure(input.mesh, result.mesh);
     if (!options.paper) // which does without repair
       findings.quality->self_intersections_left = result.report.intersections_left;
     Interruption::throw_if_requested();
@@ -288,11 +288,10 @@ void add_distances(const Mesh& input, Coarsening_result& result)
   use_numbers<Vertex>(result.mesh, "v:distance", [&](auto map) { result.mesh.remove_property_map(map); }); // of the input
   const auto largest = result.mesh.add_property_map<Vertex, float>("v:distance", 0).first;
   const std::vector<double> distances = face_distances(input, result.mesh, Interruption::throw_if_requested);
-  for (std::size_t f = 0; f < distances.size(); ++f)
-    if (result.labels[f] < result.mesh.number_of_vertices()) { // the component is not left out
-      const Vertex v{Mesh::size_type(result.labels[f])};
-      largest[v] = (std::max)(largest[v], float(distances[f]));
-    }
+  for (std::size_t f = 0; f < distances.size(); ++f) {
+    const Vertex v{Mesh::size_type(result.labels[f])};
+    largest[v] = (std::max)(largest[v], float(distances[f]));
+  }
 }
 
 // Moves the vertices to where the files have them: all that is checked, measured and drawn later is what is written.

@@ -2,6 +2,8 @@
 
 #include "coarsening.h"
 
+#include "repair/drop_small_components.h"
+
 #include <CGAL/Surface_mesh_coarsening/Any_cluster_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Normal_deviation_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Quadric_energy.h>
@@ -73,15 +75,10 @@ auto marks(const std::vector<bool>& marks)
 auto parameters_of(const Options& options, const Fields& fields, Python_visitor& visitor)
 {
   return SMC::parameters::maximum_density(options.maximum_density)
-    .minimum_component_area(options.minimum_component_area)
     .subdivide_input(options.subdivide)
-    .border_densities(!options.paper)
-    .merge_by_area(options.paper)
-    .boundary_count_check(options.paper)
-    .place_on_borders(!options.paper)
+    .paper_rules(options.paper)
     .repair_output(options.repair_output)
     .error_feedback(options.error_feedback)
-    .local_repairs(options.local_repairs)
     .feature_angle(options.feature_angle)
     .face_patch_map(boost::make_function_property_map<Face>(
       [&fields](Face f) -> std::int64_t { return fields.patches ? fields.patches[f] : 0; }))
@@ -95,7 +92,7 @@ auto map_of_patches(Mesh& result) { return result.add_property_map<Face, std::in
 
 void keep_border_vertices(const Mesh& input, Fields& fields)
 {
-  fields.kept_vertices.resize(input.number_of_vertices(), false);
+  fields.kept_vertices.resize(input.num_vertices(), false);
   for (const Halfedge h : input.halfedges())
     if (input.is_border(h))
       fields.kept_vertices[input.target(h)] = true;
@@ -106,7 +103,7 @@ std::vector<Coarsening> coarsen_to_distance(const Mesh& input, const Options& op
 {
   std::vector<Coarsening> results(1);
   Coarsening& result = results[0];
-  result.labels.resize(input.number_of_faces());
+  result.labels.resize(input.num_faces());
   std::size_t most = (std::numeric_limits<std::size_t>::max)();
   if (options.vertex_ratio)
     most = std::size_t((std::max)(std::round(*options.vertex_ratio * double(input.number_of_vertices())), 1.));
@@ -160,9 +157,9 @@ std::vector<Coarsening> coarsen_to_numbers(const Mesh& input, const Options& opt
   clustering.minimize(options.iterations.value_or(Defaults::number_of_iterations), options.convergence_tolerance);
   std::vector<Coarsening> results((std::max)(options.vertices.size(), std::size_t(1)));
   for (Coarsening& result : results)
-    result.labels.resize(input.number_of_faces());
+    result.labels.resize(input.num_faces());
   std::vector<std::int64_t>& counts = results[0].boundary_counts;
-  counts.resize(input.number_of_vertices());
+  counts.resize(input.num_vertices());
   with_placement(options, [&](const auto& placement) {
     clustering.extract_embedded_dual_mesh(results[0].mesh, placement,
                                           SMC::parameters::face_patch_map(map_of_patches(results[0].mesh)));
@@ -247,13 +244,20 @@ auto with_threads(int threads, const Python_visitor& visitor, const Use& use)
 
 } // namespace
 
-std::vector<Coarsening> coarsen(const Mesh& input, const Options& options, Fields fields, Python_visitor& visitor)
+std::vector<Coarsening> coarsen(Mesh input, const Options& options, Fields fields, Python_visitor& visitor)
 {
+  const std::size_t dropped = coarsen_mesh_tool::drop_small_components(input, options.minimum_component_area);
   if (options.keep_borders)
     keep_border_vertices(input, fields);
   const SMC::Any_cluster_energy energy = energy_of(options);
   std::vector<Coarsening> results =
     with_threads(options.threads, visitor, [&] { return coarsen_with(energy, input, options, fields, visitor); });
+  for (Coarsening& result : results) {
+    result.dropped_components = dropped;
+    for (std::size_t f = 0; f < result.labels.size(); ++f)
+      if (input.is_removed(Face(Mesh::size_type(f))))
+        result.labels[f] = result.mesh.number_of_vertices();
+  }
   if (fields.patches) {
     const auto patch = map_of_patches(results[0].mesh);
     results[0].patches.assign(patch.begin(), patch.end());
@@ -261,8 +265,9 @@ std::vector<Coarsening> coarsen(const Mesh& input, const Options& options, Field
   return results;
 }
 
-std::pair<std::size_t, std::size_t> range_of(const Mesh& input, const Options& options, Fields fields, Python_visitor& visitor)
+std::pair<std::size_t, std::size_t> range_of(Mesh input, const Options& options, Fields fields, Python_visitor& visitor)
 {
+  coarsen_mesh_tool::drop_small_components(input, options.minimum_component_area);
   if (options.keep_borders)
     keep_border_vertices(input, fields);
   const SMC::Vertex_number_range range = with_threads(options.threads, visitor, [&] {

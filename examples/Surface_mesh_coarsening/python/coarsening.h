@@ -32,7 +32,7 @@ struct Options
   double maximum_density = 10;
   double feature_angle = 180;
   double mean_angle = 40; // of the smallest angles, in degrees
-  std::size_t error_feedback = 0, local_repairs = 0;
+  std::size_t error_feedback = 0;
   double minimum_component_area = 0;
   bool subdivide = false, repair_output = true, keep_borders = false, keep_small = false;
   std::optional<std::size_t> iterations;
@@ -52,19 +52,20 @@ struct Fields
 struct Coarsening
 {
   Mesh mesh;
-  std::vector<std::int64_t> labels;          // of each face of the input
+  std::vector<std::int64_t> labels;          // of each face of the input; the number of vertices in dropped components
   std::vector<std::int64_t> boundary_counts; // of each vertex of the input; not with a distance, nor of coarser levels
   std::vector<std::int64_t> patches;         // of each face of the mesh, if the input has patches; not of coarser levels
   CGAL::Surface_mesh_coarsening::Coarsening_report report;
+  std::size_t dropped_components = 0;
   std::optional<double> distance_bound; // if a distance was requested
   bool is_within_distance = true;
 };
 
 // Coarsens to each number of vertices, all from the clustering with the first number, or to the distance.
-std::vector<Coarsening> coarsen(const Mesh& input, const Options& options, Fields fields, Python_visitor& visitor);
+std::vector<Coarsening> coarsen(Mesh input, const Options& options, Fields fields, Python_visitor& visitor);
 
 // Returns the least and the largest number of vertices that can be requested.
-std::pair<std::size_t, std::size_t> range_of(const Mesh& input, const Options& options, Fields fields, Python_visitor& visitor);
+std::pair<std::size_t, std::size_t> range_of(Mesh input, const Options& options, Fields fields, Python_visitor& visitor);
 
 } // namespace coarsening_python
 

@@ -43,7 +43,7 @@ py::dict described(const Coarsening& result)
                   "clusters"_a = r.clusters, "rounds"_a = r.rounds, "moves"_a = r.moves,
                   "initial_energy"_a = r.initial_energy,
                   "final_energy"_a = r.final_energy, "converged"_a = r.converged,
-                  "subdivided_components"_a = r.subdivided_components, "dropped_components"_a = r.dropped_components,
+                  "subdivided_components"_a = r.subdivided_components, "dropped_components"_a = result.dropped_components,
                   "exchanged_vertices"_a = r.exchanged_vertices, "intersections_found"_a = r.intersections_found,
                   "intersections_left"_a = r.intersections_left, "reversals_found"_a = r.reversals_found,
                   "reversals_left"_a = r.reversals_left, "feature_lines"_a = r.feature_lines,
@@ -81,13 +81,13 @@ struct Field_arrays
 py::list coarsen_arrays(const Number_array& points, const Index_array& sizes, const Index_array& indices,
                         const Options& options, const Field_arrays& arrays, const py::object& progress)
 {
-  const Mesh input = to_mesh({points, sizes, indices});
+  Mesh input = to_mesh({points, sizes, indices});
   const Fields fields = arrays.fields(input);
   Python_visitor visitor(progress);
   std::vector<Coarsening> results;
   {
     const py::gil_scoped_release unlock;
-    results = coarsen(input, options, fields, visitor);
+    results = coarsen(std::move(input), options, fields, visitor);
   }
   py::list list;
   for (const Coarsening& result : results) {
@@ -102,21 +102,21 @@ std::pair<std::size_t, std::size_t> range_of_arrays(const Number_array& points, 
                                                     const Index_array& indices, const Options& options,
                                                     const Field_arrays& arrays, const py::object& progress)
 {
-  const Mesh input = to_mesh({points, sizes, indices});
+  Mesh input = to_mesh({points, sizes, indices});
   const Fields fields = arrays.fields(input);
   Python_visitor visitor(progress);
   const py::gil_scoped_release unlock;
-  return range_of(input, options, fields, visitor);
+  return range_of(std::move(input), options, fields, visitor);
 }
 
 Number_array face_densities(const Number_array& points, const Index_array& sizes, const Index_array& indices,
-                            double maximum_density, bool border_densities)
+                            double maximum_density, bool paper)
 {
   const Mesh mesh = to_mesh({points, sizes, indices});
   Number_array densities(py::ssize_t(mesh.number_of_faces()));
   double* const values = densities.mutable_data();
   SMC::compute_face_densities(mesh, boost::make_function_property_map<Face>([&](Face f) -> double& { return values[f]; }),
-                              SMC::parameters::maximum_density(maximum_density).border_densities(border_densities));
+                              SMC::parameters::maximum_density(maximum_density).paper_rules(paper));
   return densities;
 }
 
@@ -253,7 +253,6 @@ void define_options(py::module_& m)
     .def_readwrite("keep_small", &Options::keep_small)
     .def_readwrite("energy", &Options::energy)
     .def_readwrite("paper", &Options::paper)
-    .def_readwrite("local_repairs", &Options::local_repairs)
     .def_readwrite("keep_borders", &Options::keep_borders)
     .def_readwrite("weight", &Options::weight)
     .def_readwrite("placement", &Options::placement)

@@ -45,8 +45,7 @@ public:
   /// \tparam FaceClusterMap a model of `ReadablePropertyMap` with the faces as keys and an integral value type
   /// \param mesh the mesh
   /// \param clusters the clusters, as written by `coarsen_mesh()`
-  /// \param number_of_clusters the number of clusters. Faces with this label belong to no cluster; `coarsen_mesh()` writes it for
-  /// the faces of removed components
+  /// \param number_of_clusters the number of clusters. Faces with this label belong to no cluster
   /// \throws Invalid_input if a label is larger than the number of clusters.
   template <class FaceClusterMap>
   Cluster_faces(const FaceGraph& mesh, const FaceClusterMap& clusters, std::size_t number_of_clusters)

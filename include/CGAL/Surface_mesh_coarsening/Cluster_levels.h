@@ -87,7 +87,7 @@ public:
     return out;
   }
 
-  /// writes the cluster of each face on a level. Faces of removed components get the value `level`.
+  /// writes the cluster of each face on a level.
   /// \tparam FaceClusterMap a model of `WritablePropertyMap` with the faces as keys and an integral value type
   /// \throws Unreachable_number_of_vertices if the level does not exist.
   template <class FaceClusterMap>

@@ -33,11 +33,11 @@ struct Coarsening_report
   std::size_t moves = 0;
   /// the number of edges between two clusters whose energies were compared.
   std::size_t tests = 0;
-  /// with parameter `boundary_count_check`, the number of tests at which a move would have lowered the energy, but did not pass
+  /// with parameter `paper_rules`, the number of tests at which a move would have lowered the energy, but did not pass
   /// the paper's check of boundary-edge counts. A move counts at each test, so it often counts several times.
   std::size_t refused_by_boundary_counts = 0;
   /// the number of tests at which a move would have lowered the energy, but after which a cluster would not be a disc, or the
-  /// dual no surface. With parameter `boundary_count_check`, only moves that pass the check are counted.
+  /// dual no surface. With parameter `paper_rules`, only moves that pass the check are counted.
   std::size_t refused_by_guarantee = 0;
   /// the energy of the clustering before the minimization, formula (8) of the paper: the sum of the weighted moments of the clusters.
   double initial_energy = 0;
@@ -48,8 +48,6 @@ struct Coarsening_report
   /// the number of connected components whose faces were subdivided internally, either because whole faces could not form the
   /// number of clusters, or because of parameter `subdivide_input`.
   std::size_t subdivided_components = 0;
-  /// the number of connected components removed because of parameter `minimum_component_area`.
-  std::size_t dropped_components = 0;
   /// the number of clusters that were relocated to regions of large distance (parameter `error_feedback`).
   std::size_t exchanged_vertices = 0;
   /// the number of pairs of triangles that intersected after the placement of the vertices, but not in the input. This

@@ -57,12 +57,11 @@ public:
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   /// \param mesh a 2-manifold polygon mesh
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{face_density_map},
-  /// \smcParam{maximum_density}, \smcParam{border_densities}, \smcParam{cluster_weight}, \smcParam{cluster_energy},
-  /// \smcParam{minimum_component_area}, \smcParam{subdivide_input}, \smcParam{merge_by_area}, \smcParam{boundary_count_check},
-  /// \smcParam{place_on_borders}, \smcParam{repair_output}, \smcParam{error_feedback}, \smcParam{local_repairs},
-  /// \smcParam{feature_angle}, \smcParam{edge_is_constrained_map}, \smcParam{vertex_is_constrained_map},
-  /// \smcParam{face_patch_map}, \smcParam{vertex_point_map}, \smcParam{face_index_map}, \smcParam{geom_traits} and
-  /// \smcParam{visitor}, as in `coarsen_mesh()`
+  /// \smcParam{maximum_density}, \smcParam{cluster_weight}, \smcParam{cluster_energy}, \smcParam{subdivide_input},
+  /// \smcParam{paper_rules}, \smcParam{repair_output}, \smcParam{error_feedback}, \smcParam{feature_angle},
+  /// \smcParam{edge_is_constrained_map}, \smcParam{vertex_is_constrained_map}, \smcParam{face_patch_map},
+  /// \smcParam{vertex_point_map}, \smcParam{face_index_map}, \smcParam{geom_traits} and \smcParam{visitor}, as in
+  /// `coarsen_mesh()`
   /// \throws Invalid_input if the mesh has no faces, is not a 2-manifold, has a coordinate that is not finite, or if a
   /// parameter is out of range.
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -82,7 +81,7 @@ public:
   {
     internal::prepare(mesh, np, internal::execution<ConcurrencyTag>(), numbering_, state_);
     state_.energy = internal::energy_model(internal::chosen_energy<ClusterWeight>(np));
-    state_.may_cluster_cells = state_.energy->is_default() && !state_.merges_by_area &&
+    state_.may_cluster_cells = state_.energy->is_default() && !state_.follows_paper &&
                                !internal::has_parameter<internal_np::face_density_t, NamedParameters>;
   }
 
@@ -122,7 +121,7 @@ public:
   /// then merges cells by the residuals of their quadrics (see `Quadric_energy`), and `minimize()` changes nothing. If the number
   /// of clusters equals the number of vertices, each cell is a cluster, and `Fitted_placement` returns the vertices of the mesh.
   /// `cluster()` returns the cluster with the largest part of a face. Faces are used in any case if the weight is not
-  /// `Weighted_area_weight`, if densities are given, and with \smcParam{subdivide_input} or \smcParam{merge_by_area}.
+  /// `Weighted_area_weight`, if densities are given, and with \smcParam{subdivide_input} or \smcParam{paper_rules}.
   /// \return the number of seeds
   /// \throws Unreachable_number_of_vertices as `seed()` does.
   std::size_t seed_faces_or_cells(std::size_t number_of_clusters)
@@ -132,7 +131,7 @@ public:
   }
 
   /// finds seeds for a number of clusters that is `vertex_ratio` times the number of vertices of the mesh, rounded, and at least
-  /// 1, as `seed_faces_or_cells()` does. Vertices of removed components do not count.
+  /// 1, as `seed_faces_or_cells()` does.
   ///
   /// If `keeps_small_components` is `true`, components whose topology needs more vertices than their part stay as they are, as
   /// features: their vertices are corners and their edges are lines. The ratio then applies to the other components.
@@ -207,7 +206,7 @@ public:
     std::size_t number = 0;
     auto labels = std::make_unique<internal::Cluster_labels>(input.mesh);
     for (std::size_t i = 0; i < input.mesh.number_of_faces(); ++i) {
-      const std::size_t label = std::size_t(get(clusters, numbering_.faces[input.parent_of(Index(i))]));
+      const std::size_t label = std::size_t(get(clusters, numbering_.faces[i]));
       if (label >= numbering_.faces.size())
         throw Invalid_input("the cluster of face " + std::to_string(i) + " is " + std::to_string(label) +
                             " in a mesh of " + std::to_string(numbering_.faces.size()) + " faces");
@@ -230,7 +229,7 @@ public:
 
   /// runs rounds until a round lowers the energy by at most the relative amount `convergence_tolerance` or changes nothing, or
   /// until `number_of_iterations` rounds have been run. If there are many clusters, several rounds are run together in blocks of
-  /// clusters, unless \smcParam{boundary_count_check} is set. Then the energies are compared, and the visitor is notified, after these rounds only.
+  /// clusters, unless \smcParam{paper_rules} is set. Then the energies are compared, and the visitor is notified, after these rounds only.
   /// \throws Invalid_input if the tolerance is negative or not a number.
   void minimize(std::size_t number_of_iterations = Coarsening_defaults::number_of_iterations,
                 double convergence_tolerance = Coarsening_defaults::convergence_tolerance)
@@ -267,7 +266,7 @@ public:
   }
 
   /// returns the cluster of a face. If the faces of a component are subdivided internally, the function returns the cluster of
-  /// the largest part of the face. For faces of removed components it returns `number_of_clusters()`.
+  /// the largest part of the face.
   std::size_t cluster(face_descriptor f) const { return internal::cluster_of_face(state_, numbering_.number_of(f)); }
 
   /// writes the cluster of each face, see `cluster()`.
@@ -292,11 +291,11 @@ public:
   }
 
   /// returns whether the minimization may move a face to another cluster: whether both clusters remain closed discs and the dual
-  /// a triangulated 2-manifold, and, if \smcParam{boundary_count_check} is set, `boundary_counts_allow()` agrees.
+  /// a triangulated 2-manifold, and, if \smcParam{paper_rules} is set, `boundary_counts_allow()` agrees.
   /// \throws Invalid_input if there is no such cluster, or if features are kept or faces subdivided.
   bool may_move(face_descriptor f, std::size_t cluster)
   {
-    return (!state_.checks_boundary_counts || boundary_counts_allow(f, cluster)) &&
+    return (!state_.follows_paper || boundary_counts_allow(f, cluster)) &&
            internal::guarantee_allows_move(state_, numbering_.number_of(f), cluster);
   }
 

@@ -37,8 +37,8 @@ enum class Transfer_policy
 /// Types with means are numbers, colors (`CGAL::IO::Color`), points and vectors of a kernel, and `std::array` of numbers.
 /// `bool` has no means. Integers and colors are rounded.
 ///
-/// The positions of the two meshes may have changed since the coarsening, but not their elements. Values of removed components
-/// (see named parameter `minimum_component_area` of `coarsen_mesh()`) are ignored.
+/// The positions of the two meshes may have changed since the coarsening, but not their elements. Values of
+/// faces that belong to no cluster are ignored: their label is the number of vertices of the coarse mesh.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam CoarseFaceGraph a model of `FaceListGraph`

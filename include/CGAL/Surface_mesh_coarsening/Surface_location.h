@@ -97,7 +97,7 @@ std::vector<Surface_location<FaceGraph> > surface_locations(const FaceGraph& mes
   for (std::size_t x = 0; x < positions.size(); ++x) {
     cancellation.poll(64);
     const Nearest_point nearest = search(positions[x], Index(x));
-    locations.push_back(surface_location(mesh, n, m, nearest, input.parent_of(nearest.face)));
+    locations.push_back(surface_location(mesh, n, m, nearest, nearest.face));
   }
   return locations;
 }

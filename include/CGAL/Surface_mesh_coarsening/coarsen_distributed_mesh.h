@@ -135,12 +135,7 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///     \cgalParamType{a model of `VertexPlacement`, or `Fitted_placement`, which fits the vertices to an approximation of the
 ///                    input on rank 0; other models of `GlobalVertexPlacement` are rejected}
 ///     \cgalParamDefault{`Centroid_placement()`}
-///     \cgalParamExtra{clusters on the border have their vertex on the border, unless `place_on_borders` is `false`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{place_on_borders}
-///     \cgalParamDescription{whether clusters on the border have their vertex on the border}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
+///     \cgalParamExtra{clusters on the border have their vertex on the border}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{repair_output}
 ///     \cgalParamDescription{whether rank 0 moves vertices and flips edges where triangles of the output intersect, or face away
@@ -150,12 +145,6 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///     \cgalParamDefault{`true` with `Fitted_placement`, which needs the approximation, too; otherwise `false`}
 ///     \cgalParamExtra{With a placement at input vertices, `true` is rejected. The input is not clustered again, and no vertices
 ///                     are relocated, so more intersections may remain than with `coarsen_mesh()`.}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{merge_by_area}
-///     \cgalParamDescription{whether clusters of cells are merged to the number of vertices by their area, instead of by mass and
-///                           number of faces}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{output_on_all_ranks}
 ///     \cgalParamDescription{whether all ranks receive the output}

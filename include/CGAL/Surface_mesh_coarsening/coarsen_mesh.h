@@ -72,12 +72,6 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{`Coarsening_defaults::maximum_density`, which is `10`}
 ///     \cgalParamExtra{not used if `face_density_map` is given}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{border_densities}
-///     \cgalParamDescription{whether densities are raised near curved borders, which places more vertices there}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
-///     \cgalParamExtra{not used if `face_density_map` is given}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_density_map}
 ///     \cgalParamDescription{densities that replace the result of `compute_face_densities()`, in
 ///                           \f$ [10^{-20}, 10^{20}] \f$}
@@ -99,26 +93,18 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDescription{the position of the vertex of a cluster}
 ///     \cgalParamType{a model of `VertexPlacement` or `GlobalVertexPlacement`}
 ///     \cgalParamDefault{`Fitted_placement()`}
-///     \cgalParamExtra{clusters on the border have their vertex on the border, unless `place_on_borders` is `false`}
+///     \cgalParamExtra{clusters on the border have their vertex on the border, unless `paper_rules` is `true`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{place_on_borders}
-///     \cgalParamDescription{whether clusters on the border have their vertex on the border. If not, the placement computes
-///                           their vertices, as for other clusters.}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{merge_by_area}
-///     \cgalParamDescription{whether clusters are merged to the number of vertices by their area, as in section 6 of the paper,
-///                           instead of by mass and number of faces}
+///   \cgalParamNBegin{paper_rules}
+///     \cgalParamDescription{whether to follow the rules of the paper where the package replaces them: densities are not raised
+///                           near borders, clusters are merged to the number of vertices by their area (section 6) instead of by
+///                           mass and number of faces, moves in the minimization must also pass the check of section 7, and the
+///                           placement computes the vertices of clusters on the border, too (section 8.3). The check is defined
+///                           for triangle meshes; with it, the rounds run over the whole mesh, and the report counts the tests of
+///                           moves that fail it, and of moves that pass it but fail the check of this package.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{boundary_count_check}
-///     \cgalParamDescription{whether moves in the minimization must also pass the check of section 7 of the paper, which is
-///                           defined for triangle meshes. The rounds then run over the whole mesh. The report counts the tests
-///                           of moves that fail this check, and of moves that pass it but fail the check of this package.}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{`paper()` sets this parameter and the other parameters of the paper.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{repair_output}
 ///     \cgalParamDescription{whether to repair the output: vertices are moved and edges are flipped where triangles intersect
@@ -137,13 +123,6 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{`Coarsening_defaults::error_feedback`, which is `8`; `0` if `face_density_map` is given}
 ///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, or if clusters are given, edited or
 ///                     frozen. Clusters on features and borders are not split.}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{local_repairs}
-///     \cgalParamDescription{the maximum number of relocations of vertices, with their clusters, to triangles that still
-///                           intersect after the repair. With 0, the mesh is reclustered at once.}
-///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{`Coarsening_defaults::local_repairs`, which is `5`}
-///     \cgalParamExtra{not used without `repair_output`, nor if `error_feedback` is not used}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{feature_angle}
 ///     \cgalParamDescription{the angle of features in degrees, in \f$ [0, 180] \f$. Edges between two faces whose normals differ
@@ -175,13 +154,6 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{`false`}
 ///     \cgalParamExtra{the cluster of a face is the cluster of its largest part}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{minimum_component_area}
-///     \cgalParamDescription{the minimum area of a connected component; smaller components are removed, and the report counts
-///                           them}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{`0`: every component is kept}
-///     \cgalParamExtra{faces of removed components get the number of clusters as their cluster}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_cluster_map}
 ///     \cgalParamDescription{receives the cluster of each face of `input`}
 ///     \cgalParamType{a model of `ReadWritePropertyMap` with the faces as keys and an integral value type}
@@ -192,7 +164,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///                           of largest area there}
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertices as keys and an integral value type}
 ///     \cgalParamDefault{the clusters are not written}
-///     \cgalParamExtra{isolated vertices, and vertices of removed components, get the number of clusters}
+///     \cgalParamExtra{isolated vertices get the number of clusters}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{start_from_face_clusters}
 ///     \cgalParamDescription{whether the minimization starts from the clusters in `face_cluster_map`, which have to be valid
@@ -248,8 +220,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertices of `output` as keys and `Surface_location<FaceGraph>` as
 ///                    value}
 ///     \cgalParamDefault{no sources are computed}
-///     \cgalParamExtra{removed components do not belong to the surface; faces of more than three sides are triangulated as
-///                     fans}
+///     \cgalParamExtra{faces of more than three sides are triangulated as fans}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{receives, for each edge, whether it belongs to a feature line}
@@ -310,8 +281,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_ratio}
 ///     \cgalParamDescription{the number of vertices of the output divided by the number of vertices of `input`, for example
-///                           `0.1`. The resulting number is rounded, and at least 1. Isolated vertices and vertices of removed
-///                           components do not count.}
+///                           `0.1`. The resulting number is rounded, and at least 1. Isolated vertices do not count.}
 ///     \cgalParamType{`double`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{keep_small_components}

@@ -36,10 +36,10 @@ namespace Surface_mesh_coarsening {
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`Coarsening_defaults::maximum_density`, which is `10`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{border_densities}
-///     \cgalParamDescription{whether to raise densities near borders; if not, the densities are as in the paper}
+///   \cgalParamNBegin{paper_rules}
+///     \cgalParamDescription{whether the densities are those of the paper, which are not raised near borders}
 ///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
+///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices of `mesh`}

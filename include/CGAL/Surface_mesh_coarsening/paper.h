@@ -28,10 +28,7 @@ auto paper_clustering(const ClusterWeight& weight, double maximum_density = maxi
   //! [paper]
   return cluster_weight(weight)
     .maximum_density(maximum_density)
-    .border_densities(false)    // section 5.2 has no border densities
-    .merge_by_area(true)        // section 6
-    .boundary_count_check(true) // section 7
-    .place_on_borders(false)    // section 8.3: centroids everywhere
+    .paper_rules(true) // sections 5.2, 6, 7 and 8.3
     .error_feedback(std::size_t(0))
     .repair_output(false);
   //! [paper]

@@ -28,7 +28,7 @@ struct Vertex_number_range
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 /// \param mesh a 2-manifold polygon mesh
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", the parameters of the planned coarsening. The
-/// range depends on \smcParam{subdivide_input}, \smcParam{minimum_component_area}, \smcParam{feature_angle},
+/// range depends on \smcParam{subdivide_input}, \smcParam{feature_angle},
 /// \smcParam{edge_is_constrained_map}, \smcParam{vertex_is_constrained_map} and \smcParam{face_patch_map}
 /// \throws Invalid_input as `coarsen_mesh()` does.
 /// \throws Coarsening_cancelled if the visitor cancels.

@@ -47,7 +47,7 @@ struct Parameters
 {
   std::size_t number, level, rounds, weight;
   bool subdivide, own_densities, repair, marks_features;
-  double min_area, feature_angle;
+  double feature_angle;
 
   bool has_features() const { return marks_features || feature_angle < 180; }
 };
@@ -61,7 +61,6 @@ inline Parameters read_parameters(Bytes& bytes, std::size_t vertices)
   p.own_densities = flags / 5 % 4 == 3;
   const std::size_t more = bytes.next();
   p.rounds = more / 4 % 8 == 7 ? 1000 : more / 4 % 8;
-  p.min_area = more >= 224 ? 0.3 : 0;
   p.number = bytes.below(vertices + 3);
   const std::size_t features = bytes.next();
   p.repair = more % 4 == 3 && vertices < 50; // takes long on such irregular surfaces
@@ -99,7 +98,6 @@ struct Call
                        .vertex_placement(placement)
                        .number_of_iterations(parameters.rounds)
                        .subdivide_input(parameters.subdivide)
-                       .minimum_component_area(parameters.min_area)
                        .repair_output(parameters.repair)
                        .feature_angle(parameters.feature_angle)
                        .edge_is_constrained_map(boost::make_assoc_property_map(marks.edges))
@@ -180,7 +178,7 @@ inline void check_result(const Call& call, const Soup& soup, const Result& r, st
   require(r.report.final_energy <= r.report.initial_energy * (1 + 1e-6), "the energy has risen");
   require(std::isfinite(r.report.final_energy), "the energy is not finite");
   require(p.rounds < 1000 || r.report.converged, "it has not converged in 1000 rounds");
-  if (r.report.dropped_components != 0 || !surface_fault(soup).empty())
+  if (!surface_fault(soup).empty())
     return;
   require(topologies(mesh) == topologies(r.mesh), "the topology has changed");
   if (r.features) {
@@ -206,7 +204,7 @@ inline void check_result(const Call& call, const Soup& soup, const Result& r, st
 inline bool has_reason(const Mesh& mesh, const Soup& soup, const Parameters& p,
                 const std::map<Mesh::Face_index, double>& densities)
 {
-  if (faces(mesh).begin() == faces(mesh).end() || !surface_fault(soup).empty() || p.min_area > 0)
+  if (faces(mesh).begin() == faces(mesh).end() || !surface_fault(soup).empty())
     return true;
   if (p.own_densities)
     for (const auto& d : densities)
@@ -251,8 +249,8 @@ inline bool check_call(const Call& call, const Soup& soup, std::size_t number, b
 // Prints the data of a finding.
 inline void print(const Soup& soup, const Parameters& p)
 {
-  std::printf("# number %zu, level %zu, rounds %zu, weight %zu, subdivide %d, own densities %d, least area %g, repair %d, "
-              "marks %d, angle %g\n", p.number, p.level, p.rounds, p.weight, p.subdivide, p.own_densities, p.min_area,
+  std::printf("# number %zu, level %zu, rounds %zu, weight %zu, subdivide %d, own densities %d, repair %d, marks %d, "
+              "angle %g\n", p.number, p.level, p.rounds, p.weight, p.subdivide, p.own_densities,
               p.repair, p.marks_features, p.feature_angle);
   std::printf("%s", mesh_files::off(soup).c_str());
   std::fflush(stdout);

@@ -225,16 +225,13 @@ std::optional<std::string> triangle_mesh_fault(const Mesh& mesh)
 }
 
 Certificate certify(const Mesh& input, const std::vector<std::size_t>& labels, const Mesh& output,
-                    std::size_t dropped_components, bool faces_are_whole)
+                    bool faces_are_whole)
 {
   const Mesh_components before = mesh_components(input), after = mesh_components(output);
   const std::size_t none = (std::numeric_limits<std::size_t>::max)();
   std::vector<std::size_t> partner(before.counts.size(), none), source(after.counts.size(), none);
-  std::vector<bool> dropped(before.counts.size(), true);
   Certificate result;
   for (Face f : input.faces()) {
-    if (labels[f] != output.number_of_vertices())
-      dropped[before.of_face[f]] = false;
     if (labels[f] >= after.of_vertex.size() || after.of_vertex[labels[f]] >= after.counts.size())
       continue;
     const std::size_t b = before.of_face[f], a = after.of_vertex[labels[f]];
@@ -243,12 +240,11 @@ Certificate certify(const Mesh& input, const std::vector<std::size_t>& labels, c
     partner[b] = a;
     source[a] = b;
   }
-  result.one_to_one = result.one_to_one && std::count(source.begin(), source.end(), none) == 0 &&
-                      std::size_t(std::count(dropped.begin(), dropped.end(), true)) == dropped_components;
+  result.one_to_one = result.one_to_one && std::count(source.begin(), source.end(), none) == 0;
   const std::vector<bool> keeps_orientation =
     faces_are_whole ? keep_orientation(input, labels, output, after) : std::vector<bool>(after.counts.size(), true);
   for (std::size_t b = 0; b < before.counts.size(); ++b) {
-    result.components.push_back({before.counts[b], std::nullopt, dropped[b], true});
+    result.components.push_back({before.counts[b], std::nullopt, true});
     if (partner[b] != none) {
       result.components.back().after = after.counts[partner[b]];
       result.components.back().orientation_kept = keeps_orientation[partner[b]];
@@ -267,8 +263,6 @@ std::optional<std::string> Certificate::change() const
     const auto changed = [&](const char* what, auto from, auto to) {
       return component + " has " + what + " " + std::to_string(to) + " instead of " + std::to_string(from);
     };
-    if (p.dropped)
-      continue;
     if (!p.after)
       return component + " is missing";
     if (p.before.genus() != p.after->genus())

@@ -48,8 +48,7 @@ struct Certificate
   struct Pair
   {
     Component_counts before;
-    std::optional<Component_counts> after; // empty if the component is removed
-    bool dropped = false;                  // on request: its faces have the label after the last
+    std::optional<Component_counts> after; // empty if the component is missing
     bool orientation_kept = true;
     bool kept() const
     {
@@ -57,7 +56,7 @@ struct Certificate
     }
   };
   std::vector<Pair> components; // in the order of their first faces
-  bool one_to_one = true;       // components correspond one to one, and the right number was removed
+  bool one_to_one = true;       // components correspond one to one
 
   // Describes the first change of the topology.
   std::optional<std::string> change() const;
@@ -68,11 +67,11 @@ struct Certificate
   }
 };
 
-// Compares the topology of the coarse mesh with the input's. Vertex `i` of the output represents label `i`; faces of the
-// `dropped_components` removed components have the number of vertices as their label. A face divided between clusters has the
-// label of its largest part; such labels do not show the order of neighbors, so the orientation is not compared then.
+// Compares the topology of the coarse mesh with the input's. Vertex `i` of the output represents label `i`. A face divided
+// between clusters has the label of its largest part; such labels do not show the order of neighbors, so the orientation is not
+// compared then.
 Certificate certify(const Mesh& input, const std::vector<std::size_t>& labels, const Mesh& output,
-                    std::size_t dropped_components = 0, bool faces_are_whole = true);
+                    bool faces_are_whole = true);
 
 } // namespace coarsening_support
 

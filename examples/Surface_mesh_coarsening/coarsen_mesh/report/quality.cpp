@@ -2,9 +2,6 @@
 
 #include "report/quality.h"
 
-#include "check/certificate.h"
-#include "io/to_mesh.h"
-
 #include <CGAL/boost/graph/helpers.h>
 
 #include <cmath>
@@ -15,27 +12,6 @@ namespace {
 
 namespace SMC = CGAL::Surface_mesh_coarsening;
 
-// The faces that have a cluster.
-Mesh without_dropped_faces(const Mesh& input, const Coarsening_result& result)
-{
-  const Soup all = to_soup(input);
-  Soup kept;
-  kept.points = all.points;
-  for (std::size_t f = 0; f < all.polygons.size(); ++f)
-    if (result.labels[f] < result.report.clusters)
-      kept.polygons.push_back(all.polygons[f]);
-  return to_mesh(kept);
-}
-
-Measured_quality measured(const Mesh& mesh, const Mesh& coarse)
-{
-  Measured_quality quality;
-  static_cast<Coarsening_quality&>(quality) = SMC::measure_coarsening(mesh, coarse);
-  if (quality.self_intersections > 0)
-    quality.self_intersections_of_input = SMC::measure_coarsening(mesh, mesh, 1).self_intersections;
-  return quality;
-}
-
 std::string line(const char* name, const char* format, double a, double b, double c)
 {
   char text[160];
@@ -45,10 +21,13 @@ std::string line(const char* name, const char* format, double a, double b, doubl
 
 } // namespace
 
-Measured_quality measure(const Mesh& input, const Coarsening_result& result)
+Measured_quality measure(const Mesh& mesh, const Mesh& coarse)
 {
-  return result.report.dropped_components == 0 ? measured(input, result.mesh)
-                                               : measured(without_dropped_faces(input, result), result.mesh);
+  Measured_quality quality;
+  static_cast<Coarsening_quality&>(quality) = SMC::measure_coarsening(mesh, coarse);
+  if (quality.self_intersections > 0)
+    quality.self_intersections_of_input = SMC::measure_coarsening(mesh, mesh, 1).self_intersections;
+  return quality;
 }
 
 double percent(const Coarsening_quality& quality, double length)

@@ -3,7 +3,7 @@
 #ifndef COARSEN_MESH_QUALITY_H
 #define COARSEN_MESH_QUALITY_H
 
-#include "coarsening.h"
+#include "io/Mesh.h"
 
 #include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
 
@@ -13,6 +13,7 @@
 
 namespace coarsen_mesh_tool {
 
+using namespace coarsening_support;
 using CGAL::Surface_mesh_coarsening::Coarsening_quality;
 
 struct Measured_quality : Coarsening_quality
@@ -22,8 +23,8 @@ struct Measured_quality : Coarsening_quality
   std::optional<std::size_t> self_intersections_left;
 };
 
-// Measures how well the result stands for the input, without components that were left out on purpose.
-Measured_quality measure(const Mesh& input, const Coarsening_result& result);
+// Measures how well a coarse mesh stands for a mesh.
+Measured_quality measure(const Mesh& mesh, const Mesh& coarse);
 
 // A length of the measurement in % of the diagonal of the input's bounding box.
 double percent(const Coarsening_quality& quality, double length);

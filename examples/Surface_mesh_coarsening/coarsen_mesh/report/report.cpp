@@ -39,6 +39,7 @@ Json input_of(const Options& options, const Input& input)
   result["points_in_file"] = input.points_in_file;
   result["polygons_in_file"] = input.polygons_in_file;
   result["unused_points_dropped"] = input.unused_points;
+  result["dropped_components"] = input.dropped_components;
   result["repair"] = nullptr;
   if (options.repair) {
     result["repair"] = Json::array();
@@ -68,7 +69,6 @@ Json parameters_of(const Options& options)
   result["mean_angle"] = options.placement == default_placement() ? Json(options.mean_angle) : Json();
   result["paper"] = options.paper;
   result["error_feedback"] = options.error_feedback;
-  result["local_repairs"] = options.local_repairs;
   result["features"] = options.features ? Json(*options.features) : Json();
   result["patches"] = options.patches.empty() ? Json() : Json(options.patches);
   result["keep"] = options.keep.empty() ? Json() : Json(options.keep);
@@ -98,7 +98,6 @@ Json clustering_of(const CGAL::Surface_mesh_coarsening::Coarsening_report& repor
           {"final_energy", report.final_energy},
           {"converged", report.converged},
           {"subdivided_components", report.subdivided_components},
-          {"dropped_components", report.dropped_components},
           {"refused_by_boundary_counts", report.refused_by_boundary_counts},
           {"refused_by_guarantee", report.refused_by_guarantee},
           {"exchanged_vertices", report.exchanged_vertices},
@@ -119,7 +118,6 @@ Json certificate_of(const Certificate& certificate)
   for (const auto& pair : certificate.components)
     components.push_back({{"before", counts_of(pair.before)},
                           {"after", pair.after ? counts_of(*pair.after) : Json()},
-                          {"dropped", pair.dropped},
                           {"kept", pair.kept()}});
   return {{"kept", certificate.kept()},
           {"components_one_to_one", certificate.one_to_one},

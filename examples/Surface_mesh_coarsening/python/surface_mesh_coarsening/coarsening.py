@@ -73,7 +73,6 @@ class Settings(TypedDict, total=False):
     paper: bool
     mean_angle: float
     error_feedback: Optional[int]
-    local_repairs: int
     minimum_component_area: float
     subdivide: bool
     repair_output: Optional[bool]
@@ -92,7 +91,6 @@ _DEFAULTS: Dict[str, Any] = {
     "paper": False,
     "mean_angle": 40,
     "error_feedback": None,
-    "local_repairs": 5,
     "minimum_component_area": 0,
     "subdivide": False,
     "repair_output": None,
@@ -141,7 +139,6 @@ def _options(settings: Dict[str, Any]) -> "_core.Options":
     feedback = 8 if s["density"] is None and not paper else 0
     options.mean_angle = real(s["mean_angle"], "mean_angle")
     options.error_feedback = whole(chosen("error_feedback", feedback), "error_feedback")
-    options.local_repairs = whole(s["local_repairs"], "local_repairs")
     options.minimum_component_area = real(s["minimum_component_area"], "minimum_component_area")
     options.subdivide = flag(s["subdivide"], "subdivide")
     options.repair_output = flag(chosen("repair_output", not paper), "repair_output")
@@ -279,7 +276,6 @@ def coarsen(
         30, only the distance counts
     error_feedback: with the placement "fitted", rounds that relocate vertices to places of large distance; 8 by
         default, 0 with `density`
-    local_repairs: the maximal number of relocations of vertices to triangles that still intersect after the repair, 5 by default
     minimum_component_area: removes connected components of smaller area
     subdivide: whether to subdivide faces internally until there are 20 for each vertex of the result
     repair_output: whether to move vertices and flip edges where triangles of the result intersect or are reversed; True by
@@ -376,9 +372,7 @@ def vertex_number_range(
     return VertexNumberRange(*_core.range(*mesh, options, fields, progress))
 
 
-def face_densities(
-    points: Any, faces: Faces = None, *, maximum_density: float = 10, border_densities: bool = True
-) -> np.ndarray:
-    """Returns the densities of the faces that `coarsen()` computes; with `border_densities=False`, those of the paper."""
+def face_densities(points: Any, faces: Faces = None, *, maximum_density: float = 10, paper: bool = False) -> np.ndarray:
+    """Returns the densities of the faces that `coarsen()` computes with the same arguments."""
     mesh = mesh_arrays(*take_mesh(points, faces))
-    return _core.face_densities(*mesh, real(maximum_density, "maximum_density"), flag(border_densities, "border_densities"))
+    return _core.face_densities(*mesh, real(maximum_density, "maximum_density"), flag(paper, "paper"))

@@ -157,6 +157,27 @@ def test_small_components_are_kept():
     assert {tuple(p) for p in quad} <= {tuple(p) for p in result.points}
 
 
+def test_small_components_are_removed():
+    points, faces = torus()
+    quad = np.array([[20.0, 0, 0], [21, 0, 0], [21, 1, 0], [20, 1, 0]])
+    mesh = np.concatenate([quad, points]), np.concatenate([[[0, 1, 2, 3]], faces + 4])
+    density = np.linspace(1, 9, len(faces))
+    expected = smc.coarsen(points, faces, 100, density=density)
+    result = smc.coarsen(*mesh, 100, density=np.append(1, density), minimum_component_area=1.1)
+    assert result.report["dropped_components"] == 1 and expected.report["dropped_components"] == 0
+    assert np.array_equal(result.points, expected.points)
+    assert result.labels[0] == 100 and np.array_equal(result.labels[1:], expected.labels)
+    assert not result.boundary_counts[:4].any() and np.array_equal(result.boundary_counts[4:], expected.boundary_counts)
+    carried = smc.transfer(*mesh, result, face={"height": np.append(1e9, np.ones(len(faces)))}).face["height"]
+    assert np.allclose(carried, 1)
+    assert smc.vertex_number_range(*mesh, minimum_component_area=1.1) == smc.vertex_number_range(points, faces)
+    assert smc.coarsen(*mesh, 100, minimum_component_area=0.9).report["dropped_components"] == 0
+    with pytest.raises(ValueError, match="no component of the input has an area of 1e"):
+        smc.coarsen(*mesh, 100, minimum_component_area=1e9)
+    with pytest.raises(ValueError, match="minimum component area is -1"):
+        smc.coarsen(*mesh, 100, minimum_component_area=-1)
+
+
 def test_measure_of_a_mesh_itself():
     points, faces = torus()
     quality = smc.measure(points, faces, points, np.concatenate([faces[:, [0, 1, 2]], faces[:, [2, 3, 0]]]), samples=1000)
@@ -460,7 +481,7 @@ def test_other_targets():
 
 def test_numbers_are_refused_by_name():
     points, faces = torus()
-    for name in ("n", "iterations", "threads", "error_feedback", "local_repairs"):
+    for name in ("n", "iterations", "threads", "error_feedback"):
         for value in (2**64, 2.5, -1, float("nan"), float("inf")):
             with pytest.raises(ValueError, match=name):
                 smc.coarsen(points, faces, **{"n": 100, name: value})
@@ -526,7 +547,7 @@ def test_boundary_counts_and_densities():
     assert smc.face_densities(*torus()).max() == pytest.approx(10)
     given = smc.coarsen(points, faces, 39, density=density, error_feedback=8)
     assert np.array_equal(given.labels, result.labels)
-    assert smc.face_densities(points, faces, maximum_density=50, border_densities=False).max() == pytest.approx(50)
+    assert smc.face_densities(points, faces, maximum_density=50, paper=True).max() == pytest.approx(50)
 
 
 def test_kept_elements():

@@ -39,8 +39,7 @@ public:
 
   std::vector<Triangle> triangles(std::size_t level) const;
 
-  // Returns the clusters of the `number` faces of the caller's mesh on a level; `level` for faces of removed
-  // components.
+  // Returns the clusters of the `number` faces of the caller's mesh on a level.
   std::vector<Index> clusters_of_faces(std::size_t level, std::size_t number) const;
 
   Placed_level place(std::size_t level, const Placement_model& placement, bool with_repair,

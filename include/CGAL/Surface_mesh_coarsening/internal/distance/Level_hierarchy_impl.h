@@ -184,10 +184,8 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> Level_hierarchy::clusters
 {
   const std::vector<Index> of_cluster = history_.ancestors(finest(), level);
   std::vector<Index> clusters(number);
-  for (std::size_t f = 0; f < number; ++f) {
-    const std::size_t x = cluster_of_face(state_, Index(f));
-    clusters[f] = x == finest() ? Index(level) : of_cluster[history_.number(Index(x))];
-  }
+  for (std::size_t f = 0; f < number; ++f)
+    clusters[f] = of_cluster[history_.number(Index(cluster_of_face(state_, Index(f))))];
   return clusters;
 }
 
@@ -210,7 +208,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_level Level_hierarchy::place(std::siz
 {
   Placed_level placed{labels(level), history_.triangles(level), {}, {}};
   const Clustered_faces surface(pieces_of(state_), placed.labels, level);
-  placed.positions = place_vertices(surface, Border_arcs(surface, state_.places_on_borders), placement, with_repair,
+  placed.positions = place_vertices(surface, Border_arcs(surface, !state_.follows_paper), placement, with_repair,
                                     output_coordinates, placed.triangles, placed.counts, state_.cancellation());
   return placed;
 }

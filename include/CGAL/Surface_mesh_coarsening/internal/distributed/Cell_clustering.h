@@ -70,7 +70,7 @@ public:
     set_labels(parts, labels);
     labels.recount();
     const Clustered_faces surface(input, labels, parts.bounds(), choice.execution, cancellation);
-    const Border_arcs border(surface, choice.places_on_borders);
+    const Border_arcs border(surface);
     border.place(positions);
     if (choice.placement.from_start) {
       cancellation.stage_begins(Coarsening_stage::PLACEMENT);
@@ -288,8 +288,6 @@ private:
     state.energy = choice_.energy;
     state.frame = frame_;
     state.repairs_output = choice_.repairs_output;
-    state.merges_by_area = choice_.merges_by_area;
-    state.places_on_borders = choice_.places_on_borders;
     state.input.items = mesh.make(level_ == 0, context_.cancellation, choice_.execution);
     if (!cluster(state))
       return false;

@@ -47,8 +47,7 @@ struct Distributed_choice
   Placement_model placement;
   Face_names face_names;
   std::function<Output_coordinates(const Local_frame&)> output_coordinates;
-  bool merges_by_area = false, places_on_borders = true, repairs_output = false;
-  bool wants_clusters = false, wants_output_everywhere = false;
+  bool repairs_output = false, wants_clusters = false, wants_output_everywhere = false;
   std::string scratch_directory; // if empty, all records are kept in memory
   std::uint64_t scratch_memory = 0; // the number of bytes of records that are kept in memory in spite of a scratch directory
 
@@ -82,15 +81,12 @@ void refuse_unavailable(const NPIn& np_in, const NPOut& np_out)
   refuse_across_ranks(np_in, CGAL::internal_np::face_index, "face_index_map");
   refuse_across_ranks(np_in, internal_np::neighborhood_level_p, "neighborhood_level");
   refuse_across_ranks(np_in, internal_np::vertex_ratio_p, "vertex_ratio");
-  refuse_across_ranks(np_in, internal_np::minimum_component_area_p, "minimum_component_area");
   refuse_across_ranks(np_in, internal_np::vertex_to_cluster, "vertex_to_cluster_map");
   refuse_across_ranks(np_in, internal_np::vertex_boundary_count, "vertex_boundary_count_map");
   refuse_if_set(np_in, internal_np::start_from_face_clusters_p, "start_from_face_clusters");
   refuse_if_set(np_in, internal_np::subdivide_input_p, "subdivide_input");
-  refuse_if_set(np_in, internal_np::boundary_count_check_p, "boundary_count_check");
-  refuse_if_set(np_in, internal_np::border_densities_p, "border_densities");
+  refuse_if_set(np_in, internal_np::paper_rules_p, "paper_rules");
   refuse_if_set(np_in, internal_np::error_feedback_p, "error_feedback");
-  refuse_if_set(np_in, internal_np::local_repairs_p, "local_repairs");
   refuse_across_ranks(np_out, internal_np::vertex_source, "vertex_source_map");
   refuse_across_ranks(np_out, CGAL::internal_np::edge_is_constrained, "edge_is_constrained_map");
   refuse_across_ranks(np_out, CGAL::internal_np::vertex_is_constrained, "vertex_is_constrained_map");
@@ -118,7 +114,6 @@ void read_placement(const Placement& placement, const NamedParametersIn& np_in, 
   if (!choice.placement.local && !choice.placement.from_start)
     throw Invalid_input("a placement of all vertices together, other than Fitted_placement, is not available for distributed "
                         "meshes");
-  choice.places_on_borders = choose_parameter(get_parameter(np_in, internal_np::place_on_borders_p), true);
   choice.repairs_output =
     choose_parameter(get_parameter(np_in, internal_np::repair_output_p), bool(choice.placement.from_start));
   if (choice.repairs_output && choice.placement.is_at_input_vertices)
@@ -160,7 +155,6 @@ Distributed_choice distributed_choice(std::size_t number_of_vertices, const Plac
     return cluster_energies(energy, input, labels, clusters);
   };
   read_placement<OutputFaceGraph>(placement, np_in, np_out, choice);
-  choice.merges_by_area = choose_parameter(get_parameter(np_in, internal_np::merge_by_area_p), false);
   choice.wants_output_everywhere = choose_parameter(get_parameter(np_in, internal_np::output_on_all_ranks_p), false);
   choice.wants_clusters = has_parameter<internal_np::face_cluster_t, NamedParametersIn>;
   if constexpr (has_parameter<internal_np::face_name_t, NamedParametersIn>)

@@ -30,12 +30,12 @@ template <class Visit>
 void for_each_number(Coarsening_report& report, const Visit& visit)
 {
   auto& [level, seeds, clusters, splits, merges, rounds, moves, tests, refused_by_boundary_counts, refused_by_guarantee,
-         initial_energy, final_energy, converged, subdivided_components, dropped_components, exchanged_vertices,
+         initial_energy, final_energy, converged, subdivided_components, exchanged_vertices,
          intersections_found, intersections_left, intersecting_faces, reversals_found, reversals_left, narrow_faces, clusterings,
          feature_lines, feature_corners] = report;
   for (std::size_t* const count :
        {&level, &seeds, &clusters, &splits, &merges, &rounds, &moves, &tests, &refused_by_boundary_counts, &refused_by_guarantee,
-        &subdivided_components, &dropped_components, &exchanged_vertices, &intersections_found, &intersections_left,
+        &subdivided_components, &exchanged_vertices, &intersections_found, &intersections_left,
         &reversals_found, &reversals_left, &clusterings, &feature_lines, &feature_corners})
     visit(*count);
   visit(initial_energy);

@@ -168,7 +168,7 @@ struct Dual_parts
     const Cluster_labels& labels = clusters_of_patch.labels();
     std::vector<char> is_on_border(clusters_of_patch.size(), false);
     for (Index f = 0; f < input.mesh.number_of_faces(); ++f) {
-      if (choice.places_on_borders && patch.is_own(f))
+      if (patch.is_own(f))
         add_border(patch, clusters_of_patch, f, is_on_border);
       if (choice.places_on_cells() && patch.is_own(f) && patch.faces.is_center[f])
         centers.push_back({patch.faces.origin[f], patch.faces.cluster[f]});

@@ -143,11 +143,10 @@ private:
   std::vector<Index> single_vertex_;
 };
 
-// Returns the cluster of a face of the caller's mesh: the cluster of its largest part, or `none` if it has no part, as
-// in a removed component. If features are kept, the first corner of the face takes precedence, then the first end of a
-// feature edge of the face. So the faces around a corner have the cluster of the corner, and both faces of a feature
-// edge have the same cluster, unless a face has several corners or feature edges.
-inline std::size_t cluster_of_face(const Featured_input& input, const Cluster_labels& labels, std::size_t none, Index f)
+// Returns the cluster of a face of the caller's mesh: the cluster of its largest part. If features are kept, the first corner of
+// the face takes precedence, then the first end of a feature edge of the face. So the faces around a corner have the cluster of the
+// corner, and both faces of a feature edge have the same cluster, unless a face has several corners or feature edges.
+inline std::size_t cluster_of_face(const Featured_input& input, const Cluster_labels& labels, Index f)
 {
   const Feature_cells* const cells = input.cells.get();
   const Clustering_input& pieces = cells ? cells->pieces() : input.items;
@@ -166,7 +165,7 @@ inline std::size_t cluster_of_face(const Featured_input& input, const Cluster_la
   }
   if (first_node != NONE)
     return labels[cells->cell(first_node)];
-  return votes.empty() ? none : votes.value();
+  return votes.value();
 }
 
 } // namespace internal

@@ -65,7 +65,7 @@ std::vector<Feature_request::Edge> read_edges(const FaceGraph& mesh, const Numbe
 {
   std::vector<Feature_request::Edge> edges;
   for (std::size_t f = 0; f < input.mesh.number_of_faces(); ++f)
-    for (const auto h : halfedges_around_face(halfedge(n.faces[input.parent_of(Index(f))], mesh), mesh))
+    for (const auto h : halfedges_around_face(halfedge(n.faces[f], mesh), mesh))
       if (get(map, edge(h, mesh)))
         edges.push_back({Index(f), input.mesh.corner_of(Index(f), n.number_of(source(h, mesh)))});
   return edges;

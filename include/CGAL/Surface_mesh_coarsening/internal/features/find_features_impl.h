@@ -22,7 +22,7 @@ find_features(const Clustering_input& input, const Feature_request& request, con
     detection.add_tips(request.angle);
   }
   if (!patches.empty())
-    detection.add_patch_borders([&](Index f) { return patches[input.parent_of(f)]; });
+    detection.add_patch_borders([&](Index f) { return patches[f]; });
   for (const Feature_request::Edge& e : request.edges)
     detection.add_edge(e.face, e.corner);
   for (const Index v : request.corners)

@@ -148,7 +148,6 @@ struct Local_frame
   // Convert lengths and areas.
   double length_to_local(double length) const { return std::ldexp(length, -exponent); }
   double length_to_mesh(double length) const { return std::ldexp(length, exponent); }
-  double area_to_local(double area) const { return std::ldexp(area, -2 * exponent); }
 };
 
 // Translates the points to the center of their bounding box, so that energies do not lose digits if the mesh is far from the

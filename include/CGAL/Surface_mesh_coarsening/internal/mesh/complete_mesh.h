@@ -31,13 +31,9 @@ std::vector<double> compute_densities(const Flat_mesh& mesh, double maximum, boo
 void compute_areas_and_centroids(Clustering_input& input, const Cancellation_point& cancellation = Cancellation_point(),
                                  Execution execution = Execution::SEQUENTIAL);
 
-// Returns the input for pieces of the polygons of `whole`, or for some of these polygons. Densities and parents are
-// inherited.
+// Returns the input for pieces of the polygons of `whole`. Densities and parents are inherited.
 Clustering_input cut_input(const Clustering_input& whole, Flat_mesh pieces, const std::vector<Index>& whole_face,
                            const Cancellation_point& cancellation = Cancellation_point());
-
-// Removes components whose area is less than `min_area`. Returns their number.
-std::size_t drop_components_below(Clustering_input& input, double min_area, const Cancellation_point& cancellation);
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

@@ -5,7 +5,6 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh_builder.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 
 #include <algorithm>
@@ -216,35 +215,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Clustering_input cut_input(const Clustering_
   }
   compute_areas_and_centroids(result, cancellation);
   return result;
-}
-
-CGAL_SURFACE_MESH_COARSENING_INLINE std::size_t drop_components_below(Clustering_input& input, double min_area,
-                                                                      const Cancellation_point& cancellation)
-{
-  const Flat_mesh& m = input.mesh;
-  std::vector<double> areas(m.components.size(), 0);
-  for (std::size_t f = 0; f < input.area.size(); ++f)
-    areas[m.component[f]] += input.area[f];
-  const auto dropped = std::size_t(std::count_if(areas.begin(), areas.end(), [&](double a) { return a < min_area; }));
-  if (dropped == 0)
-    return 0;
-  std::vector<Index> new_number(m.number_of_faces(), NONE), kept;
-  for (std::size_t f = 0; f < new_number.size(); ++f)
-    if (!(areas[m.component[f]] < min_area)) {
-      new_number[f] = Index(kept.size());
-      kept.push_back(Index(f));
-    }
-  Flat_mesh_builder builder(m.points);
-  for (const Index f : kept) {
-    cancellation.poll();
-    for (const Index c : m.corners(f)) {
-      const Index g = m.face_across[c];
-      builder.add_corner(m.corner_vertex[c], g == NONE ? NONE : new_number[g]);
-    }
-    builder.end_face();
-  }
-  input = cut_input(input, builder.finish(cancellation), kept, cancellation);
-  return dropped;
 }
 
 } // namespace internal

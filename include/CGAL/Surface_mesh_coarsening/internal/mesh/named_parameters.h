@@ -93,7 +93,7 @@ struct Order_parameters
 {};
 
 struct Density_parameters
-  : Parameter_list<internal_np::maximum_density_t, internal_np::border_densities_t>
+  : Parameter_list<internal_np::maximum_density_t, internal_np::paper_rules_t>
 {};
 
 // The maps of features of a mesh, which are read or written.
@@ -106,11 +106,8 @@ struct Feature_map_parameters
 struct Clustering_parameters
   : Parameter_lists<Geometry_parameters, Order_parameters, Density_parameters, Feature_map_parameters,
                     Parameter_list<internal_np::face_density_t, internal_np::cluster_weight_t, internal_np::cluster_energy_t,
-                                   internal_np::minimum_component_area_t, internal_np::subdivide_input_t,
-                                   internal_np::repair_output_t, internal_np::error_feedback_t, internal_np::local_repairs_t,
-                                   internal_np::feature_angle_t, internal_np::merge_by_area_t,
-                                   internal_np::boundary_count_check_t, internal_np::place_on_borders_t,
-                                   CGAL::internal_np::visitor_t> >
+                                   internal_np::subdivide_input_t, internal_np::repair_output_t, internal_np::error_feedback_t,
+                                   internal_np::feature_angle_t, CGAL::internal_np::visitor_t> >
 {};
 
 // The parameters of all functions that compute a coarser mesh.
@@ -236,7 +233,7 @@ Density_choice density_choice(const NamedParameters& np)
   const double r = choose_parameter(get_parameter(np, internal_np::maximum_density_p), Coarsening_defaults::maximum_density);
   if (!(r >= 1 && r <= largest_density))
     throw Invalid_input("the maximum density is " + number_text(r) + ", not in [1, 1e20]");
-  return {r, choose_parameter(get_parameter(np, internal_np::border_densities_p), true)};
+  return {r, !choose_parameter(get_parameter(np, internal_np::paper_rules_p), false)};
 }
 
 // Checks and returns the caller's densities.
@@ -282,20 +279,6 @@ Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& 
   input.density = densities_of(n, input.mesh, choice, get_parameter(np, internal_np::face_density), cancellation, execution);
   compute_areas_and_centroids(input, cancellation, execution);
   return input;
-}
-
-// Removes the components below the minimum area, which is given in units of the mesh.
-template <class NamedParameters>
-std::size_t drop_small_components(const NamedParameters& np, const Local_frame& frame, Clustering_input& input,
-                                  const Cancellation_point& cancellation)
-{
-  const double least = choose_parameter(get_parameter(np, internal_np::minimum_component_area_p), 0.);
-  if (!(least >= 0))
-    throw Invalid_input("the minimum component area is " + number_text(least));
-  const std::size_t dropped = drop_components_below(input, frame.area_to_local(least), cancellation);
-  if (input.mesh.number_of_faces() == 0)
-    throw Invalid_input("no component of the input has an area of " + number_text(least));
-  return dropped;
 }
 
 } // namespace internal

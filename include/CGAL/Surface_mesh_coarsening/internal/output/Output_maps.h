@@ -266,22 +266,16 @@ inline std::vector<Index> clusters_of_vertices(const Flat_mesh& m, const std::ve
   return result;
 }
 
-// Writes the clusters of the faces of the input; faces of removed components get `number`.
+// Writes the clusters of the faces of the input.
 template <class FaceGraph, class Map>
-void write_face_clusters(const Numbering<FaceGraph>& numbering, const Clustering_input& input,
-                         const std::vector<Index>& clusters, std::size_t number, const Map& map)
+void write_face_clusters(const Numbering<FaceGraph>& numbering, const std::vector<Index>& clusters, const Map& map)
 {
   typedef typename boost::property_traits<Map>::value_type Value;
-  const auto& faces = numbering.faces;
-  std::vector<Index> of_face(faces.size(), Index(number));
-  for (std::size_t i = 0; i < clusters.size(); ++i)
-    of_face[input.parent_of(Index(i))] = clusters[i];
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    put(map, faces[f], Value(of_face[f]));
+  for (std::size_t f = 0; f < clusters.size(); ++f)
+    put(map, numbering.faces[f], Value(clusters[f]));
 }
 template <class FaceGraph>
-void write_face_clusters(const Numbering<FaceGraph>&, const Clustering_input&, const std::vector<Index>&, std::size_t,
-                         const CGAL::internal_np::Param_not_found&)
+void write_face_clusters(const Numbering<FaceGraph>&, const std::vector<Index>&, const CGAL::internal_np::Param_not_found&)
 {}
 
 template <class FaceGraph, class Map>

@@ -56,14 +56,12 @@ struct Clustering_state
   Execution execution = Execution::SEQUENTIAL;
   bool may_cluster_cells = false; // whether the weight is the default and densities are not given
   double share_for_cells = min_share_of_cells; // 0 if only the distance counts
-  bool subdivides_input = false, merges_by_area = false, checks_boundary_counts = false, places_on_borders = true,
-       repairs_output = true;
+  bool subdivides_input = false, repairs_output = true;
+  bool follows_paper = false; // parameter `paper_rules`
   std::size_t exchange_rounds = 0; // the number of rounds that relocate vertices to regions of large error
-  std::size_t max_local_repairs = 0; // the maximum number of relocations of vertices to intersecting triangles
   Local_frame frame;
   Featured_input input;
   std::vector<long long> patches; // per face of the caller's mesh, if given
-  std::size_t dropped_components = 0;
   std::shared_ptr<const Energy_model> energy;
 
   // Set by seeding and growth:
@@ -79,7 +77,7 @@ struct Clustering_state
   Coarsening_report report;
 
   Cancellation_point cancellation() const { return Cancellation_point(visitor); }
-  // The faces of the mesh, without removed components.
+  // The faces of the mesh.
   const Clustering_input& base_input() const;
   // The labelled faces: the faces of the input, or pieces of them.
   const Featured_input& featured_input() const;

@@ -9,9 +9,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/cluster_queries.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
-#include <algorithm>
-#include <string>
-
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
@@ -26,40 +23,30 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Cluster_report> cluster_reports(
   const Clustered_faces clustered(pieces, clusters, state.execution, state.cancellation());
   for (std::size_t x = 0; x < clusters; ++x)
     reports[x].centroid = to_point(state.frame.to_mesh(clustered.cluster_centroid(x)));
-  for (std::size_t f = 0; f < faces; ++f) {
-    const std::size_t x = cluster_of_face(state, Index(f));
-    if (x < clusters) // not in a removed component
-      ++reports[x].faces;
-  }
+  for (std::size_t f = 0; f < faces; ++f)
+    ++reports[cluster_of_face(state, Index(f))].faces;
   return reports;
 }
 
-// Returns the item that is a face of the caller's mesh, and checks the cluster.
-inline Index item_to_move(const Clustering_state& state, Index face, std::size_t cluster)
+// Checks the cluster, and that the items of the clusters are the faces of the caller's mesh.
+inline void check_move(const Clustering_state& state, std::size_t cluster)
 {
   check_cluster(state, cluster);
-  const Clustering_input& input = state.working_input();
   if (state.featured_input().cells || state.report.subdivided_components > 0)
     throw Invalid_input("single faces do not move where features are kept, or where faces are subdivided");
-  if (input.parent.empty())
-    return face;
-  const auto item = std::lower_bound(input.parent.begin(), input.parent.end(), face);
-  if (item == input.parent.end() || *item != face)
-    throw Invalid_input("face " + std::to_string(face) + " belongs to a removed component");
-  return Index(item - input.parent.begin());
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE bool boundary_counts_allow_move(const Clustering_state& state, Index face,
                                                                     std::size_t cluster)
 {
-  const Index f = item_to_move(state, face, cluster);
-  return labels(state)[f] != cluster && Valid_moves(*state.labels, nullptr).boundary_counts_allow(f, Index(cluster));
+  check_move(state, cluster);
+  return labels(state)[face] != cluster && Valid_moves(*state.labels, nullptr).boundary_counts_allow(face, Index(cluster));
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE bool guarantee_allows_move(Clustering_state& state, Index face, std::size_t cluster)
 {
-  const Index f = item_to_move(state, face, cluster);
-  return labels(state)[f] != cluster && Valid_moves(*state.labels, nullptr).may_move(f, Index(cluster));
+  check_move(state, cluster);
+  return labels(state)[face] != cluster && Valid_moves(*state.labels, nullptr).may_move(face, Index(cluster));
 }
 
 } // namespace internal

@@ -46,7 +46,7 @@ struct Bordered_surface
 
 inline std::unique_ptr<Bordered_surface> bordered_surface(const Clustering_state& state, Placed_dual& dual)
 {
-  return std::make_unique<Bordered_surface>(clustered_faces(state, dual), state.places_on_borders);
+  return std::make_unique<Bordered_surface>(clustered_faces(state, dual), !state.follows_paper);
 }
 
 // Returns one of some parts of the budget.
@@ -184,6 +184,8 @@ inline bool stay_on_components(const Clustered_faces& surface, const std::vector
   });
 }
 
+constexpr std::size_t max_repairs_by_exchange = 5;
+
 // Places the vertices, exchanges some of them together with their clusters, and repairs the placement. `plain` receives the fit
 // without exchange, before the repair.
 inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
@@ -207,7 +209,7 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
   const std::vector<Vector> fitted = dual.positions;
   dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual, budget);
   bool is_better = true;
-  for (std::size_t i = 0; i < state.max_local_repairs && is_better && is_worth_repairing(state, dual, budget); ++i)
+  for (std::size_t i = 0; i < max_repairs_by_exchange && is_better && is_worth_repairing(state, dual, budget); ++i)
     is_better = repair_by_exchange(state, placement, output_coordinates, clusters, surface, dual, budget);
   dual.movement_by_repair = mean_movement(fitted, dual.positions);
   state.visitor.throw_if_cancelled();

@@ -36,7 +36,7 @@ void cluster_faces(Clustering_state& state);
 // Returns the smallest and the largest attainable number of clusters.
 std::pair<std::size_t, std::size_t> vertex_number_range(const Clustering_state& state);
 
-// Returns `ratio` times the number of vertices of the mesh, without removed components.
+// Returns `ratio` times the number of vertices of the mesh.
 std::size_t number_of_vertices(const Clustering_state& state, double ratio);
 
 // Keeps the components whose topology needs more than `ratio` times their vertices as they are. Returns `ratio` times the number of
@@ -118,15 +118,11 @@ void prepare(const FaceGraph& mesh, const NamedParameters& np, Execution executi
   elements = numbering(mesh, np, cancellation);
   state.input.items = clustering_input(mesh, np, elements, state.frame, cancellation, execution);
   state.subdivides_input = choose_parameter(get_parameter(np, internal_np::subdivide_input_p), false);
-  state.merges_by_area = choose_parameter(get_parameter(np, internal_np::merge_by_area_p), false);
-  state.checks_boundary_counts = choose_parameter(get_parameter(np, internal_np::boundary_count_check_p), false);
-  state.places_on_borders = choose_parameter(get_parameter(np, internal_np::place_on_borders_p), true);
+  state.follows_paper = choose_parameter(get_parameter(np, internal_np::paper_rules_p), false);
   state.repairs_output = choose_parameter(get_parameter(np, internal_np::repair_output_p), true);
   constexpr bool has_densities = has_parameter<internal_np::face_density_t, NamedParameters>;
   const std::size_t default_feedback = has_densities ? 0 : Coarsening_defaults::error_feedback;
   state.exchange_rounds = choose_parameter(get_parameter(np, internal_np::error_feedback_p), default_feedback);
-  state.max_local_repairs = choose_parameter(get_parameter(np, internal_np::local_repairs_p), Coarsening_defaults::local_repairs);
-  state.dropped_components = drop_small_components(np, state.frame, state.input.items, cancellation);
   read_features(mesh, np, elements, state.input, state.frame, state.patches, cancellation);
   state.visitor.stage_ends(Coarsening_stage::PREPARATION);
 }

@@ -63,7 +63,6 @@ void all_or_nothing(Clustering_state& state, const Step& step)
 inline void reset_report(Clustering_state& state)
 {
   state.report = Coarsening_report();
-  state.report.dropped_components = state.dropped_components;
   if (state.input.cells) {
     state.report.feature_lines = state.input.cells->graph().lines().size();
     state.report.feature_corners = state.input.cells->graph().number_of_corners();
@@ -76,7 +75,7 @@ inline void begin_minimization(Clustering_state& state)
   if (state.minimization)
     return;
   state.minimization = state.energy->minimization(state.featured_input(), *state.labels, state.number_of_clusters(),
-                                                  state.checks_boundary_counts, state.cancellation(), state.execution);
+                                                  state.follows_paper, state.cancellation(), state.execution);
   state.report.initial_energy = state.report.final_energy = state.minimization->energy();
 }
 
@@ -102,7 +101,7 @@ inline void seed_items(Clustering_state& state, const Seeding& seeding)
   reset_report(state);
   state.seeding = seeding;
   state.minimization_end = Minimization_end();
-  state.initial = std::make_unique<Initial_clustering>(state.input, state.merges_by_area, state.report, state.cancellation(),
+  state.initial = std::make_unique<Initial_clustering>(state.input, state.follows_paper, state.report, state.cancellation(),
                                                        state.execution);
   all_or_nothing(state, [&] {
     if (seeding.kind == Seeding::AT_LEVEL) {
@@ -254,7 +253,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> seeds(const Clustering_st
 
 CGAL_SURFACE_MESH_COARSENING_INLINE std::size_t cluster_of_face(const Clustering_state& state, Index face)
 {
-  return cluster_of_face(state.featured_input(), labels(state), state.number_of_clusters(), face);
+  return cluster_of_face(state.featured_input(), labels(state), face);
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> clusters_of_base_faces(const Clustering_state& state)
@@ -263,7 +262,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> clusters_of_base_faces(co
   std::vector<Index> clusters;
   clusters.reserve(base.mesh.number_of_faces());
   for (std::size_t f = 0; f < base.mesh.number_of_faces(); ++f)
-    clusters.push_back(Index(cluster_of_face(state, base.parent_of(Index(f)))));
+    clusters.push_back(Index(cluster_of_face(state, Index(f))));
   return clusters;
 }
 

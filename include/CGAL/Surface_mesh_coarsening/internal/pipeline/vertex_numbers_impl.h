@@ -47,7 +47,7 @@ auto with_attainable_numbers(const Clustering_state& state, const Use& use)
       ? std::make_optional(with_items(state.input, Feature_cells::AT_FEATURES, state.cancellation()))
       : std::nullopt;
   return use([&] {
-    return Initial_clustering(faces ? *faces : state.input, state.merges_by_area, unused, state.cancellation(), state.execution);
+    return Initial_clustering(faces ? *faces : state.input, state.follows_paper, unused, state.cancellation(), state.execution);
   });
 }
 
