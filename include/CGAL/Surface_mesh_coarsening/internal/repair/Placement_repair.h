@@ -55,7 +55,7 @@ public:
     Repair_counts counts;
     faults_.find();
     counts.intersections_found = faults_.pairs().size();
-    counts.reversals_found = faults_.reversed().size();
+    counts.reversals_found = faults_.number() - counts.intersections_found;
     if (faults_.number() > 0 && faults_.number() <= max_faults_of_triangle * coarse_.triangles().size()) {
       const std::vector<Vector> wanted = positions_;
       search();
@@ -70,7 +70,8 @@ public:
 
 private:
   static constexpr std::size_t max_rounds = 20, max_faults_of_triangle = 8;
-  static constexpr std::size_t comparisons_of_test = 48; // bounds of distances that take as long as an exact test
+  static constexpr std::size_t max_perturbations = 2; // without gain
+  static constexpr std::size_t comparisons_of_test = 8; // of distances, which take as long as an exact test
   // The increase of the distance that a triangle without area is worth, as a part of the distance around the fault.
   static constexpr double harm_of_narrowness = 1;
 
@@ -94,7 +95,6 @@ private:
       if (rounds_without_gain > 0)
         perturb_around_faults(rounds_without_gain);
       repair_faults();
-      faults_.find();
       ++rounds_without_gain;
       if (faults_.number() < least) {
         least = faults_.number();
@@ -112,7 +112,8 @@ private:
 
   bool is_worth_trying(std::size_t round, std::size_t rounds_without_gain) const
   {
-    return round < max_rounds && faults_.number() > 0 && rounds_without_gain < 6 && !budget_.is_spent_for_repair();
+    return round < max_rounds && faults_.number() > 0 && rounds_without_gain <= max_perturbations &&
+           !budget_.is_spent_for_repair();
   }
 
   void repair_faults()
@@ -156,16 +157,13 @@ private:
   void return_to(const std::vector<Vector>& wanted)
   {
     constexpr int times = 3;
-    bool has_moved = false;
     for (int i = 0; i < times; ++i)
       for (std::size_t v = 0; v < positions_.size(); ++v)
         if (positions_[v] != wanted[v] && !budget_.is_spent_for_repair())
-          has_moved = return_to(Index(v), wanted[v]) || has_moved;
-    if (has_moved)
-      faults_.find();
+          return_to(Index(v), wanted[v]);
   }
 
-  bool return_to(Index v, const Vector& wanted)
+  void return_to(Index v, const Vector& wanted)
   {
     const Vector from = positions_[v];
     distance_.measure_around({v});
@@ -180,11 +178,10 @@ private:
       if (distance_.changed(altered, distance_.current()) + harm_of_narrowing(altered) < distance_.current() &&
           faults_.number_after_change(altered, before + 1) <= before) {
         faults_.update(altered);
-        return true;
+        return;
       }
       make({{{v, from}}, NONE, 0});
     }
-    return false;
   }
 
   // At first the change of least harm per removed fault is preferred; if this does not succeed, the change of largest gain.
@@ -308,8 +305,8 @@ private:
     faults_.update(altered);
   }
 
-  // If no change has helped, moves the vertices around faults halfway to the centroids of their clusters, outwards, which
-  // thickens thin parts, or inwards, which widens gaps. Then changes are tried again.
+  // If no change has helped, moves the vertices around faults outwards, which thickens thin parts, the next time halfway to the
+  // centroids of their clusters. Then changes are tried again.
   void perturb_around_faults(std::size_t time)
   {
     std::set<Index> vertices;
@@ -327,11 +324,9 @@ private:
     for (const Index v : vertices) {
       if (at_input_vertices_ || border_.is_on_border(v))
         continue;
-      const bool goes_back = time % 3 == 2;
-      const Vector direction = goes_back ? surface_.cluster_centroid(v) - positions_[v]
-                                         : size_around(coarse_, positions_, v) * reference_.normal(v);
-      const double part = goes_back ? 0.5 : time % 3 == 1 ? 0.03 : -0.03;
-      make_for_good({{{v, surface_.within_bounds(v, without_last_digits(positions_[v] + part * direction))}}, NONE, 0});
+      const Vector by = time == 1 ? 0.03 * size_around(coarse_, positions_, v) * reference_.normal(v)
+                                  : 0.5 * (surface_.cluster_centroid(v) - positions_[v]);
+      make_for_good({{{v, surface_.within_bounds(v, without_last_digits(positions_[v] + by))}}, NONE, 0});
     }
   }
 
