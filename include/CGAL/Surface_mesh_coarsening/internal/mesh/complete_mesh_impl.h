@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh_builder.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 
 #include <algorithm>
