@@ -70,7 +70,7 @@ public:
 
 private:
   static constexpr std::size_t max_rounds = 20, max_faults_of_triangle = 8;
-  static constexpr std::size_t max_perturbations = 2; // without gain
+  static constexpr std::size_t max_perturbations = 5; // without gain
   static constexpr std::size_t comparisons_of_test = 8; // of distances, which take as long as an exact test
   // The increase of the distance that a triangle without area is worth, as a part of the distance around the fault.
   static constexpr double harm_of_narrowness = 1;
@@ -92,9 +92,11 @@ private:
     std::vector<Vector> best_positions = positions_;
     for (std::size_t round = 0; is_worth_trying(round, rounds_without_gain); ++round) {
       prefers_gain_ = round >= 2;
+      const std::vector<Triangle_pair> pairs = faults_.pairs();
+      const std::vector<Index> reversed = faults_.reversed();
       if (rounds_without_gain > 0)
-        perturb_around_faults(rounds_without_gain);
-      repair_faults();
+        perturb_around(pairs, reversed, rounds_without_gain);
+      repair_faults(pairs, reversed);
       ++rounds_without_gain;
       if (faults_.number() < least) {
         least = faults_.number();
@@ -116,10 +118,8 @@ private:
            !budget_.is_spent_for_repair();
   }
 
-  void repair_faults()
+  void repair_faults(const std::vector<Triangle_pair>& pairs, const std::vector<Index>& reversed)
   {
-    const std::vector<Triangle_pair> pairs = faults_.pairs();
-    const std::vector<Index> reversed = faults_.reversed();
     for (const Triangle_pair& p : pairs)
       if (!budget_.is_spent_for_repair() && faults_.are_in_conflict(p))
         repair({p.first, p.second});
@@ -305,9 +305,9 @@ private:
     faults_.update(altered);
   }
 
-  // If no change has helped, moves the vertices around faults outwards, which thickens thin parts, the next time halfway to the
-  // centroids of their clusters. Then changes are tried again.
-  void perturb_around_faults(std::size_t time)
+  // If no change has helped, moves the vertices around faults outwards, which thickens thin parts, halfway to the centroids of
+  // their clusters, or inwards, which widens gaps. Then changes are tried again.
+  void perturb_around(const std::vector<Triangle_pair>& pairs, const std::vector<Index>& reversed, std::size_t time)
   {
     std::set<Index> vertices;
     const auto add_ring = [&](Index t) {
@@ -315,18 +315,20 @@ private:
         for (const Index u : coarse_.around(v))
           vertices.insert(coarse_.triangles()[u].begin(), coarse_.triangles()[u].end());
     };
-    for (const Triangle_pair& p : faults_.pairs()) {
+    for (const Triangle_pair& p : pairs) {
       add_ring(p.first);
       add_ring(p.second);
     }
-    for (const Index t : faults_.reversed())
+    for (const Index t : reversed)
       add_ring(t);
     for (const Index v : vertices) {
       if (at_input_vertices_ || border_.is_on_border(v))
         continue;
-      const Vector by = time == 1 ? 0.03 * size_around(coarse_, positions_, v) * reference_.normal(v)
-                                  : 0.5 * (surface_.cluster_centroid(v) - positions_[v]);
-      make_for_good({{{v, surface_.within_bounds(v, without_last_digits(positions_[v] + by))}}, NONE, 0});
+      const bool goes_back = time % 3 == 2;
+      const Vector direction = goes_back ? surface_.cluster_centroid(v) - positions_[v]
+                                         : size_around(coarse_, positions_, v) * reference_.normal(v);
+      const double part = goes_back ? 0.5 : time % 3 == 1 ? 0.03 : -0.03;
+      make_for_good({{{v, surface_.within_bounds(v, without_last_digits(positions_[v] + part * direction))}}, NONE, 0});
     }
   }
 
