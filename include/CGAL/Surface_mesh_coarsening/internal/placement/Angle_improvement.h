@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t at_a_time = 32, max_valence = 16, steps_of_triangle = 512;
+  static constexpr std::size_t at_a_time = 32, max_valence = 32, steps_of_triangle = 512;
   static constexpr double min_turn_cosine = 0.8;
 
   struct Move

@@ -196,7 +196,7 @@ private:
   typedef Clustered_faces::Range Face_range;
 
   // The number of tests of each corner of the input, on average, for which there is time; a piece counts as a test.
-  static constexpr std::size_t max_pieces_of_corner = 16;
+  static constexpr std::size_t max_pieces_of_corner = 64;
 
   // The distances from this many boxes take as long as the distance from a face.
   static constexpr std::size_t boxes_of_face = 8;

@@ -51,9 +51,9 @@ public:
   bool is_spent_for_repair() const { return left_of_repair_ == 0; }
 
 private:
-  // With half of these tests, cheese.off keeps twice as many intersections at 10 % of its vertices. Meshes with fewer faces than
-  // the second number have the budget of that number: pipe.off keeps intersections at 32 vertices with half of it.
-  static constexpr std::size_t tests_per_face = 2000, min_faces = 1000;
+  // With half of these tests, intersections remain on bipyramids and uneven grids that are repaired otherwise. Meshes with fewer
+  // faces than the second number have the budget of that number.
+  static constexpr std::size_t tests_per_face = 3000, min_faces = 1000;
   static constexpr std::size_t max_tests_of_repair = 16000000; // one or two seconds
 
   std::size_t all_, left_, left_of_repair_;

@@ -71,7 +71,7 @@ public:
 private:
   static constexpr std::size_t max_rounds = 20, max_faults_of_triangle = 8;
   static constexpr std::size_t max_perturbations = 5; // without gain
-  static constexpr std::size_t comparisons_of_test = 8; // of distances, which take as long as an exact test
+  static constexpr std::size_t comparisons_of_test = 48; // bounds of distances that take as long as an exact test
   // The increase of the distance that a triangle without area is worth, as a part of the distance around the fault.
   static constexpr double harm_of_narrowness = 1;
 
