@@ -259,8 +259,11 @@ private:
     const std::vector<Place> places = boundary(f);
     const std::vector<std::size_t> ends = ends_of_cuts(places);
     const std::size_t n = ends.size();
-    if (n == 0)
+    if (n == 0) {
       add_boundary(f, places, 0, places.size());
+      builder_.end_face();
+      return;
+    }
     const Index center = n > 2 ? builder_.add_point(mean_of_corners(m_, f)) : NONE;
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t begin = ends[i], end = i + 1 < n ? ends[i + 1] : ends[0] + places.size();
@@ -271,8 +274,6 @@ private:
         add_corner(center, piece(i + n - 1), NONE);
       builder_.end_face();
     }
-    if (n == 0)
-      builder_.end_face();
   }
 
   void add_boundary(Index f, const std::vector<Place>& places, std::size_t begin, std::size_t end)

@@ -370,17 +370,13 @@ inline void raise_at_intersections(std::vector<double>& densities, const Cluster
     for (const Index t : {pair.first, pair.second})
       for (const Index x : dual.triangles[t])
         is_at_fault[x] = true;
-  const Clustering_input &pieces = dual.pieces->input(), &base = state.base_input();
-  std::vector<char> is_raised;
-  const auto raise = [&](Index parent) {
-    is_raised.resize((std::max)(is_raised.size(), std::size_t(parent) + 1), false);
-    is_raised[parent] = true;
-  };
+  const Clustering_input& pieces = dual.pieces->input();
+  std::vector<char> is_raised(densities.size(), false);
   for (std::size_t p = 0; p < pieces.mesh.number_of_faces(); ++p)
     if (is_at_fault[dual.pieces->labels()[Index(p)]])
-      raise(pieces.parent_of(Index(p)));
+      is_raised[pieces.parent_of(Index(p))] = true;
   for (std::size_t f = 0; f < densities.size(); ++f)
-    if (base.parent_of(Index(f)) < is_raised.size() && is_raised[base.parent_of(Index(f))])
+    if (is_raised[f])
       densities[f] = (std::min)(4 * densities[f], largest_density);
 }
 
