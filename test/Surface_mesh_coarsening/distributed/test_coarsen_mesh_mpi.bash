@@ -98,6 +98,12 @@ done
 grep -q "cannot write to a scratch file in scratch: " output.txt || { fault "no message for a full disk"; cat output.txt; }
 ls out.* scratch/* 2> /dev/null && fault "files are left by a full disk"
 
+# has_running_ranks MPIEXEC: whether a rank still runs; zombies do not.
+has_running_ranks()
+{
+  ps -o stat= --ppid "$1" | grep -qv '^Z'
+}
+
 # killed_after SECONDS: a rank is killed so long after its start. All end, the output does not change, and no file is left.
 killed_after()
 {
@@ -113,10 +119,16 @@ killed_after()
   sleep "$1"
   if kill -KILL "$child"; then
     for ((i = 0; i < 200; ++i)); do
+      has_running_ranks $parent || break
+      sleep 0.05
+    done
+    has_running_ranks $parent && { fault "the other ranks go on"; pkill -KILL -P $parent; }
+    # All ranks have ended, but the mpiexec of Open MPI 4.1 sometimes waits forever for its own lock in PMIx_server_finalize().
+    for ((i = 0; i < 40; ++i)); do
       kill -0 $parent 2> /dev/null || break
       sleep 0.05
     done
-    kill -0 $parent 2> /dev/null && { fault "the other ranks go on"; kill -KILL $parent; }
+    kill -KILL $parent 2> /dev/null
     wait $parent && fault "a run without one of its ranks has succeeded"
     [ "$(cat out.off)" = "an older output" ] || fault "a rank killed after $1 s changes the output"
   else
