@@ -334,13 +334,13 @@ public:
 
   /// replaces `output` by the dual triangulation, as `extract_dual_mesh()` does. If triangles still intersect after the repair,
   /// the function raises the densities in their clusters by a factor of four and reclusters the mesh, which gives more clusters
-  /// there and fewer elsewhere. It selects the result with the fewest intersections.
+  /// there and fewer elsewhere. It selects the result with the fewest intersections, the first of equal ones.
   ///
   /// Seeding, growth and minimization are repeated at most 4 times, and once more to restore the selected result. They are
   /// not repeated if the weight is `Uniform_weight`, which does not depend on densities, if parameter `repair_output` is
   /// `false`, if clusters were given, edited or frozen, or if the number of intersecting pairs of triangles exceeds half the
   /// number of clusters. The parameters are the parameters of `extract_dual_mesh()`. `Coarsening_report::clusterings` is the
-  /// number of clusterings. The densities remain raised.
+  /// number of clusterings. The densities of the selected result remain.
   template <class Output, class VertexPlacement = Fitted_placement,
             class NamedParameters = parameters::Default_named_parameters>
   void extract_embedded_dual_mesh(Output& output, const VertexPlacement& placement = VertexPlacement(),

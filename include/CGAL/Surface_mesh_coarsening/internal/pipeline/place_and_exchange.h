@@ -256,9 +256,7 @@ inline bool is_better_plain(Clustering_state& state, const Placement_model& plac
   const std::vector<Index> labels_of_dual = labels(state).labels();
   clusters.undo();
   budget.spend(placement_tests * dual.triangles.size());
-  // If the repairs after the exchange have spent the budget, the other placement may be repaired once more.
-  Repair_budget last_budget = budget.unspent();
-  Placed_dual plain = place(state, placement, output_coordinates, budget.is_spent() ? last_budget : budget);
+  Placed_dual plain = place(state, placement, output_coordinates, budget);
   const std::size_t left = plain.number_left();
   if ((has_many && left < dual.number_left()) ||
       (left <= dual.number_left() && is_closer(*clustered_faces(state, plain), plain.triangles, plain.positions,

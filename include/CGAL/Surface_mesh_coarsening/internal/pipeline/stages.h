@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/output/Output_maps.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_state.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Placement_model.h>
-#include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_counts.h>
+#include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_budget.h>
 
 #include <cstddef>
 #include <memory>

@@ -380,6 +380,19 @@ inline void raise_at_intersections(std::vector<double>& densities, const Cluster
       densities[f] = (std::min)(4 * densities[f], largest_density);
 }
 
+// Returns the clusters of the first densities, and their placement after the exchange of vertices.
+inline Placed_dual return_to_first(Clustering_state& state, const std::vector<double>& densities, const std::vector<Index>& first,
+                                   Placed_dual dual)
+{
+  recluster(state, densities);
+  for (std::size_t f = 0; f < first.size(); ++f)
+    if (labels(state)[Index(f)] != first[f])
+      state.labels->move(Index(f), first[f]);
+  state.minimization.reset();
+  dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
+  return dual;
+}
+
 // If pairs of intersecting triangles remain after the repair, the mesh is reclustered with other densities. Vertices are not
 // exchanged in these clusterings, because the exchange takes longer and the number of pairs decides among the results.
 CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state& state, const Placement_model& placement,
@@ -387,29 +400,40 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
 {
   constexpr std::size_t max_repetitions = 4;
   Repair_budget budget = repair_budget(state);
-  Placed_dual dual = place_and_exchange(state, placement, output_coordinates, budget);
-  if (!is_worth_reclustering(state, dual, budget))
-    return dual;
-  std::size_t clusterings = 1, fewest = dual.number_left();
-  std::vector<double> densities = state.base_input().density, best_densities = densities;
-  while (clusterings <= max_repetitions && is_worth_reclustering(state, dual, budget)) {
-    raise_at_intersections(densities, state, dual);
+  Placed_dual first = place_and_exchange(state, placement, output_coordinates, budget);
+  if (!is_worth_reclustering(state, first, budget))
+    return first;
+  const std::vector<Index> first_labels = labels(state).labels();
+  const std::size_t exchanged = state.report.exchanged_vertices;
+  std::size_t clusterings = 1, fewest = first.number_left(), left = fewest;
+  const std::vector<double> first_densities = state.base_input().density;
+  std::vector<double> densities = first_densities, best_densities = densities;
+  Placed_dual dual;
+  do {
+    raise_at_intersections(densities, state, clusterings == 1 ? first : dual);
     recluster(state, densities);
-    budget.spend(placement_tests * dual.triangles.size());
+    budget.spend(placement_tests * first.triangles.size());
     dual = place(state, placement, output_coordinates, budget);
     ++clusterings;
-    if (dual.number_left() <= fewest) {
-      fewest = dual.number_left();
+    left = dual.number_left();
+    if (left < fewest) {
+      fewest = left;
       best_densities = densities;
     }
-  }
-  if (dual.number_left() > fewest) {
-    recluster(state, best_densities);
+  } while (clusterings <= max_repetitions && is_worth_reclustering(state, dual, budget));
+  if (fewest == first.number_left()) {
+    dual = return_to_first(state, first_densities, first_labels, std::move(first));
+    state.report.exchanged_vertices = exchanged;
     ++clusterings;
-  }
-  if (dual.number_left() > fewest || may_exchange_vertices(state, placement)) {
-    budget = repair_budget(state); // the selected result must not be worse than before
-    dual = place_and_exchange(state, placement, output_coordinates, budget);
+  } else {
+    if (left > fewest) {
+      recluster(state, best_densities);
+      ++clusterings;
+    }
+    if (left > fewest || may_exchange_vertices(state, placement)) {
+      budget = repair_budget(state); // the selected result must not be worse than before
+      dual = place_and_exchange(state, placement, output_coordinates, budget);
+    }
   }
   dual.clusterings = clusterings;
   return dual;

@@ -36,6 +36,7 @@ public:
   {
     worth_ = worth;
     is_marked_.assign(positions_.size(), false);
+    tries_.assign(positions_.size(), 0);
     std::vector<std::pair<double, Index> > narrow;
     for (std::size_t t = 0; t < coarse_.triangles().size(); ++t) {
       cancellation_.poll();
@@ -55,7 +56,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t at_a_time = 32, max_valence = 32, steps_of_triangle = 512;
+  static constexpr std::size_t at_a_time = 32, max_valence = 32, max_tries = 12, steps_of_triangle = 512;
   static constexpr double min_turn_cosine = 0.8;
 
   struct Move
@@ -87,12 +88,19 @@ private:
     for (const Move& move : moves)
       if (move.vertex != NONE)
         make(move);
-    for (const Index t : triangles)
+    for (const Index t : triangles) {
       mark(t, false);
+      for (const Index v : coarse_.triangles()[t])
+        ++tries_[v];
+    }
     triangles.clear();
   }
 
-  bool may_move(Index v) const { return !border_.is_on_border(v) && coarse_.around(v).size() <= max_valence; }
+  // A vertex of many narrow triangles is tried for the narrowest ones.
+  bool may_move(Index v) const
+  {
+    return !border_.is_on_border(v) && coarse_.around(v).size() <= max_valence && tries_[v] < max_tries;
+  }
 
   // Marks the corners that may move.
   void mark(Index t, bool is_marked)
@@ -231,6 +239,7 @@ private:
   const Execution execution_;
   Angle_worth worth_;
   std::vector<char> is_marked_; // of each vertex
+  std::vector<std::size_t> tries_;
 };
 
 } // namespace internal

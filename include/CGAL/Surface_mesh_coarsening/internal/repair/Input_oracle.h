@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Triangle_conflicts.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
+#include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_budget.h>
 
 #include <algorithm>
 #include <cmath>
@@ -117,9 +118,9 @@ private:
 class Input_oracle
 {
 public:
-  explicit Input_oracle(const Clustered_faces& surface)
+  Input_oracle(const Clustered_faces& surface, Repair_budget& budget)
     : surface_(surface), input_(surface.input().mesh), boxes_(surface), normals_(surface.number_of_clusters()),
-      pieces_left_(max_pieces_of_corner * surface.input().mesh.corner_vertex.size())
+      budget_(budget)
   {
     for_each_chunk(surface.execution(), normals_.size(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t x = begin; x < end; ++x)
@@ -195,9 +196,6 @@ private:
 
   typedef Clustered_faces::Range Face_range;
 
-  // The number of tests of each corner of the input, on average, for which there is time; a piece counts as a test.
-  static constexpr std::size_t max_pieces_of_corner = 64;
-
   // The distances from this many boxes take as long as the distance from a face.
   static constexpr std::size_t boxes_of_face = 8;
 
@@ -252,12 +250,12 @@ private:
     const auto known = intersecting_.find(both);
     if (known != intersecting_.end())
       return known->second;
-    if (pieces_left_ == 0)
+    if (budget_.is_spent_for_input())
       return false;
     const std::vector<Triangle> of_x = pieces_at(x, boxes_.box(y)), of_y = pieces_at(y, boxes_.box(x));
     std::size_t work = of_x.size() + of_y.size();
     const bool result = pieces_intersect(of_x, of_y, work);
-    pieces_left_ -= (std::min)(pieces_left_, work);
+    budget_.spend_on_input(work);
     return intersecting_[both] = result;
   }
 
@@ -332,7 +330,7 @@ private:
   Input_surface input_;
   const Cluster_boxes boxes_;
   std::vector<Vector> normals_;
-  std::size_t pieces_left_; // of faces, to be tested for intersections
+  Repair_budget& budget_;
   std::unordered_map<std::uint64_t, bool> intersecting_; // tested pairs of clusters
 };
 

@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Input_oracle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Placement_faults.h>
-#include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_counts.h>
+#include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_budget.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_proposals.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
@@ -40,11 +40,10 @@ public:
                    std::vector<Triangle>& triangles, std::vector<Vector>& positions, Repair_budget& budget,
                    const Cancellation_point& cancellation)
     : surface_(surface), border_(border), result_(triangles), positions_(positions),
-      coarse_(triangles, positions.size(), surface.features()), reference_(surface),
+      coarse_(triangles, positions.size(), surface.features()), reference_(surface, budget),
       faults_(surface, reference_, coarse_, positions, output, budget, cancellation),
       distance_(surface, coarse_, positions), budget_(budget), cancellation_(cancellation)
   {
-    budget.begin_repair();
   }
 
   // Restricts the positions of vertices to input vertices of their clusters.
@@ -53,6 +52,7 @@ public:
   Repair_counts run()
   {
     Repair_counts counts;
+    budget_.begin_repair();
     faults_.find();
     counts.intersections_found = faults_.pairs().size();
     counts.reversals_found = faults_.number() - counts.intersections_found;
