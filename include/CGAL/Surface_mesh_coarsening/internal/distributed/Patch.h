@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -34,17 +34,12 @@ struct Patch
   std::vector<std::uint64_t> number;  // the global number of each vertex of the mesh
   std::vector<char> is_inner;         // for each vertex of the mesh, whether all incident faces are own faces
 
-  bool is_own(std::size_t f) const { return faces.is_own[f] != 0; }
+  bool is_own(std::size_t f) const { return faces[f].is_own; }
 
   // Returns a face. Its corners are read from `corners`, because the mesh of the patch may have been moved.
   void get(Index f, const Flat_mesh& corners, Face_record& face) const
   {
-    face.is_own = is_own(f);
-    face.is_center = faces.is_center[f] != 0;
-    face.place = faces.place[f];
-    face.density = faces.density[f];
-    face.cluster = faces.cluster[f];
-    face.origin = faces.origin[f];
+    static_cast<Face_data&>(face) = faces[f];
     face.vertex.clear();
     face.point.clear();
     for (const Index c : corners.corners(f)) {
@@ -96,11 +91,11 @@ private:
     std::vector<Key> keys;
     keys.reserve(faces_.size());
     for (Index f = 0; f < faces_.size(); ++f)
-      keys.push_back({faces_.place[f], f});
+      keys.push_back({faces_[f].place, f});
     // Duplicate faces are a fault; the message must not depend on the order in which they arrived.
     const auto rest = [this](Index f) {
       const std::size_t c = faces_.first_corner[f];
-      return std::make_tuple(faces_.vertex[c], faces_.vertex[c + 1], faces_.origin[f]);
+      return std::make_tuple(faces_.vertex[c], faces_.vertex[c + 1], faces_[f].origin);
     };
     sort_runs(keys, [&](const Key& a, const Key& b) {
       return a.place != b.place ? a.place < b.place : rest(a.face) < rest(b.face);
@@ -115,7 +110,7 @@ private:
   void check_size() const
   {
     if (faces_.vertex.size() > max_corners_)
-      throw Invalid_input("a block around " + names_(faces_.origin.front()) + " has " + std::to_string(faces_.vertex.size()) +
+      throw Invalid_input("a block around " + name(0) + " has " + std::to_string(faces_.vertex.size()) +
                           " face corners, more than the " + std::to_string(max_corners_) + " that can be numbered");
   }
 
@@ -153,7 +148,7 @@ private:
   Number_range positions_at(Index v) const { return number_range(first_at_[v], first_at_[v + 1]); }
   Index next_vertex(Index c) const { return vertex_of_[mesh_.next_corner(face_of_[c], c)]; }
   Index previous_corner(Index c) const { return mesh_.previous_corner(face_of_[c], c); }
-  std::string name(Index f) const { return names_(faces_.origin[f]); }
+  std::string name(Index f) const { return names_(faces_[f].origin); }
 
   // Returns the vertex of smallest number for which `is_faulty(v)`, or NONE.
   template <class Predicate>
@@ -328,14 +323,8 @@ private:
 inline Patch read_patch(const Word_store& store, std::size_t bin, const Face_names& names, const Cancellation_point& cancellation)
 {
   Patch patch;
-  Face_record face;
-  patch.faces.reserve(store.number_of_words(bin) / Face_record::words_of_triangle);
-  store.read(bin, [&](const std::uint64_t* word, const std::uint64_t* end) {
-    while (word != end) {
-      word = face.read(word);
-      patch.faces.append(face);
-    }
-  });
+  patch.faces.reserve(store.number_of_words(bin) / words_of_triangle);
+  store.read<Face_record>(bin, [&](const Face_record& face) { patch.faces.append(face); });
   Patch_builder(patch, names).run(cancellation);
   return patch;
 }
