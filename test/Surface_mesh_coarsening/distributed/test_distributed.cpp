@@ -689,7 +689,6 @@ BOOST_AUTO_TEST_CASE(what_is_not_available)
 {
   on_first_ranks(2, [](const mpi::communicator& ranks) {
     const Piece piece = piece_of(generated::triangle_sphere(2), ranks);
-    BOOST_TEST(contains(message_of(ranks, piece, 10, SMC::parameters::feature_angle(40)), "feature_angle is not available"));
     const auto at_vertices = SMC::parameters::vertex_placement(SMC::Closest_vertex_placement());
     BOOST_TEST(contains(message_of(ranks, piece, 10, at_vertices.repair_output(true)), "repair_output is not available"));
     BOOST_TEST(message_of(ranks, piece, 10, at_vertices) == "");

@@ -163,6 +163,8 @@ private:
 
   void set_sums(Clustering_input& input, bool cells_are_faces) const
   {
+    input.area.reserve(sums_.size());
+    input.density.reserve(sums_.size());
     for (Index x = 0; x < sums_.size(); ++x) {
       const auto& [area, mass, moment] = sums_[x];
       input.area.push_back(area);

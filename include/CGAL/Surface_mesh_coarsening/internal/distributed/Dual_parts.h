@@ -91,6 +91,7 @@ private:
   {
     Clustering_input input;
     input.mesh = std::move(patch.mesh);
+    input.density.reserve(patch.faces.size());
     for (const Face_data& face : patch.faces.data)
       input.density.push_back(face.density);
     compute_areas_and_centroids(input);

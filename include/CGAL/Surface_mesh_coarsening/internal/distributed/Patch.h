@@ -9,10 +9,13 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 
+#include <boost/range/adaptor/transformed.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -75,10 +78,10 @@ public:
   }
 
 private:
-  // The other ends of the edges before and after a corner.
-  struct Edge_ends
+  // A corner, and the other ends of the edges before and after it.
+  struct Corner
   {
-    Index previous, next;
+    Index corner, previous, next;
   };
 
   void sort_faces()
@@ -104,6 +107,7 @@ private:
     order.reserve(keys.size());
     for (const Key& key : keys)
       order.push_back(key.face);
+    keys = std::vector<Key>();
     faces_.reorder(order);
   }
 
@@ -128,24 +132,14 @@ private:
     }
     for (const std::uint64_t number : faces_.vertex)
       vertex_of_.push_back(table_.index(number));
-    first_at_.assign(table_.numbers().size() + 1, 0);
-    for (const Index v : vertex_of_)
-      ++first_at_[v + 1];
-    for (std::size_t v = 1; v < first_at_.size(); ++v)
-      first_at_[v] += first_at_[v - 1];
-    std::vector<Index> next(first_at_.begin(), first_at_.end() - 1);
-    corners_at_.resize(corners);
-    ends_at_.resize(corners);
-    for (Index c = 0; c < corners; ++c) {
-      const Index i = next[vertex_of_[c]]++;
-      corners_at_[i] = c;
-      ends_at_[i] = {vertex_of_[previous_corner(c)], next_vertex(c)};
-    }
+    const auto corner = [this](Index c) { return Corner{c, vertex_of_[previous_corner(c)], next_vertex(c)}; };
+    corners_at_.emplace(numbers_below(corners) | boost::adaptors::transformed(corner), table_.numbers().size(),
+                        [this](const Corner& x) { return vertex_of_[x.corner]; });
   }
 
-  Index number_of_vertex_numbers() const { return Index(first_at_.size() - 1); }
+  Number_range vertices() const { return numbers_below(Index(table_.numbers().size())); }
   std::uint64_t number(Index v) const { return table_.numbers()[v]; }
-  Number_range positions_at(Index v) const { return number_range(first_at_[v], first_at_[v + 1]); }
+  Bucketed_items<Corner>::Range corners_at(Index v) const { return (*corners_at_)[v]; }
   Index next_vertex(Index c) const { return vertex_of_[mesh_.next_corner(face_of_[c], c)]; }
   Index previous_corner(Index c) const { return mesh_.previous_corner(face_of_[c], c); }
   std::string name(Index f) const { return names_(faces_[f].origin); }
@@ -155,29 +149,28 @@ private:
   Index first_faulty(const Predicate& is_faulty) const
   {
     Index first = NONE;
-    for (Index v = 0; v < number_of_vertex_numbers(); ++v)
+    for (const Index v : vertices())
       if ((first == NONE || number(v) < number(first)) && is_faulty(v))
         first = v;
     return first;
   }
 
-  // Returns the first corner at a vertex whose position differs from the position of the previous corner, or NONE.
-  Index other_position(Index v) const
+  // Returns the first corner at a vertex whose position differs from the position of the next corner, or the end.
+  const Corner* other_position(Index v) const
   {
-    for (Index i = first_at_[v] + 1; i < first_at_[v + 1]; ++i)
-      if (faces_.point[corners_at_[i]] != faces_.point[corners_at_[i - 1]])
-        return i;
-    return NONE;
+    return std::adjacent_find(corners_at(v).begin(), corners_at(v).end(), [this](const Corner& a, const Corner& b) {
+      return faces_.point[a.corner] != faces_.point[b.corner];
+    });
   }
 
   void check_positions() const
   {
-    const Index v = first_faulty([this](Index w) { return other_position(w) != NONE; });
+    const Index v = first_faulty([this](Index w) { return other_position(w) != corners_at(w).end(); });
     if (v == NONE)
       return;
-    const Index i = other_position(v);
-    throw Invalid_input("vertex " + std::to_string(number(v)) + " has two positions, in " + name(face_of_[corners_at_[i - 1]]) +
-                        " and in " + name(face_of_[corners_at_[i]]));
+    const Corner* const first = other_position(v);
+    throw Invalid_input("vertex " + std::to_string(number(v)) + " has two positions, in " + name(face_of_[first->corner]) +
+                        " and in " + name(face_of_[(first + 1)->corner]));
   }
 
   // Searches around the end of each edge with fewer faces, so vertices of high degree cost no more than others.
@@ -186,12 +179,10 @@ private:
     mesh_.face_across.assign(vertex_of_.size(), NONE);
     corner_across_.assign(vertex_of_.size(), NONE);
     bool has_fault = false;
-    for (Index v = 0; v < number_of_vertex_numbers(); ++v)
-      for (const Index i : positions_at(v)) {
-        const Index w = ends_at_[i].next;
-        if (corner_across_[corners_at_[i]] == NONE)
-          has_fault = pair_edge(corners_at_[i], v, w) || has_fault;
-      }
+    for (const Index v : vertices())
+      for (const Corner& x : corners_at(v))
+        if (corner_across_[x.corner] == NONE)
+          has_fault = pair_edge(x.corner, v, x.next) || has_fault;
     if (has_fault)
       throw_two_faces();
   }
@@ -199,23 +190,21 @@ private:
   // Pairs the edge from v to w at a corner with the edges back. Returns whether there is more than one edge in a direction.
   bool pair_edge(Index c, Index v, Index w)
   {
-    const bool is_at_source = degree(v) <= degree(w);
+    const bool is_at_source = corners_at(v).size() <= corners_at(w).size();
     const Index other_end = is_at_source ? w : v;
     std::size_t edges = 0, edges_back = 0;
-    for (const Index i : positions_at(is_at_source ? v : w)) {
-      const bool is_next = ends_at_[i].next == other_end, is_previous = ends_at_[i].previous == other_end;
+    for (const Corner& x : corners_at(is_at_source ? v : w)) {
+      const bool is_next = x.next == other_end, is_previous = x.previous == other_end;
       edges += is_at_source ? is_next : is_previous;
       if (is_at_source ? !is_previous : !is_next)
         continue;
-      const Index opposite = is_at_source ? previous_corner(corners_at_[i]) : corners_at_[i];
+      const Index opposite = is_at_source ? previous_corner(x.corner) : x.corner;
       ++edges_back;
       pair(c, opposite);
       pair(opposite, c);
     }
     return edges > 1 || edges_back > 1;
   }
-
-  Index degree(Index v) const { return first_at_[v + 1] - first_at_[v]; }
 
   void pair(Index c, Index opposite)
   {
@@ -254,11 +243,11 @@ private:
   void number_vertices()
   {
     mesh_.corner_vertex.assign(vertex_of_.size(), NONE);
-    for (Index v = 0; v < number_of_vertex_numbers(); ++v)
-      for (const Index i : positions_at(v)) {
-        if (mesh_.corner_vertex[corners_at_[i]] != NONE)
+    for (const Index v : vertices())
+      for (const Corner& x : corners_at(v)) {
+        if (mesh_.corner_vertex[x.corner] != NONE)
           continue;
-        const Index vertex = Index(patch_.number.size()), begin = first_of_fan(corners_at_[i]);
+        const Index vertex = Index(patch_.number.size()), begin = first_of_fan(x.corner);
         patch_.number.push_back(number(v));
         mesh_.points.push_back(faces_.point[begin]);
         for (Index c = begin; c != NONE && mesh_.corner_vertex[c] == NONE; c = next_in_fan(c))
@@ -285,9 +274,9 @@ private:
   {
     const Index v = first_faulty([this](Index w) {
       bool has_own = false, has_fans = false;
-      for (const Index i : positions_at(w)) {
-        has_own = has_own || patch_.is_own(face_of_[corners_at_[i]]);
-        has_fans = has_fans || mesh_.corner_vertex[corners_at_[i]] != mesh_.corner_vertex[corners_at_[first_at_[w]]];
+      for (const Corner& x : corners_at(w)) {
+        has_own = has_own || patch_.is_own(face_of_[x.corner]);
+        has_fans = has_fans || mesh_.corner_vertex[x.corner] != mesh_.corner_vertex[corners_at(w).begin()->corner];
       }
       return has_own && has_fans;
     });
@@ -313,9 +302,7 @@ private:
   Number_table table_;             // of the vertex numbers
   std::vector<Index> face_of_;     // of each corner
   std::vector<Index> vertex_of_;   // of each corner, by number; fans are not distinguished
-  std::vector<Index> first_at_;    // of each vertex number: its first position in `corners_at_`, and the total
-  std::vector<Index> corners_at_;
-  std::vector<Edge_ends> ends_at_; // of the edges at each of these corners
+  std::optional<Bucketed_items<Corner> > corners_at_; // of each vertex number
   std::vector<Index> corner_across_; // for each corner, the begin of the edge after it, seen from the other face
 };
 
