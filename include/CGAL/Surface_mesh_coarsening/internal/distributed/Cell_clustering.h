@@ -38,24 +38,20 @@ namespace internal {
 class Cell_surface
 {
 public:
-  Cell_surface(const Cell_mesh& cells, const Flat_mesh& mesh) : corner_across_(cells.corners_across())
+  Cell_surface(const Cell_mesh& cells, Flat_mesh mesh) : cells_(std::move(mesh)), corner_across_(cells.corners_across())
   {
-    if (mesh.corner_vertex.size() >= NONE / 6)
-      throw Invalid_input("the mesh of cells has " + std::to_string(mesh.corner_vertex.size()) +
+    if (cells_.corner_vertex.size() >= NONE / 6)
+      throw Invalid_input("the mesh of cells has " + std::to_string(cells_.corner_vertex.size()) +
                           " corners, more than the " + std::to_string(NONE / 6 - 1) + " to which vertices can be fitted");
-    const std::size_t size = mesh.number_of_faces();
-    first_corner_.reserve(size + 1);
-    for (std::size_t x = 0; x <= size; ++x)
-      first_corner_.push_back(mesh.first_corner[x]);
-    corner_vertex_ = mesh.corner_vertex;
+    for (std::vector<Index>* const unused : {&cells_.face_across, &cells_.first_in_star, &cells_.star, &cells_.loop})
+      *unused = std::vector<Index>();
+    const std::size_t size = cells_.number_of_faces();
     center_.reserve(size);
-    points_.reserve(mesh.points.size() + size);
-    points_.insert(points_.end(), mesh.points.begin(), mesh.points.end());
-    for (Index x = 0; x < size; ++x) {
-      const Cell_mesh::Cell& cell = cells.cells()[x];
-      center_.push_back(cell.faces > 1 ? Index(points_.size()) : NONE);
+    cells_.points.reserve(cells_.points.size() + size);
+    for (const Cell_mesh::Cell& cell : cells.cells()) {
+      center_.push_back(cell.faces > 1 ? Index(cells_.points.size()) : NONE);
       if (cell.faces > 1)
-        points_.push_back(cell.center);
+        cells_.points.push_back(cell.center);
     }
     cell_of_center_.resize(size);
     std::iota(cell_of_center_.begin(), cell_of_center_.end(), Index(0));
@@ -90,14 +86,12 @@ public:
   }
 
 private:
-  Index degree(Index x) const { return first_corner_[x + 1] - first_corner_[x]; }
-  Index number_of_faces_in(Index x) const { return center_[x] == NONE ? 1 : degree(x); }
-
   Clustering_input make_input(const Cancellation_point& cancellation, Execution execution)
   {
-    first_face_.assign(1, 0);
+    first_face_.reserve(center_.size() + 1);
+    first_face_.push_back(0);
     for (Index x = 0; x < center_.size(); ++x)
-      first_face_.push_back(first_face_.back() + number_of_faces_in(x));
+      first_face_.push_back(first_face_.back() + (center_[x] == NONE ? 1 : cells_.degree(x)));
     Clustering_input input;
     Flat_mesh& m = input.mesh;
     m.first_corner.reserve(first_face_.back() + 1);
@@ -105,14 +99,15 @@ private:
     m.face_across.reserve(3 * first_face_.back());
     m.first_corner.push_back(0);
     for (Index x = 0; x < center_.size(); ++x) {
-      cancellation.poll(degree(x));
-      for (Index c = first_corner_[x]; c != first_corner_[x + 1]; ++c)
+      cancellation.poll(cells_.degree(x));
+      for (const Index c : cells_.corners(x))
         add_side(x, c, m);
       if (center_[x] == NONE)
         m.first_corner.push_back(Index(m.corner_vertex.size()));
     }
-    m.points.swap(points_);
-    first_corner_ = corner_vertex_ = corner_across_ = center_ = std::vector<Index>(); // frees their memory
+    m.points.swap(cells_.points);
+    cells_ = Flat_mesh(); // frees its memory
+    corner_across_ = std::vector<Index>();
     complete_stars(m, m.points.size(), cancellation, execution);
     compute_areas_and_centroids(input, cancellation, execution);
     input.density.assign(input.area.size(), 1);
@@ -122,24 +117,19 @@ private:
   // Adds the triangle at a side of a cell, or the corner of a single face.
   void add_side(Index x, Index c, Flat_mesh& m) const
   {
-    const Index begin = first_corner_[x], sides = degree(x), i = c - begin;
-    m.corner_vertex.push_back(corner_vertex_[c]);
-    m.face_across.push_back(corner_across_[c] == NONE ? NONE : face_at(corner_across_[c]));
+    m.corner_vertex.push_back(cells_.corner_vertex[c]);
+    m.face_across.push_back(corner_across_[c] == NONE ? NONE : face_of(face_of_corner(cells_, corner_across_[c]), corner_across_[c]));
     if (center_[x] == NONE)
       return;
-    m.corner_vertex.push_back(corner_vertex_[begin + (i + 1) % sides]);
-    m.face_across.push_back(first_face_[x] + (i + 1) % sides);
+    m.corner_vertex.push_back(cells_.corner_vertex[cells_.next_corner(x, c)]);
+    m.face_across.push_back(face_of(x, cells_.next_corner(x, c)));
     m.corner_vertex.push_back(center_[x]);
-    m.face_across.push_back(first_face_[x] + (i + sides - 1) % sides);
+    m.face_across.push_back(face_of(x, cells_.previous_corner(x, c)));
     m.first_corner.push_back(Index(m.corner_vertex.size()));
   }
 
-  // Returns the face at the side that begins at a corner of the mesh of cells.
-  Index face_at(Index c) const
-  {
-    const Index x = Index(std::upper_bound(first_corner_.begin(), first_corner_.end(), c) - first_corner_.begin() - 1);
-    return center_[x] == NONE ? first_face_[x] : first_face_[x] + (c - first_corner_[x]);
-  }
+  // Returns the face at the side of cell `x` that begins at a corner.
+  Index face_of(Index x, Index c) const { return first_face_[x] + (center_[x] == NONE ? 0 : c - cells_.first_corner[x]); }
 
   // A face belongs to the cluster of the face that represents its cell. The parts have these faces in the order of their origins.
   void set_labels(const Dual_parts& parts, Cluster_labels& labels) const
@@ -149,12 +139,11 @@ private:
         labels.set(f, parts.centers[i].cluster);
   }
 
-  std::vector<Index> first_corner_;                // of each cell, and the total
-  std::vector<Index> corner_vertex_, corner_across_; // of each corner
-  std::vector<Index> center_;                      // the vertex within each cell; NONE if the cell is a single face
-  std::vector<Vector> points_;
+  Flat_mesh cells_;                   // without stars, and with points within cells
+  std::vector<Index> corner_across_;  // of each corner
+  std::vector<Index> center_;         // the vertex within each cell; NONE if the cell is a single face
   std::vector<Index> cell_of_center_; // the cells in the order of the origins of the faces that represent them
-  std::vector<Index> first_face_; // of each cell, and the total
+  std::vector<Index> first_face_;     // of each cell, and the total
 };
 
 // Divides blocks into cells, and clusters the mesh of cells on rank 0.
@@ -300,7 +289,7 @@ private:
       outgoing[rank].assign(clusters.begin() + std::ptrdiff_t(begin), clusters.begin() + std::ptrdiff_t(end[rank]));
     divide_clusters(state, mesh, clusters);
     if (level_ > 0 && choice_.places_on_cells())
-      surface_ = std::make_unique<Cell_surface>(mesh, state.input.items.mesh);
+      surface_ = std::make_unique<Cell_surface>(mesh, std::move(state.input.items.mesh));
     if (level_ == 0)
       dual_ = place(state, choice_.placement, choice_.output_coordinates(frame_));
     report_ = state.report;

@@ -5,14 +5,16 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Cells.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
+
+#include <boost/range/adaptor/transformed.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -27,6 +29,13 @@ struct Linear_density
 
   double operator()(double x) const { return constant + factor * x; }
 };
+
+// Returns the face that has a corner.
+inline Index face_of_corner(const Flat_mesh& m, Index c)
+{
+  const Number_range faces = numbers_below(Index(m.first_corner.size() - 1));
+  return *std::partition_point(faces.begin(), faces.end(), [&](Index f) { return m.first_corner[f + 1] <= c; });
+}
 
 // The mesh of all cells, on one rank.
 //
@@ -87,8 +96,8 @@ public:
     Clustering_input input;
     Flat_mesh& m = input.mesh;
     m.first_corner = std::move(first_corner_);
-    pair_edges(m);
     const std::size_t vertices = number_vertices(m);
+    pair_edges(m, vertices);
     corners_ = std::vector<Cell_corner>();
     complete_topology(m, vertices, cancellation, execution);
     begin_stars(m);
@@ -105,33 +114,12 @@ private:
     Vector moment; // sum of mass times centroid
   };
 
-  struct End
+  // A corner of a cell, and the numbers of the vertices before and after it on the boundary.
+  struct Corner
   {
-    std::uint64_t vertex, next; // the two ends of the first edge
-    Index cell, corner;
-    bool operator<(const End& e) const { return std::tie(vertex, next) < std::tie(e.vertex, e.next); }
+    Index corner;
+    std::uint64_t previous, next;
   };
-
-  void pair_edges(Flat_mesh& m)
-  {
-    std::vector<End> ends;
-    ends.reserve(corners_.size());
-    for (Index x = 0; x < cells_.size(); ++x)
-      for (const Index c : m.corners(x))
-        ends.push_back({corners_[c].vertex, corners_[c].after, x, c});
-    std::sort(ends.begin(), ends.end());
-    m.face_across.assign(corners_.size(), NONE);
-    corner_across_.assign(corners_.size(), NONE);
-    for (Index x = 0; x < cells_.size(); ++x)
-      for (const Index c : m.corners(x)) {
-        const End back{corners_[c].vertex, corners_[c].before, 0, 0};
-        const auto i = std::lower_bound(ends.begin(), ends.end(), back);
-        if (i != ends.end() && !(back < *i)) {
-          m.face_across[m.previous_corner(x, c)] = i->cell;
-          corner_across_[m.previous_corner(x, c)] = i->corner;
-        }
-      }
-  }
 
   std::size_t number_vertices(Flat_mesh& m) const
   {
@@ -148,6 +136,21 @@ private:
       m.points[std::size_t(v)] = corner.point;
     }
     return numbers.size();
+  }
+
+  void pair_edges(Flat_mesh& m, std::size_t vertices)
+  {
+    const auto corner = [this](Index c) { return Corner{c, corners_[c].before, corners_[c].after}; };
+    const Bucketed_items<Corner> corners_at(numbers_below(Index(corners_.size())) | boost::adaptors::transformed(corner), vertices,
+                                            [&](const Corner& x) { return m.corner_vertex[x.corner]; });
+    m.face_across.assign(corners_.size(), NONE);
+    corner_across_.assign(corners_.size(), NONE);
+    std::vector<Corner> corners;
+    for (std::size_t v = 0; v < vertices; ++v)
+      pair_edges_at_vertex(corners_at[v], corners, [&](const Corner& x, const Corner& y) {
+        m.face_across[x.corner] = face_of_corner(m, y.corner);
+        corner_across_[x.corner] = m.previous_corner(m.face_across[x.corner], y.corner);
+      });
   }
 
   void begin_stars(Flat_mesh& m) const

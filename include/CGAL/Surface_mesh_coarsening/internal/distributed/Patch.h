@@ -52,6 +52,24 @@ struct Patch
   }
 };
 
+// Pairs the edges that leave a vertex with the edges that enter it on their other sides: calls `pair(x, y)` for corners x and y of
+// the vertex if the vertex after x is the vertex before y. Returns whether all edges enter from different vertices. Corners are
+// sorted, so vertices of high degree cost hardly more than others.
+template <class Corner, class Pair>
+bool pair_edges_at_vertex(const Iterator_range<const Corner*>& corners_at_vertex, std::vector<Corner>& corners, const Pair& pair)
+{
+  corners.assign(corners_at_vertex.begin(), corners_at_vertex.end());
+  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.previous < b.previous; });
+  for (const Corner& x : corners) {
+    const auto y = std::lower_bound(corners.begin(), corners.end(), x,
+                                    [](const Corner& a, const Corner& b) { return a.previous < b.next; });
+    if (y != corners.end() && y->previous == x.next)
+      pair(x, *y);
+  }
+  return std::adjacent_find(corners.begin(), corners.end(),
+                            [](const Corner& a, const Corner& b) { return a.previous == b.previous; }) == corners.end();
+}
+
 // Builds the mesh of a patch from faces in any order. Throws if the faces of the patch, or of several pieces, contradict each
 // other. Of several contradictions, the one at the smallest vertex numbers is reported.
 class Patch_builder
@@ -78,7 +96,7 @@ public:
   }
 
 private:
-  // A corner, and the other ends of the edges before and after it.
+  // A corner, and the vertices before and after it.
   struct Corner
   {
     Index corner, previous, next;
@@ -173,43 +191,19 @@ private:
                         " and in " + name(face_of_[(first + 1)->corner]));
   }
 
-  // Searches around the end of each edge with fewer faces, so vertices of high degree cost no more than others.
   void pair_edges()
   {
     mesh_.face_across.assign(vertex_of_.size(), NONE);
     corner_across_.assign(vertex_of_.size(), NONE);
     bool has_fault = false;
+    std::vector<Corner> corners;
     for (const Index v : vertices())
-      for (const Corner& x : corners_at(v))
-        if (corner_across_[x.corner] == NONE)
-          has_fault = pair_edge(x.corner, v, x.next) || has_fault;
+      has_fault = !pair_edges_at_vertex(corners_at(v), corners, [this](const Corner& x, const Corner& y) {
+        corner_across_[x.corner] = previous_corner(y.corner);
+        mesh_.face_across[x.corner] = face_of_[y.corner];
+      }) || has_fault;
     if (has_fault)
       throw_two_faces();
-  }
-
-  // Pairs the edge from v to w at a corner with the edges back. Returns whether there is more than one edge in a direction.
-  bool pair_edge(Index c, Index v, Index w)
-  {
-    const bool is_at_source = corners_at(v).size() <= corners_at(w).size();
-    const Index other_end = is_at_source ? w : v;
-    std::size_t edges = 0, edges_back = 0;
-    for (const Corner& x : corners_at(is_at_source ? v : w)) {
-      const bool is_next = x.next == other_end, is_previous = x.previous == other_end;
-      edges += is_at_source ? is_next : is_previous;
-      if (is_at_source ? !is_previous : !is_next)
-        continue;
-      const Index opposite = is_at_source ? previous_corner(x.corner) : x.corner;
-      ++edges_back;
-      pair(c, opposite);
-      pair(opposite, c);
-    }
-    return edges > 1 || edges_back > 1;
-  }
-
-  void pair(Index c, Index opposite)
-  {
-    corner_across_[c] = opposite;
-    mesh_.face_across[c] = face_of_[opposite];
   }
 
   [[noreturn]] void throw_two_faces() const

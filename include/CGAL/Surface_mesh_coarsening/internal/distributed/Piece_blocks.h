@@ -29,32 +29,6 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The bounding box of the points of all ranks. Minima and maxima do not depend on the order of their computation.
-class Box_of_ranks
-{
-public:
-  void add(const Vector& p)
-  {
-    for (std::size_t i = 0; i < 3; ++i) {
-      low_and_negated_high_[i] = (std::min)(low_and_negated_high_[i], p[i]);
-      low_and_negated_high_[i + 3] = (std::min)(low_and_negated_high_[i + 3], -p[i]);
-    }
-  }
-
-  // The lowest and the highest coordinates.
-  std::vector<Vector> ends_of_all(const boost::mpi::communicator& communicator) const
-  {
-    std::array<double, 6> all;
-    boost::mpi::all_reduce(communicator, low_and_negated_high_.data(), 6, all.data(), boost::mpi::minimum<double>());
-    return {{{all[0], all[1], all[2]}}, {{-all[3], -all[4], -all[5]}}};
-  }
-
-private:
-  static constexpr double inf = std::numeric_limits<double>::infinity();
-
-  std::array<double, 6> low_and_negated_high_{{inf, inf, inf, inf, inf, inf}};
-};
-
 // Receives a face: the global numbers and the points of its vertices, and its density.
 typedef std::function<void(const std::vector<std::uint64_t>&, const std::vector<Vector>&, double)> Face_receiver;
 
@@ -127,7 +101,10 @@ public:
     throw_on_all_ranks(communicator_, failure);
     if (number_of_faces() == 0)
       throw Invalid_input("the input has no faces");
-    std::vector<Vector> ends = box_.ends_of_all(communicator_);
+    // Minima do not depend on the order of their computation.
+    std::array<double, 6> box;
+    boost::mpi::all_reduce(communicator_, low_and_negated_high_.data(), 6, box.data(), boost::mpi::minimum<double>());
+    std::vector<Vector> ends = {{{box[0], box[1], box[2]}}, {{-box[3], -box[4], -box[5]}}};
     frame_ = to_local_frame(ends, {0, 1, 2}, Cancellation_point());
     low_ = ends[0];
     high_ = ends[1];
@@ -190,7 +167,10 @@ private:
     }
     ++faces_;
     for (const Vector& p : points)
-      box_.add(p);
+      for (std::size_t i = 0; i < 3; ++i) {
+        low_and_negated_high_[i] = (std::min)(low_and_negated_high_[i], p[i]);
+        low_and_negated_high_[i + 3] = (std::min)(low_and_negated_high_[i + 3], -p[i]);
+      }
   }
 
   // Returns what is wrong with a face, or an empty string.
@@ -257,7 +237,8 @@ private:
   const boost::mpi::communicator& communicator_;
   const Face_source& source_;
   Face_names names_;
-  Box_of_ranks box_;
+  static constexpr double inf = std::numeric_limits<double>::infinity();
+  std::array<double, 6> low_and_negated_high_{{inf, inf, inf, inf, inf, inf}}; // of the vertices of this piece
   Local_frame frame_;
   Vector low_{{0, 0, 0}}, high_{{0, 0, 0}}; // of the mesh in its frame
   std::uint64_t faces_ = 0;                 // of this piece
