@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
-#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_choice.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_coarsening.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
@@ -32,7 +32,7 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
                                  std::size_t number_of_vertices, OutputFaceGraph& output, const NamedParametersIn& np_in,
                                  const NamedParametersOut& np_out, const PutClusters& put_clusters)
 {
-  typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Centroid_placement> Placement;
+  typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Fitted_placement> Placement;
   const auto placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
   Distributed_choice choice;
   on_all_ranks(communicator, [&] {
@@ -53,11 +53,7 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
     if (filler)
       filler->commit();
   });
-  Distributed_report report;
-  static_cast<Coarsening_report&>(report) = coarsening.report();
-  report.bytes_sent = coarsening.bytes_sent();
-  report.bytes_of_scratch = coarsening.bytes_of_scratch();
-  return report;
+  return coarsening.report();
 }
 
 } // namespace internal
@@ -133,7 +129,7 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///     \cgalParamDescription{the position of the vertex of a cluster}
 ///     \cgalParamType{a model of `VertexPlacement`, or `Fitted_placement`, which fits the vertices to an approximation of the
 ///                    input on rank 0; other models of `GlobalVertexPlacement` are rejected}
-///     \cgalParamDefault{`Centroid_placement()`}
+///     \cgalParamDefault{`Fitted_placement()`}
 ///     \cgalParamExtra{clusters on the border have their vertex on the border}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{repair_output}

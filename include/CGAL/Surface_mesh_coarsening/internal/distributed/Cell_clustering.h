@@ -214,10 +214,7 @@ private:
     choose_density(largest);
     std::vector<std::vector<Index> > outgoing(context_.number_of_ranks());
     bool is_found = true;
-    on_all_ranks(context_.communicator, [&] {
-      if (context_.rank() == 0)
-        is_found = cluster_on_first_rank(all, outgoing);
-    });
+    on_first_rank(context_, [&] { is_found = cluster_on_first_rank(all, outgoing); });
     boost::mpi::broadcast(context_.communicator, is_found, 0);
     if (!is_found)
       return false;

@@ -71,28 +71,26 @@ public:
     choice_.visitor.stage_ends(Coarsening_stage::PREPARATION);
     Cell_clustering cells(context_, choice_, names, frame_, pieces.curve());
     cells.run(*blocks, pieces.number_of_faces());
-    report_ = cells.report();
+    Coarsening_report& report = report_;
+    report = cells.report();
     if (choice_.wants_clusters)
       clusters_.assign(pieces.faces_of_piece(), NONE);
     if (cells.level() == 0)
       take_dual(cells, *blocks, pieces);
     else
       refine_and_place(cells, std::move(blocks), pieces, names);
-    on_all_ranks(context_.communicator, [&] {
-      if (context_.rank() == 0)
-        report_placement(report_, triangles_, positions_, counts_);
-    });
+    on_first_rank(context_, [&] { report_placement(report_, triangles_, positions_, counts_); });
     if (choice_.wants_output_everywhere) {
       broadcast_records(context_, triangles_);
       broadcast_records(context_, positions_);
     }
-    boost::mpi::broadcast(context_.communicator, report_, 0);
+    boost::mpi::broadcast(context_.communicator, report, 0);
+    report_.bytes_sent = context_.bytes_sent;
+    report_.bytes_of_scratch = context_.scratch.bytes_written();
   }
 
-  const Coarsening_report& report() const { return report_; }
+  const Distributed_report& report() const { return report_; }
   const Local_frame& frame() const { return frame_; }
-  std::uint64_t bytes_sent() const { return context_.bytes_sent; }
-  std::uint64_t bytes_of_scratch() const { return context_.scratch.bytes_written(); }
   // The clusters of the faces of the piece of this rank, on request.
   const std::vector<Index>& clusters_of_piece() const { return clusters_; }
   // True on rank 0, and on all ranks on request.
@@ -169,13 +167,10 @@ private:
     choice_.visitor.stage_ends(Coarsening_stage::MINIMIZATION);
     begin_stage(Coarsening_stage::TRIANGULATION);
     parts.gather(context_);
-    on_all_ranks(context_.communicator, [&] {
-      if (context_.rank() == 0)
-        take_parts(parts);
-    });
+    on_first_rank(context_, [&] { take_parts(parts); });
     choice_.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
-    on_all_ranks(context_.communicator, [&] {
-      if (context_.rank() == 0 && choice_.places_on_cells())
+    on_first_rank(context_, [&] {
+      if (choice_.places_on_cells())
         counts_ = cells.surface().place(parts, choice_, choice_.output_coordinates(frame_), context_.cancellation, triangles_,
                                         positions_);
     });
@@ -226,7 +221,7 @@ private:
   Distributed_choice choice_;
   Rank_context context_;
   Local_frame frame_;
-  Coarsening_report report_;
+  Distributed_report report_;
   std::vector<Index> clusters_;
   std::vector<Triangle> triangles_;
   std::vector<Vector> positions_;

@@ -156,6 +156,15 @@ inline void on_all_ranks(const boost::mpi::communicator& communicator, const std
   throw_on_all_ranks(communicator, caught(work, communicator.rank()));
 }
 
+// Does work on rank 0. If it throws, all ranks throw the same exception.
+inline void on_first_rank(const Rank_context& context, const std::function<void()>& work)
+{
+  on_all_ranks(context.communicator, [&] {
+    if (context.rank() == 0)
+      work();
+  });
+}
+
 // Moves the records of all ranks to rank 0, sorted.
 template <class Record>
 void gather_sorted(Rank_context& context, std::vector<Record>& records)
