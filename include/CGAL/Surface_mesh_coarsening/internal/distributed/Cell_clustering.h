@@ -118,7 +118,8 @@ private:
   void add_side(Index x, Index c, Flat_mesh& m) const
   {
     m.corner_vertex.push_back(cells_.corner_vertex[c]);
-    m.face_across.push_back(corner_across_[c] == NONE ? NONE : face_of(face_of_corner(cells_, corner_across_[c]), corner_across_[c]));
+    const Index across = corner_across_[c];
+    m.face_across.push_back(across == NONE ? NONE : face_of(face_of_corner(cells_, across), across));
     if (center_[x] == NONE)
       return;
     m.corner_vertex.push_back(cells_.corner_vertex[cells_.next_corner(x, c)]);

@@ -193,7 +193,8 @@ struct Face_record : Face_data
   }
 };
 
-constexpr std::size_t words_of_triangle = (sizeof(Face_data) + 3 * (sizeof(std::uint64_t) + sizeof(Vector))) / sizeof(std::uint64_t);
+constexpr std::size_t words_of_triangle =
+  (sizeof(Face_data) + 3 * (sizeof(std::uint64_t) + sizeof(Vector))) / sizeof(std::uint64_t);
 
 inline void write_record(const Face_record& face, Words& words)
 {
