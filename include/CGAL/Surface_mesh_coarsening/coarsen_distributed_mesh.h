@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
-#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
+#include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_choice.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_coarsening.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
@@ -32,7 +32,7 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
                                  std::size_t number_of_vertices, OutputFaceGraph& output, const NamedParametersIn& np_in,
                                  const NamedParametersOut& np_out, const PutClusters& put_clusters)
 {
-  typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Centroid_placement> Placement;
+  typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Fitted_placement> Placement;
   const auto placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
   Distributed_choice choice;
   on_all_ranks(communicator, [&] {
@@ -53,11 +53,7 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
     if (filler)
       filler->commit();
   });
-  Distributed_report report;
-  static_cast<Coarsening_report&>(report) = coarsening.report();
-  report.bytes_sent = coarsening.bytes_sent();
-  report.bytes_of_scratch = coarsening.bytes_of_scratch();
-  return report;
+  return coarsening.report();
 }
 
 } // namespace internal
@@ -90,8 +86,7 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 /// \param vertex_numbers the global numbers of the vertices of the piece
 /// \param number_of_vertices the number of vertices of the output
 /// \param output receives the coarse mesh on rank 0. On other ranks it does not change, unless `output_on_all_ranks` is `true`.
-/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below. The function
-/// throws `Invalid_input` for a parameter of `coarsen_mesh()` that is not listed, unless its value is `false` or 0.
+/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 /// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -134,7 +129,7 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///     \cgalParamDescription{the position of the vertex of a cluster}
 ///     \cgalParamType{a model of `VertexPlacement`, or `Fitted_placement`, which fits the vertices to an approximation of the
 ///                    input on rank 0; other models of `GlobalVertexPlacement` are rejected}
-///     \cgalParamDefault{`Centroid_placement()`}
+///     \cgalParamDefault{`Fitted_placement()`}
 ///     \cgalParamExtra{clusters on the border have their vertex on the border}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{repair_output}
@@ -213,8 +208,8 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 /// \throws Unreachable_number_of_vertices if the number of vertices cannot be reached; the exception carries the nearest
 /// attainable number.
 /// \throws Invalid_input if the pieces have no faces, do not form a 2-manifold, contradict each other, or have a coordinate that
-/// is not finite, if a parameter is out of range or not available, or if the ranks pass different numbers of vertices. Messages
-/// name the piece and the face, or the number of the vertex.
+/// is not finite, if a parameter is out of range, if a placement is not available, or if the ranks pass different numbers of
+/// vertices. Messages name the piece and the face, or the number of the vertex.
 /// \throws Coarsening_cancelled if the visitor of a rank cancels.
 /// \throws std::runtime_error if a rank fails for another reason, for example because memory or space for its scratch file is
 /// exhausted.
@@ -230,6 +225,8 @@ Distributed_report coarsen_distributed_mesh(const boost::mpi::communicator& comm
                                             const NamedParametersOut& np_out = parameters::default_values())
 {
   using namespace internal;
+  accept_parameters<NamedParametersIn, Distributed_parameters, Geometry_parameters>();
+  accept_parameters<NamedParametersOut, Geometry_parameters>();
   return coarsen_faces<ConcurrencyTag>(
     communicator, source_of_face_graph(piece, vertex_numbers, np_in), number_of_vertices, output, np_in, np_out,
     [&](const std::vector<Index>& clusters) {
@@ -246,7 +243,7 @@ Distributed_report coarsen_distributed_mesh(const boost::mpi::communicator& comm
 ///
 /// No rank needs memory for its piece: with parameter `scratch_directory`, a mesh can be larger than memory. Otherwise the
 /// function behaves as the previous overload, except that a face is identified by its number in the sequence of its piece, from
-/// 0, and that `vertex_point_map` and `geom_traits` of `np_in` have no effect.
+/// 0, and that `np_in` has neither `vertex_point_map` nor `geom_traits`.
 ///
 /// \tparam FaceSource a function object. `source(receive)` calls `receive(numbers, points)` for each face of the piece of this
 /// rank, in the same order in each call. `numbers` is a `std::vector<std::uint64_t>` of the global numbers of its vertices,
@@ -278,6 +275,8 @@ Distributed_report coarsen_distributed_faces(const boost::mpi::communicator& com
                                              const NamedParametersOut& np_out = parameters::default_values())
 {
   using namespace internal;
+  accept_parameters<NamedParametersIn, Distributed_parameters, Parameter_list<internal_np::face_name_t> >();
+  accept_parameters<NamedParametersOut, Geometry_parameters>();
   return coarsen_faces<ConcurrencyTag>(
     communicator, source_of_faces(source, np_in), number_of_vertices, output, np_in, np_out,
     [&](const std::vector<Index>& clusters) {

@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,27 +38,25 @@ namespace internal {
 class Cell_surface
 {
 public:
-  Cell_surface(const Cell_mesh& cells, const Flat_mesh& mesh) : corner_across_(cells.corners_across())
+  Cell_surface(const Cell_mesh& cells, Flat_mesh mesh) : cells_(std::move(mesh)), corner_across_(cells.corners_across())
   {
-    if (mesh.corner_vertex.size() >= NONE / 6)
-      throw Invalid_input("the mesh of cells has " + std::to_string(mesh.corner_vertex.size()) +
+    if (cells_.corner_vertex.size() >= NONE / 6)
+      throw Invalid_input("the mesh of cells has " + std::to_string(cells_.corner_vertex.size()) +
                           " corners, more than the " + std::to_string(NONE / 6 - 1) + " to which vertices can be fitted");
-    const std::size_t size = mesh.number_of_faces();
-    first_corner_.reserve(size + 1);
-    for (std::size_t x = 0; x <= size; ++x)
-      first_corner_.push_back(mesh.first_corner[x]);
-    corner_vertex_ = mesh.corner_vertex;
+    for (std::vector<Index>* const unused : {&cells_.face_across, &cells_.first_in_star, &cells_.star, &cells_.loop})
+      *unused = std::vector<Index>();
+    const std::size_t size = cells_.number_of_faces();
     center_.reserve(size);
-    cell_of_origin_.reserve(size);
-    points_.reserve(mesh.points.size() + size);
-    points_.insert(points_.end(), mesh.points.begin(), mesh.points.end());
-    for (Index x = 0; x < size; ++x) {
-      center_.push_back(cells.faces()[x] > 1 ? Index(points_.size()) : NONE);
-      if (center_[x] != NONE)
-        points_.push_back(cells.centers()[x]);
-      cell_of_origin_.emplace_back(cells.origins()[x], x);
+    cells_.points.reserve(cells_.points.size() + size);
+    for (const Cell_mesh::Cell& cell : cells.cells()) {
+      center_.push_back(cell.faces > 1 ? Index(cells_.points.size()) : NONE);
+      if (cell.faces > 1)
+        cells_.points.push_back(cell.center);
     }
-    std::sort(cell_of_origin_.begin(), cell_of_origin_.end());
+    cell_of_center_.resize(size);
+    std::iota(cell_of_center_.begin(), cell_of_center_.end(), Index(0));
+    std::sort(cell_of_center_.begin(), cell_of_center_.end(),
+              [&](Index x, Index y) { return cells.cells()[x].origin < cells.cells()[y].origin; });
   }
 
   // Fits the vertices to this surface if the placement does so, and repairs the placement on request. Called once. The parts know
@@ -69,7 +68,10 @@ public:
     Cluster_labels labels(input.mesh);
     set_labels(parts, labels);
     labels.recount();
-    const Clustered_faces surface(input, labels, parts.bounds(), choice.execution, cancellation);
+    std::vector<Bbox_3> bounds;
+    for (const Dual_parts::Cluster_part& cluster : parts.clusters)
+      bounds.push_back(cluster.bounds);
+    const Clustered_faces surface(input, labels, bounds, choice.execution, cancellation);
     const Border_arcs border(surface);
     border.place(positions);
     if (choice.placement.from_start) {
@@ -84,14 +86,12 @@ public:
   }
 
 private:
-  Index degree(Index x) const { return first_corner_[x + 1] - first_corner_[x]; }
-  Index number_of_faces_in(Index x) const { return center_[x] == NONE ? 1 : degree(x); }
-
   Clustering_input make_input(const Cancellation_point& cancellation, Execution execution)
   {
-    first_face_.assign(1, 0);
+    first_face_.reserve(center_.size() + 1);
+    first_face_.push_back(0);
     for (Index x = 0; x < center_.size(); ++x)
-      first_face_.push_back(first_face_.back() + number_of_faces_in(x));
+      first_face_.push_back(first_face_.back() + (center_[x] == NONE ? 1 : cells_.degree(x)));
     Clustering_input input;
     Flat_mesh& m = input.mesh;
     m.first_corner.reserve(first_face_.back() + 1);
@@ -99,14 +99,15 @@ private:
     m.face_across.reserve(3 * first_face_.back());
     m.first_corner.push_back(0);
     for (Index x = 0; x < center_.size(); ++x) {
-      cancellation.poll(degree(x));
-      for (Index c = first_corner_[x]; c != first_corner_[x + 1]; ++c)
+      cancellation.poll(cells_.degree(x));
+      for (const Index c : cells_.corners(x))
         add_side(x, c, m);
       if (center_[x] == NONE)
         m.first_corner.push_back(Index(m.corner_vertex.size()));
     }
-    m.points.swap(points_);
-    first_corner_ = corner_vertex_ = corner_across_ = center_ = std::vector<Index>(); // frees their memory
+    m.points.swap(cells_.points);
+    cells_ = Flat_mesh(); // frees its memory
+    corner_across_ = std::vector<Index>();
     complete_stars(m, m.points.size(), cancellation, execution);
     compute_areas_and_centroids(input, cancellation, execution);
     input.density.assign(input.area.size(), 1);
@@ -116,42 +117,34 @@ private:
   // Adds the triangle at a side of a cell, or the corner of a single face.
   void add_side(Index x, Index c, Flat_mesh& m) const
   {
-    const Index begin = first_corner_[x], sides = degree(x), i = c - begin;
-    m.corner_vertex.push_back(corner_vertex_[c]);
-    m.face_across.push_back(corner_across_[c] == NONE ? NONE : face_at(corner_across_[c]));
+    m.corner_vertex.push_back(cells_.corner_vertex[c]);
+    const Index across = corner_across_[c];
+    m.face_across.push_back(across == NONE ? NONE : face_of(face_of_corner(cells_, across), across));
     if (center_[x] == NONE)
       return;
-    m.corner_vertex.push_back(corner_vertex_[begin + (i + 1) % sides]);
-    m.face_across.push_back(first_face_[x] + (i + 1) % sides);
+    m.corner_vertex.push_back(cells_.corner_vertex[cells_.next_corner(x, c)]);
+    m.face_across.push_back(face_of(x, cells_.next_corner(x, c)));
     m.corner_vertex.push_back(center_[x]);
-    m.face_across.push_back(first_face_[x] + (i + sides - 1) % sides);
+    m.face_across.push_back(face_of(x, cells_.previous_corner(x, c)));
     m.first_corner.push_back(Index(m.corner_vertex.size()));
   }
 
-  // Returns the face at the side that begins at a corner of the mesh of cells.
-  Index face_at(Index c) const
-  {
-    const Index x = Index(std::upper_bound(first_corner_.begin(), first_corner_.end(), c) - first_corner_.begin() - 1);
-    return center_[x] == NONE ? first_face_[x] : first_face_[x] + (c - first_corner_[x]);
-  }
+  // Returns the face at the side of cell `x` that begins at a corner.
+  Index face_of(Index x, Index c) const { return first_face_[x] + (center_[x] == NONE ? 0 : c - cells_.first_corner[x]); }
 
-  // A face belongs to the cluster of the face that represents its cell.
+  // A face belongs to the cluster of the face that represents its cell. The parts have these faces in the order of their origins.
   void set_labels(const Dual_parts& parts, Cluster_labels& labels) const
   {
-    for (const Dual_parts::Center_part& part : parts.centers) {
-      const auto cell = std::lower_bound(cell_of_origin_.begin(), cell_of_origin_.end(), std::make_pair(part.origin, Index(0)));
-      const Index x = cell->second;
-      for (Index f = first_face_[x]; f != first_face_[x + 1]; ++f)
-        labels.set(f, part.cluster);
-    }
+    for (std::size_t i = 0; i < cell_of_center_.size(); ++i)
+      for (const Index f : number_range(first_face_[cell_of_center_[i]], first_face_[cell_of_center_[i] + 1]))
+        labels.set(f, parts.centers[i].cluster);
   }
 
-  std::vector<Index> first_corner_;                // of each cell, and the total
-  std::vector<Index> corner_vertex_, corner_across_; // of each corner
-  std::vector<Index> center_;                      // the vertex within each cell; NONE if the cell is a single face
-  std::vector<Vector> points_;
-  std::vector<std::pair<std::uint64_t, Index> > cell_of_origin_;
-  std::vector<Index> first_face_; // of each cell, and the total
+  Flat_mesh cells_;                   // without stars, and with points within cells
+  std::vector<Index> corner_across_;  // of each corner
+  std::vector<Index> center_;         // the vertex within each cell; NONE if the cell is a single face
+  std::vector<Index> cell_of_center_; // the cells in the order of the origins of the faces that represent them
+  std::vector<Index> first_face_;     // of each cell, and the total
 };
 
 // Divides blocks into cells, and clusters the mesh of cells on rank 0.
@@ -175,7 +168,7 @@ public:
   const Cluster_tasks& tasks() const { return tasks_; }
   const Linear_density& density() const { return density_; }
   // Returns the cluster of a cell of this rank.
-  Index cluster_of_cell(Index cell) const { return Index(clusters_[cell]); }
+  Index cluster_of_cell(Index cell) const { return clusters_[cell]; }
   // Valid on rank 0:
   const Coarsening_report& report() const { return report_; }
   // Valid on rank 0 if the cells have level 0:
@@ -214,34 +207,31 @@ private:
         if (!choice_.has_densities)
           compute_deviations(patch, largest);
         const Cells cells_of_block(patch, level_, context_.cancellation);
-        cells_of_block.write([&](const Words& cell) { routing.send(context_.rank(), cell); });
+        cells_of_block.write([&](const Cell_record& cell) { routing.send(context_.rank(), cell); });
         write_cells(patch, cells_of_block, cells, blocks, bin);
         cells += cells_of_block.size();
       });
     });
     choose_density(largest);
-    std::vector<Words> outgoing(context_.number_of_ranks());
+    std::vector<std::vector<Index> > outgoing(context_.number_of_ranks());
     bool is_found = true;
-    Words tasks;
-    on_all_ranks(context_.communicator, [&] {
-      if (context_.rank() == 0)
-        is_found = cluster_on_first_rank(all, outgoing, tasks);
-    });
+    on_first_rank(context_, [&] { is_found = cluster_on_first_rank(all, outgoing); });
     boost::mpi::broadcast(context_.communicator, is_found, 0);
     if (!is_found)
       return false;
-    broadcast_words(context_, tasks);
-    tasks_ = Cluster_tasks(tasks);
+    broadcast_records(context_, tasks_);
     clusters_ = std::move(exchange(context_, outgoing)[0]);
     return true;
   }
 
   void compute_deviations(Patch& patch, double& largest) const
   {
-    patch.faces.density = mean_normal_deviations(patch.mesh, context_.cancellation, choice_.execution);
-    for (std::size_t f = 0; f < patch.faces.size(); ++f)
+    const std::vector<double> deviations = mean_normal_deviations(patch.mesh, context_.cancellation, choice_.execution);
+    for (std::size_t f = 0; f < deviations.size(); ++f) {
+      patch.faces[f].density = deviations[f];
       if (patch.is_own(f))
-        largest = (std::max)(largest, patch.faces.density[f]);
+        largest = (std::max)(largest, deviations[f]);
+    }
   }
 
   static void write_cells(Patch& patch, const Cells& cells_of_block, std::size_t first_cell, Word_store& blocks, std::size_t bin)
@@ -254,7 +244,8 @@ private:
       if (face.is_own)
         face.cluster = Index(first_cell + cells_of_block.cell_of(f));
       face.is_center = cells_of_block.is_center(f);
-      face.write(words);
+      words.clear();
+      write_record(face, words);
       blocks.append(bin, words.data(), words.size());
     }
   }
@@ -270,17 +261,17 @@ private:
   }
 
   // Writes the clusters of the cells of each rank.
-  bool cluster_on_first_rank(Word_store& all, std::vector<Words>& outgoing, Words& tasks)
+  bool cluster_on_first_rank(Word_store& all, std::vector<std::vector<Index> >& outgoing)
   {
     Cell_mesh mesh(density_);
     std::vector<std::size_t> end; // of the cells of each rank
     for (std::size_t rank = 0; rank < all.number_of_bins(); ++rank)
-      all.read(rank, [&](const std::uint64_t* word, const std::uint64_t* last) { mesh.count(word, last); });
+      all.read<Cell_record>(rank, [&](const Cell_record& cell) { mesh.count(cell); });
     mesh.reserve();
     for (std::size_t rank = 0; rank < all.number_of_bins(); ++rank) {
-      all.read(rank, [&](const std::uint64_t* word, const std::uint64_t* last) { mesh.read(word, last); });
+      all.read<Cell_record>(rank, [&](const Cell_record& cell) { mesh.add(cell); });
       all.clear(rank);
-      end.push_back(mesh.number_of_cells());
+      end.push_back(mesh.cells().size());
     }
     Clustering_state state;
     state.visitor = choice_.visitor;
@@ -292,28 +283,38 @@ private:
     if (!cluster(state))
       return false;
     const std::vector<Index> clusters = clusters_of_base_faces(state);
-    for (std::size_t rank = 0, x = 0; rank < end.size(); ++rank)
-      for (; x < end[rank]; ++x)
-        outgoing[rank].push_back(clusters[x]);
-    tasks = Cluster_tasks(state.input.items, mesh.faces(), clusters, state.number_of_clusters(), curve_, faces_per_task(mesh))
-              .words();
+    for (std::size_t rank = 0, begin = 0; rank < end.size(); begin = end[rank++])
+      outgoing[rank].assign(clusters.begin() + std::ptrdiff_t(begin), clusters.begin() + std::ptrdiff_t(end[rank]));
+    divide_clusters(state, mesh, clusters);
     if (level_ > 0 && choice_.places_on_cells())
-      surface_ = std::make_unique<Cell_surface>(mesh, state.input.items.mesh);
+      surface_ = std::make_unique<Cell_surface>(mesh, std::move(state.input.items.mesh));
     if (level_ == 0)
       dual_ = place(state, choice_.placement, choice_.output_coordinates(frame_));
     report_ = state.report;
     return true;
   }
 
+  void divide_clusters(const Clustering_state& state, const Cell_mesh& mesh, const std::vector<Index>& cluster_of_cell)
+  {
+    std::vector<std::size_t> faces(state.number_of_clusters(), 0);
+    std::vector<Vector> sum(faces.size(), Vector{{0, 0, 0}});
+    for (Index x = 0; x < cluster_of_cell.size(); ++x) {
+      const Index cluster = cluster_of_cell[x], faces_of_cell = mesh.cells()[x].faces;
+      faces[cluster] += faces_of_cell;
+      sum[cluster] = sum[cluster] + double(faces_of_cell) * state.input.items.centroid(x);
+    }
+    std::vector<std::uint64_t> places;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      places.push_back(curve_((1 / double(faces[i])) * sum[i]));
+    tasks_ = divide_into_tasks(faces, places, faces_per_task(std::accumulate(faces.begin(), faces.end(), std::size_t(0))));
+  }
+
   // Faces at the border of a task cannot move, so few faces of a task of few clusters could move.
-  std::size_t faces_per_task(const Cell_mesh& mesh) const
+  std::size_t faces_per_task(std::size_t number_of_faces) const
   {
     if (choice_.faces_per_block)
       return *choice_.faces_per_block;
-    std::size_t faces = 0;
-    for (const Index n : mesh.faces())
-      faces += n;
-    const std::size_t enough = Distributed_choice::clusters_per_task * (faces / choice_.number_of_vertices);
+    const std::size_t enough = Distributed_choice::clusters_per_task * (number_of_faces / choice_.number_of_vertices);
     return (std::max)(Distributed_choice::default_faces_per_block,
                       (std::min)(enough, Distributed_choice::max_faces_per_task));
   }
@@ -342,7 +343,7 @@ private:
   Morton_curve curve_;
   Index level_ = 0;
   Linear_density density_;
-  Words clusters_; // of the cells of this rank
+  std::vector<Index> clusters_; // of the cells of this rank
   Cluster_tasks tasks_;
   Coarsening_report report_;
   Placed_dual dual_;

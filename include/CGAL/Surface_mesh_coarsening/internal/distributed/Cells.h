@@ -16,6 +16,54 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
+// What a record of a cell has besides its corners. The moments are sums of areas times centroids. The same sums weighted by the
+// density may be weighted by the deviation instead, because densities are linear in deviations.
+struct Cell_data
+{
+  Index corners = 0, faces = 0;
+  double area = 0, weighted_area = 0;
+  Vector moment{{0, 0, 0}}, weighted_moment{{0, 0, 0}};
+  std::uint64_t origin = 0;   // of the face that represents the cell
+  Vector center{{0, 0, 0}}; // the centroid of this face
+
+  void add(const Face_geometry& face, double density)
+  {
+    ++faces;
+    area += face.area;
+    weighted_area += density * face.area;
+    moment = moment + face.area * face.centroid;
+    weighted_moment = weighted_moment + (density * face.area) * face.centroid;
+  }
+};
+
+// The number of a vertex of a cell, and the numbers of the previous and the next vertex on the boundary.
+struct Cell_corner
+{
+  std::uint64_t vertex, before, after;
+  Vector point;
+};
+
+struct Cell_record : Cell_data
+{
+  std::vector<Cell_corner> corner;
+  std::vector<std::uint64_t> begins_star; // for each corner, whether the star of the vertex begins in the cell
+};
+
+inline void write_record(const Cell_record& cell, Words& words)
+{
+  write_records(static_cast<const Cell_data*>(&cell), 1, words);
+  write_records(cell.corner.data(), cell.corner.size(), words);
+  write_records(cell.begins_star.data(), cell.begins_star.size(), words);
+}
+
+inline const std::uint64_t* read_record(const std::uint64_t* word, Cell_record& cell)
+{
+  word = read_records(word, static_cast<Cell_data*>(&cell), 1);
+  cell.corner.resize(cell.corners);
+  cell.begins_star.resize(cell.corners);
+  return read_records(read_records(word, cell.corner.data(), cell.corners), cell.begins_star.data(), cell.corners);
+}
+
 // Divides the own faces of a patch into cells, closed discs that are clustered like faces. A face is a cell of its own if other
 // patches have faces at one of its vertices, or if it lies at the border of the mesh. Hence cells of several faces meet only
 // cells of the same patch, and all their tests are local.
@@ -50,65 +98,21 @@ public:
   // Whether a face represents its cell: of all faces of the cell, its centroid is nearest to the centroid of the cell.
   bool is_center(Index f) const { return patch_.is_own(f) && center_[cell_of(f)] == f; }
 
-  // Calls `receive(words)` for each cell: sums, the representative face, and corners with their neighbors along the boundary.
+  // Calls `receive(record)` for each cell.
   template <class Receive>
   void write(const Receive& receive) const
   {
-    std::vector<Corner> corners;
-    Words words;
+    Cell_record cell;
+    std::vector<Index> boundary;
     for (std::size_t i = 0; i < size(); ++i) {
-      corners.clear();
-      words.clear();
-      list_corners(boundary_edge_[i], corners);
-      words.push_back(packed(Index(corners.size()), sums_[i].faces));
-      sums_[i].write(words);
-      words.push_back(patch_.faces.origin[center_[i]]);
-      for (const double x : face_geometry(mesh_, center_[i]).centroid)
-        words.push_back(to_word(x));
-      for (const Corner& c : corners)
-        write(c, words);
-      receive(words);
+      static_cast<Cell_data&>(cell) = data_[i];
+      list_boundary(boundary_edge_[i], boundary);
+      list_corners(boundary, labels_[boundary_edge_[i].face], cell);
+      receive(cell);
     }
   }
 
 private:
-  // The sums of areas and first moments, and the same sums weighted by `density`. `density` may be a deviation, because densities
-  // are linear in deviations.
-  struct Sums
-  {
-    Index faces = 0;
-    double area = 0, weighted_area = 0;
-    Vector moment{{0, 0, 0}}, weighted_moment{{0, 0, 0}};
-
-    void add(const Flat_mesh& m, Index f, double density)
-    {
-      const Face_geometry geometry = face_geometry(m, f);
-      ++faces;
-      area += geometry.area;
-      weighted_area += density * geometry.area;
-      moment = moment + geometry.area * geometry.centroid;
-      weighted_moment = weighted_moment + (density * geometry.area) * geometry.centroid;
-    }
-
-    void write(Words& words) const
-    {
-      words.push_back(to_word(area));
-      words.push_back(to_word(weighted_area));
-      for (const double x : moment)
-        words.push_back(to_word(x));
-      for (const double x : weighted_moment)
-        words.push_back(to_word(x));
-    }
-  };
-
-  // A vertex of a cell, with the previous and the next vertex on the boundary, and whether the star of the vertex begins in the
-  // cell.
-  struct Corner
-  {
-    Index vertex, before, after;
-    bool begins_star;
-  };
-
   bool is_inner(Index f) const
   {
     for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
@@ -151,21 +155,25 @@ private:
 
   void sum_up()
   {
-    sums_.resize(size());
+    data_.resize(size());
     for (Index f = 0; f < mesh_.number_of_faces(); ++f)
       if (patch_.is_own(f))
-        sums_[cell_of(f)].add(mesh_, f, patch_.faces.density[f]);
+        data_[cell_of(f)].add(face_geometry(mesh_, f), patch_.faces[f].density);
     center_.assign(size(), NONE);
     std::vector<double> nearest(size());
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
       if (!patch_.is_own(f))
         continue;
       const Index x = cell_of(f);
-      const Vector offset = sums_[x].area * mean_of_corners(mesh_, f) - sums_[x].moment;
+      const Vector offset = data_[x].area * mean_of_corners(mesh_, f) - data_[x].moment;
       if (center_[x] == NONE || dot(offset, offset) < nearest[x]) {
         center_[x] = f;
         nearest[x] = dot(offset, offset);
       }
+    }
+    for (std::size_t i = 0; i < size(); ++i) {
+      data_[i].origin = patch_.faces[center_[i]].origin;
+      data_[i].center = face_geometry(mesh_, center_[i]).centroid;
     }
   }
 
@@ -205,28 +213,19 @@ private:
     } while (!(e == start));
   }
 
-  void list_corners(const Directed_edge& start, std::vector<Corner>& corners) const
+  void list_corners(const std::vector<Index>& boundary, Index label, Cell_record& cell) const
   {
-    std::vector<Index> boundary;
-    list_boundary(start, boundary);
-    const std::size_t n = boundary.size();
-    for (std::size_t i = 0; i < n; ++i) {
+    cell.corner.clear();
+    cell.begins_star.clear();
+    const auto number = [&](std::size_t i) { return patch_.number[boundary[i % boundary.size()]]; };
+    for (std::size_t i = 0; i < boundary.size(); ++i) {
       const Index v = boundary[i];
       if (!is_corner_[v])
         continue;
-      const Index first = mesh_.star[mesh_.first_in_star[v]];
-      corners.push_back({v, boundary[(i + n - 1) % n], boundary[(i + 1) % n], labels_[first] == labels_[start.face]});
+      cell.corner.push_back({number(i), number(i + boundary.size() - 1), number(i + 1), mesh_.points[v]});
+      cell.begins_star.push_back(labels_[mesh_.star[mesh_.first_in_star[v]]] == label);
     }
-  }
-
-  void write(const Corner& c, Words& words) const
-  {
-    words.push_back(c.begins_star);
-    words.push_back(patch_.number[c.vertex]);
-    words.push_back(patch_.number[c.before]);
-    words.push_back(patch_.number[c.after]);
-    for (const double x : mesh_.points[c.vertex])
-      words.push_back(to_word(x));
+    cell.corners = Index(cell.corner.size());
   }
 
   const Patch& patch_;
@@ -236,7 +235,7 @@ private:
   Index single_ = 0, cells_ = 0;             // labels below `single_` belong to single faces of this or other patches
   std::vector<Index> number_;                // of the cell of each label; NONE for faces of other patches
   std::vector<Directed_edge> boundary_edge_; // of each cell
-  std::vector<Sums> sums_;                   // of each cell
+  std::vector<Cell_data> data_;              // of each cell
   std::vector<Index> center_;                // the representative face of each cell
   std::vector<char> is_corner_;              // of each vertex
 };

@@ -55,43 +55,14 @@ struct Distributed_choice
   bool places_on_cells() const { return placement.from_start || repairs_output; }
 };
 
-template <class Parameter, class NamedParameters>
-void refuse_across_ranks(const NamedParameters&, Parameter, const char* name)
-{
-  if constexpr (has_parameter<Parameter, NamedParameters>)
-    throw Invalid_input(std::string("the parameter ") + name + " is not available for distributed meshes");
-}
-
-// The same for a parameter that is accepted if its value is `false` or 0.
-template <class Parameter, class NamedParameters>
-void refuse_if_set(const NamedParameters& np, Parameter parameter, const char* name)
-{
-  if constexpr (has_parameter<Parameter, NamedParameters>)
-    if (get_parameter(np, parameter))
-      refuse_across_ranks(np, parameter, name);
-}
-
-template <class NPIn, class NPOut>
-void refuse_unavailable(const NPIn& np_in, const NPOut& np_out)
-{
-  refuse_across_ranks(np_in, internal_np::feature_angle_p, "feature_angle");
-  refuse_across_ranks(np_in, CGAL::internal_np::edge_is_constrained, "edge_is_constrained_map");
-  refuse_across_ranks(np_in, CGAL::internal_np::vertex_is_constrained, "vertex_is_constrained_map");
-  refuse_across_ranks(np_in, CGAL::internal_np::face_patch, "face_patch_map");
-  refuse_across_ranks(np_in, CGAL::internal_np::face_index, "face_index_map");
-  refuse_across_ranks(np_in, internal_np::neighborhood_level_p, "neighborhood_level");
-  refuse_across_ranks(np_in, internal_np::vertex_ratio_p, "vertex_ratio");
-  refuse_across_ranks(np_in, internal_np::vertex_to_cluster, "vertex_to_cluster_map");
-  refuse_across_ranks(np_in, internal_np::vertex_boundary_count, "vertex_boundary_count_map");
-  refuse_if_set(np_in, internal_np::start_from_face_clusters_p, "start_from_face_clusters");
-  refuse_if_set(np_in, internal_np::subdivide_input_p, "subdivide_input");
-  refuse_if_set(np_in, internal_np::paper_rules_p, "paper_rules");
-  refuse_if_set(np_in, internal_np::error_feedback_p, "error_feedback");
-  refuse_across_ranks(np_out, internal_np::vertex_source, "vertex_source_map");
-  refuse_across_ranks(np_out, CGAL::internal_np::edge_is_constrained, "edge_is_constrained_map");
-  refuse_across_ranks(np_out, CGAL::internal_np::vertex_is_constrained, "vertex_is_constrained_map");
-  refuse_across_ranks(np_out, CGAL::internal_np::face_patch, "face_patch_map");
-}
+// The parameters of distributed meshes that do not depend on the form of the pieces.
+struct Distributed_parameters
+  : Parameter_list<internal_np::face_density_t, internal_np::maximum_density_t, internal_np::cluster_weight_t,
+                   internal_np::cluster_energy_t, internal_np::convergence_tolerance_t, internal_np::vertex_placement_t,
+                   internal_np::repair_output_t, internal_np::face_cluster_t, internal_np::output_on_all_ranks_t,
+                   internal_np::faces_per_block_t, internal_np::scratch_directory_t, internal_np::scratch_memory_t,
+                   CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::visitor_t>
+{};
 
 template <class NamedParameters>
 Minimization_end distributed_minimization_end(const NamedParameters& np)
@@ -106,37 +77,25 @@ Minimization_end distributed_minimization_end(const NamedParameters& np)
 }
 
 // Reads the placement, and whether it is repaired.
-template <class OutputFaceGraph, class Placement, class NamedParametersIn, class NamedParametersOut>
-void read_placement(const Placement& placement, const NamedParametersIn& np_in, const NamedParametersOut&,
-                    Distributed_choice& choice)
+template <class Placement, class NamedParameters>
+void read_placement(const Placement& placement, const NamedParameters& np, Distributed_choice& choice)
 {
   choice.placement = placement_model(placement);
   if (!choice.placement.local && !choice.placement.from_start)
     throw Invalid_input("a placement of all vertices together, other than Fitted_placement, is not available for distributed "
                         "meshes");
   choice.repairs_output =
-    choose_parameter(get_parameter(np_in, internal_np::repair_output_p), bool(choice.placement.from_start));
+    choose_parameter(get_parameter(np, internal_np::repair_output_p), bool(choice.placement.from_start));
   if (choice.repairs_output && choice.placement.is_at_input_vertices)
     throw Invalid_input("the parameter repair_output is not available for distributed meshes with a placement at input "
                         "vertices");
-  choice.output_coordinates = [](const Local_frame& frame) {
-    return output_coordinates<typename GetGeomTraits<OutputFaceGraph, NamedParametersOut>::type>(frame);
-  };
-}
-
-template <class NamedParameters>
-void read_scratch(const NamedParameters& np, Distributed_choice& choice)
-{
-  choice.scratch_directory = choose_parameter(get_parameter(np, internal_np::scratch_directory_p), std::string());
-  choice.scratch_memory = std::uint64_t(choose_parameter(get_parameter(np, internal_np::scratch_memory_p), std::uint64_t(0)));
 }
 
 // The choice refers to the placement and the parameters.
 template <class ConcurrencyTag, class OutputFaceGraph, class Placement, class NamedParametersIn, class NamedParametersOut>
 Distributed_choice distributed_choice(std::size_t number_of_vertices, const Placement& placement, const NamedParametersIn& np_in,
-                                      const NamedParametersOut& np_out)
+                                      const NamedParametersOut&)
 {
-  refuse_unavailable(np_in, np_out);
   Distributed_choice choice;
   choice.number_of_vertices = number_of_vertices;
   if constexpr (has_parameter<internal_np::faces_per_block_t, NamedParametersIn>) {
@@ -154,12 +113,16 @@ Distributed_choice distributed_choice(std::size_t number_of_vertices, const Plac
   choice.energies = [energy](const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters) {
     return cluster_energies(energy, input, labels, clusters);
   };
-  read_placement<OutputFaceGraph>(placement, np_in, np_out, choice);
+  read_placement(placement, np_in, choice);
+  choice.output_coordinates = [](const Local_frame& frame) {
+    return output_coordinates<typename GetGeomTraits<OutputFaceGraph, NamedParametersOut>::type>(frame);
+  };
   choice.wants_output_everywhere = choose_parameter(get_parameter(np_in, internal_np::output_on_all_ranks_p), false);
   choice.wants_clusters = has_parameter<internal_np::face_cluster_t, NamedParametersIn>;
   if constexpr (has_parameter<internal_np::face_name_t, NamedParametersIn>)
     choice.face_names = [&np_in](std::uint64_t face) { return get(get_parameter(np_in, internal_np::face_name), face); };
-  read_scratch(np_in, choice);
+  choice.scratch_directory = choose_parameter(get_parameter(np_in, internal_np::scratch_directory_p), std::string());
+  choice.scratch_memory = std::uint64_t(choose_parameter(get_parameter(np_in, internal_np::scratch_memory_p), std::uint64_t(0)));
   return choice;
 }
 

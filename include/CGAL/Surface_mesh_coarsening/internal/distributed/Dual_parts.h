@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_choice.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_routing.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Border_fit.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
@@ -21,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -42,8 +44,8 @@ public:
     global_.insert(global_.end(), foreign.begin(), foreign.end());
     Index last = NONE, number = NONE;
     for (std::size_t f = 0; f < patch.faces.size(); ++f) {
-      if (patch.faces.cluster[f] != last) {
-        last = patch.faces.cluster[f];
+      if (patch.faces[f].cluster != last) {
+        last = patch.faces[f].cluster;
         number = local_number(last);
       }
       labels_.set(Index(f), number);
@@ -79,7 +81,7 @@ public:
       rounds += progress.rounds;
     }
     for (std::size_t f = 0; f < patch_.faces.size(); ++f)
-      patch_.faces.cluster[f] = global_[labels_[Index(f)]];
+      patch_.faces[f].cluster = global_[labels_[Index(f)]];
     return rounds;
   }
 
@@ -89,7 +91,9 @@ private:
   {
     Clustering_input input;
     input.mesh = std::move(patch.mesh);
-    input.density = patch.faces.density;
+    input.density.reserve(patch.faces.size());
+    for (const Face_data& face : patch.faces.data)
+      input.density.push_back(face.density);
     compute_areas_and_centroids(input);
     return input;
   }
@@ -99,8 +103,8 @@ private:
   {
     std::vector<Index> clusters;
     for (std::size_t f = 0; f < patch_.faces.size(); ++f)
-      if (patch_.is_own(f) == own && (clusters.empty() || clusters.back() != patch_.faces.cluster[f]))
-        clusters.push_back(patch_.faces.cluster[f]);
+      if (patch_.is_own(f) == own && (clusters.empty() || clusters.back() != patch_.faces[f].cluster))
+        clusters.push_back(patch_.faces[f].cluster);
     sort_unique(clusters);
     return clusters;
   }
@@ -137,29 +141,33 @@ struct Dual_parts
     double energy;
     Vector position;
     Bbox_3 bounds; // of the position
+    bool operator<(const Cluster_part& p) const { return cluster < p.cluster; }
   };
   struct Border_part // an edge of the border
   {
     std::uint64_t source, target;
     Index cluster;
     Vector point; // at the source
+    bool operator<(const Border_part& p) const { return source < p.source; }
   };
-  struct Meeting_point // a vertex where several clusters meet, counterclockwise
-  {
-    std::uint64_t vertex;
-    std::vector<Index> clusters;
-  };
-
   struct Center_part // a face that represents its cell
   {
     std::uint64_t origin;
     Index cluster;
+    bool operator<(const Center_part& p) const { return origin < p.origin; }
+  };
+  struct Triangle_part // a triangle of the fan at a vertex where several clusters meet
+  {
+    std::uint64_t vertex;
+    Index number; // in the fan
+    Triangle triangle;
+    bool operator<(const Triangle_part& p) const { return std::tie(vertex, number) < std::tie(p.vertex, p.number); }
   };
 
   std::vector<Cluster_part> clusters;
   std::vector<Border_part> border;
   std::vector<Center_part> centers; // if vertices are placed on the surface of cells
-  std::vector<Meeting_point> meeting_points;
+  std::vector<Triangle_part> triangles;
 
   void add(const Patch& patch, const Patch_clusters& clusters_of_patch, const Distributed_choice& choice,
            const Cancellation_point& cancellation)
@@ -170,8 +178,8 @@ struct Dual_parts
     for (Index f = 0; f < input.mesh.number_of_faces(); ++f) {
       if (patch.is_own(f))
         add_border(patch, clusters_of_patch, f, is_on_border);
-      if (choice.places_on_cells() && patch.is_own(f) && patch.faces.is_center[f])
-        centers.push_back({patch.faces.origin[f], patch.faces.cluster[f]});
+      if (choice.places_on_cells() && patch.is_own(f) && patch.faces[f].is_center)
+        centers.push_back({patch.faces[f].origin, patch.faces[f].cluster});
     }
     const Clustered_faces surface(input, labels, clusters_of_patch.size(), choice.execution, nullptr, cancellation);
     const auto& place = choice.placement.local ? choice.placement.local : choice.placement.start;
@@ -184,106 +192,32 @@ struct Dual_parts
     for_each_meeting_point(labels, [&](Index v, const std::vector<Index>& runs) {
       if (!patch.is_own(input.mesh.star[input.mesh.first_in_star[v]]))
         return; // the first face around the vertex belongs to another patch
-      meeting_points.push_back({patch.number[v], {}});
-      for (const Index x : runs)
-        meeting_points.back().clusters.push_back(clusters_of_patch.global_number(x));
+      const auto number = [&](std::size_t i) { return clusters_of_patch.global_number(runs[i]); };
+      for (std::size_t i = 2; i < runs.size(); ++i)
+        triangles.push_back({patch.number[v], Index(i), {number(0), number(i - 1), number(i)}});
     });
   }
 
-  Words words() const
+  // Moves the parts of all ranks to rank 0. Their order does not depend on the ranks.
+  void gather(Rank_context& context)
   {
-    Words words{clusters.size(), border.size(), centers.size()};
-    for (const Cluster_part& x : clusters) {
-      words.push_back(x.cluster);
-      words.push_back(to_word(x.energy));
-      write(x.position, words);
-      write(low_corner(x.bounds), words);
-      write(high_corner(x.bounds), words);
-    }
-    for (const Border_part& e : border) {
-      words.insert(words.end(), {e.source, e.target, e.cluster});
-      write(e.point, words);
-    }
-    for (const Center_part& center : centers)
-      words.insert(words.end(), {center.origin, center.cluster});
-    for (const Meeting_point& p : meeting_points) {
-      words.push_back(p.vertex);
-      words.push_back(p.clusters.size());
-      words.insert(words.end(), p.clusters.begin(), p.clusters.end());
-    }
-    return words;
+    gather_sorted(context, clusters);
+    gather_sorted(context, border);
+    gather_sorted(context, centers);
+    gather_sorted(context, triangles);
   }
 
-  void read(const Words& words)
+  // Returns the positions of the vertices of all clusters, with the gathered parts.
+  std::vector<Vector> positions() const
   {
-    std::size_t i = 3;
-    for (std::size_t k = 0; k < words[0]; ++k, i += 11)
-      clusters.push_back({Index(words[i]), to_double(words[i + 1]), vector_at(words, i + 2),
-                          box_of_point(vector_at(words, i + 5)) + box_of_point(vector_at(words, i + 8))});
-    for (std::size_t k = 0; k < words[1]; ++k, i += 6)
-      border.push_back({words[i], words[i + 1], Index(words[i + 2]), vector_at(words, i + 3)});
-    for (std::size_t k = 0; k < words[2]; ++k, i += 2)
-      centers.push_back({words[i], Index(words[i + 1])});
-    while (i < words.size()) {
-      meeting_points.push_back({words[i], {}});
-      const std::size_t end = i + 2 + words[i + 1];
-      for (i += 2; i < end; ++i)
-        meeting_points.back().clusters.push_back(Index(words[i]));
-    }
-  }
-
-  double energy() const
-  {
-    std::vector<double> energies(clusters.size());
+    std::vector<Vector> positions;
     for (const Cluster_part& x : clusters)
-      energies[x.cluster] = x.energy;
-    double sum = 0;
-    for (const double e : energies)
-      sum += e;
-    return sum;
-  }
-
-  // Returns the triangles in the order of the numbers of the vertices where the clusters meet.
-  std::vector<Triangle> triangles()
-  {
-    std::sort(meeting_points.begin(), meeting_points.end(),
-              [](const Meeting_point& a, const Meeting_point& b) { return a.vertex < b.vertex; });
-    std::vector<Triangle> triangles;
-    for (const Meeting_point& p : meeting_points)
-      for (std::size_t i = 2; i < p.clusters.size(); ++i)
-        triangles.push_back({p.clusters[0], p.clusters[i - 1], p.clusters[i]});
-    return triangles;
-  }
-
-  // Returns the bounds of the position of each cluster.
-  std::vector<Bbox_3> bounds() const
-  {
-    std::vector<Bbox_3> bounds(clusters.size());
-    for (const Cluster_part& x : clusters)
-      bounds[x.cluster] = x.bounds;
-    return bounds;
-  }
-
-  std::vector<Vector> positions()
-  {
-    std::vector<Vector> positions(clusters.size());
-    for (const Cluster_part& x : clusters)
-      positions[x.cluster] = x.position;
+      positions.push_back(x.position);
     place_on_border(positions);
     return positions;
   }
 
 private:
-  static void write(const Vector& p, Words& words)
-  {
-    for (const double x : p)
-      words.push_back(to_word(x));
-  }
-  static Vector vector_at(const Words& words, std::size_t i)
-  {
-    return {{to_double(words[i]), to_double(words[i + 1]), to_double(words[i + 2])}};
-  }
-
   void add_border(const Patch& patch, const Patch_clusters& clusters_of_patch, Index f, std::vector<char>& is_on_border)
   {
     const Flat_mesh& m = clusters_of_patch.input().mesh;
@@ -296,9 +230,8 @@ private:
       }
   }
 
-  void place_on_border(std::vector<Vector>& positions)
+  void place_on_border(std::vector<Vector>& positions) const
   {
-    std::sort(border.begin(), border.end(), [](const Border_part& a, const Border_part& b) { return a.source < b.source; });
     std::vector<char> done(border.size(), false);
     for (std::size_t i = 0; i < border.size(); ++i) {
       if (done[i])
@@ -324,9 +257,7 @@ private:
 
   std::size_t after(const Border_part& e) const
   {
-    return std::size_t(std::lower_bound(border.begin(), border.end(), e.target,
-                                        [](const Border_part& a, std::uint64_t number) { return a.source < number; }) -
-                       border.begin());
+    return std::size_t(std::lower_bound(border.begin(), border.end(), Border_part{e.target, 0, 0, e.point}) - border.begin());
   }
 };
 

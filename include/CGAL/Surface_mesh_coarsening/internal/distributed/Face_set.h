@@ -153,19 +153,27 @@ private:
   std::vector<std::uint64_t> numbers_;
 };
 
+// What a record of a face has besides its corners.
+struct Face_data
+{
+  static constexpr Index max_corners = (Index(1) << 30) - 1;
+
+  Index corners : 30, is_own : 1, is_center : 1; // whether it belongs to its group, and whether it represents its cell
+  Index cluster = NONE;     // or the cell
+  std::uint64_t place = 0;  // the position on the curve
+  double density = 1;       // or the deviation, from which the density is computed
+  std::uint64_t origin = 0; // the number of the face in the sequence of all pieces
+
+  Face_data() : corners(0), is_own(true), is_center(false) {}
+};
+
 // A self-contained record of a face, with the global numbers and the coordinates of its vertices. It begins with the smallest
 // number.
 //
 // Two faces differ in their first two vertices, because an edge has one face on each side. Hence the position on a space-filling
 // curve, followed by these two vertices, defines an order of the faces that depends on the mesh alone.
-struct Face_record
+struct Face_record : Face_data
 {
-  bool is_own = true;      // whether it belongs to its group; otherwise it is a neighbor
-  bool is_center = false;  // whether it represents its cell
-  std::uint64_t place = 0; // the position on the curve
-  double density = 1;      // or the deviation, from which the density is computed
-  Index cluster = NONE;    // or the cell
-  std::uint64_t origin = 0; // the number of the face in the sequence of all pieces
   std::vector<std::uint64_t> vertex;
   std::vector<Vector> point;
 
@@ -183,72 +191,46 @@ struct Face_record
       sum = sum + p;
     return (1. / double(point.size())) * sum;
   }
-
-  static constexpr Index own_bit = Index(1) << 31, center_bit = Index(1) << 30, max_corners = center_bit - 1;
-  static constexpr std::size_t words_of_face = 4, words_of_corner = 4;
-  static constexpr std::size_t words_of_triangle = words_of_face + 3 * words_of_corner;
-
-  void write(Words& words) const
-  {
-    words.resize(words_of_face + words_of_corner * vertex.size());
-    std::uint64_t* word = words.data();
-    *word++ = packed(Index(vertex.size()) | (is_own ? own_bit : 0) | (is_center ? center_bit : 0), cluster);
-    *word++ = place;
-    *word++ = to_word(density);
-    *word++ = origin;
-    for (std::size_t i = 0; i < vertex.size(); ++i) {
-      *word++ = vertex[i];
-      for (const double x : point[i])
-        *word++ = to_word(x);
-    }
-  }
-
-  // Reads the face that begins at `word`, and returns the end of its record.
-  const std::uint64_t* read(const std::uint64_t* word)
-  {
-    is_own = (high_half(*word) & own_bit) != 0;
-    is_center = (high_half(*word) & center_bit) != 0;
-    const std::size_t corners = high_half(*word) & max_corners;
-    cluster = low_half(*word++);
-    place = *word++;
-    density = to_double(*word++);
-    origin = *word++;
-    vertex.resize(corners);
-    point.resize(corners);
-    for (std::size_t i = 0; i < corners; ++i, word += words_of_corner) {
-      vertex[i] = word[0];
-      point[i] = {{to_double(word[1]), to_double(word[2]), to_double(word[3])}};
-    }
-    return word;
-  }
 };
+
+constexpr std::size_t words_of_triangle =
+  (sizeof(Face_data) + 3 * (sizeof(std::uint64_t) + sizeof(Vector))) / sizeof(std::uint64_t);
+
+inline void write_record(const Face_record& face, Words& words)
+{
+  Face_data data = face;
+  data.corners = Index(face.vertex.size()) & Face_data::max_corners;
+  write_records(&data, 1, words);
+  write_records(face.vertex.data(), face.vertex.size(), words);
+  write_records(face.point.data(), face.point.size(), words);
+}
+
+inline const std::uint64_t* read_record(const std::uint64_t* word, Face_record& face)
+{
+  word = read_records(word, static_cast<Face_data*>(&face), 1);
+  face.vertex.resize(face.corners);
+  face.point.resize(face.corners);
+  return read_records(read_records(word, face.vertex.data(), face.vertex.size()), face.point.data(), face.point.size());
+}
 
 // Faces in arrays.
 struct Face_set
 {
-  // Of each face:
-  std::vector<char> is_own, is_center;
-  std::vector<std::uint64_t> place;
-  std::vector<double> density;
-  std::vector<Index> cluster;
-  std::vector<std::uint64_t> origin;
+  std::vector<Face_data> data;
   std::vector<std::size_t> first_corner = std::vector<std::size_t>(1, 0);
   // Of each corner:
   std::vector<std::uint64_t> vertex;
   std::vector<Vector> point;
 
-  std::size_t size() const { return place.size(); }
+  std::size_t size() const { return data.size(); }
+  Face_data& operator[](std::size_t f) { return data[f]; }
+  const Face_data& operator[](std::size_t f) const { return data[f]; }
   std::size_t degree(std::size_t f) const { return first_corner[f + 1] - first_corner[f]; }
 
   // Reserves memory for triangles.
   void reserve(std::size_t triangles)
   {
-    is_own.reserve(triangles);
-    is_center.reserve(triangles);
-    place.reserve(triangles);
-    density.reserve(triangles);
-    cluster.reserve(triangles);
-    origin.reserve(triangles);
+    data.reserve(triangles);
     first_corner.reserve(triangles + 1);
     vertex.reserve(3 * triangles);
     point.reserve(3 * triangles);
@@ -256,12 +238,7 @@ struct Face_set
 
   void append(const Face_record& face)
   {
-    is_own.push_back(face.is_own);
-    is_center.push_back(face.is_center);
-    place.push_back(face.place);
-    density.push_back(face.density);
-    cluster.push_back(face.cluster);
-    origin.push_back(face.origin);
+    data.push_back(face);
     vertex.insert(vertex.end(), face.vertex.begin(), face.vertex.end());
     point.insert(point.end(), face.point.begin(), face.point.end());
     first_corner.push_back(vertex.size());
@@ -270,39 +247,29 @@ struct Face_set
   // Reorders the faces one array after the other, which takes less memory than a second set.
   void reorder(const std::vector<Index>& order)
   {
-    std::vector<std::size_t> first(1, 0);
-    for (const Index f : order)
-      first.push_back(first.back() + degree(f));
     reorder_corners(order, vertex);
     reorder_corners(order, point);
+    std::vector<Face_data> reordered;
+    std::vector<std::size_t> first(1, 0);
+    reordered.reserve(size());
+    first.reserve(size() + 1);
+    for (const Index f : order) {
+      reordered.push_back(data[f]);
+      first.push_back(first.back() + degree(f));
+    }
+    data.swap(reordered);
     first_corner.swap(first);
-    reorder(order, is_own);
-    reorder(order, is_center);
-    reorder(order, place);
-    reorder(order, density);
-    reorder(order, cluster);
-    reorder(order, origin);
   }
 
 private:
-  template <class T>
-  static void reorder(const std::vector<Index>& order, std::vector<T>& values)
-  {
-    std::vector<T> reordered;
-    reordered.reserve(values.size());
-    for (const Index f : order)
-      reordered.push_back(values[f]);
-    values.swap(reordered);
-  }
-
   template <class T>
   void reorder_corners(const std::vector<Index>& order, std::vector<T>& values) const
   {
     std::vector<T> reordered;
     reordered.reserve(values.size());
     for (const Index f : order)
-      for (std::size_t c = first_corner[f]; c != first_corner[f + 1]; ++c)
-        reordered.push_back(values[c]);
+      reordered.insert(reordered.end(), values.begin() + std::ptrdiff_t(first_corner[f]),
+                       values.begin() + std::ptrdiff_t(first_corner[f + 1]));
     values.swap(reordered);
   }
 };

@@ -9,12 +9,15 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 
+#include <boost/range/adaptor/transformed.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -34,17 +37,12 @@ struct Patch
   std::vector<std::uint64_t> number;  // the global number of each vertex of the mesh
   std::vector<char> is_inner;         // for each vertex of the mesh, whether all incident faces are own faces
 
-  bool is_own(std::size_t f) const { return faces.is_own[f] != 0; }
+  bool is_own(std::size_t f) const { return faces[f].is_own; }
 
   // Returns a face. Its corners are read from `corners`, because the mesh of the patch may have been moved.
   void get(Index f, const Flat_mesh& corners, Face_record& face) const
   {
-    face.is_own = is_own(f);
-    face.is_center = faces.is_center[f] != 0;
-    face.place = faces.place[f];
-    face.density = faces.density[f];
-    face.cluster = faces.cluster[f];
-    face.origin = faces.origin[f];
+    static_cast<Face_data&>(face) = faces[f];
     face.vertex.clear();
     face.point.clear();
     for (const Index c : corners.corners(f)) {
@@ -53,6 +51,24 @@ struct Patch
     }
   }
 };
+
+// Pairs the edges that leave a vertex with the edges that enter it on their other sides: calls `pair(x, y)` for corners x and y of
+// the vertex if the vertex after x is the vertex before y. Returns whether all edges enter from different vertices. Corners are
+// sorted, so vertices of high degree cost hardly more than others.
+template <class Corner, class Pair>
+bool pair_edges_at_vertex(const Iterator_range<const Corner*>& corners_at_vertex, std::vector<Corner>& corners, const Pair& pair)
+{
+  corners.assign(corners_at_vertex.begin(), corners_at_vertex.end());
+  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.previous < b.previous; });
+  for (const Corner& x : corners) {
+    const auto y = std::lower_bound(corners.begin(), corners.end(), x,
+                                    [](const Corner& a, const Corner& b) { return a.previous < b.next; });
+    if (y != corners.end() && y->previous == x.next)
+      pair(x, *y);
+  }
+  return std::adjacent_find(corners.begin(), corners.end(),
+                            [](const Corner& a, const Corner& b) { return a.previous == b.previous; }) == corners.end();
+}
 
 // Builds the mesh of a patch from faces in any order. Throws if the faces of the patch, or of several pieces, contradict each
 // other. Of several contradictions, the one at the smallest vertex numbers is reported.
@@ -80,10 +96,10 @@ public:
   }
 
 private:
-  // The other ends of the edges before and after a corner.
-  struct Edge_ends
+  // A corner, and the vertices before and after it.
+  struct Corner
   {
-    Index previous, next;
+    Index corner, previous, next;
   };
 
   void sort_faces()
@@ -96,11 +112,11 @@ private:
     std::vector<Key> keys;
     keys.reserve(faces_.size());
     for (Index f = 0; f < faces_.size(); ++f)
-      keys.push_back({faces_.place[f], f});
+      keys.push_back({faces_[f].place, f});
     // Duplicate faces are a fault; the message must not depend on the order in which they arrived.
     const auto rest = [this](Index f) {
       const std::size_t c = faces_.first_corner[f];
-      return std::make_tuple(faces_.vertex[c], faces_.vertex[c + 1], faces_.origin[f]);
+      return std::make_tuple(faces_.vertex[c], faces_.vertex[c + 1], faces_[f].origin);
     };
     sort_runs(keys, [&](const Key& a, const Key& b) {
       return a.place != b.place ? a.place < b.place : rest(a.face) < rest(b.face);
@@ -109,13 +125,14 @@ private:
     order.reserve(keys.size());
     for (const Key& key : keys)
       order.push_back(key.face);
+    keys = std::vector<Key>();
     faces_.reorder(order);
   }
 
   void check_size() const
   {
     if (faces_.vertex.size() > max_corners_)
-      throw Invalid_input("a block around " + names_(faces_.origin.front()) + " has " + std::to_string(faces_.vertex.size()) +
+      throw Invalid_input("a block around " + name(0) + " has " + std::to_string(faces_.vertex.size()) +
                           " face corners, more than the " + std::to_string(max_corners_) + " that can be numbered");
   }
 
@@ -133,99 +150,60 @@ private:
     }
     for (const std::uint64_t number : faces_.vertex)
       vertex_of_.push_back(table_.index(number));
-    first_at_.assign(table_.numbers().size() + 1, 0);
-    for (const Index v : vertex_of_)
-      ++first_at_[v + 1];
-    for (std::size_t v = 1; v < first_at_.size(); ++v)
-      first_at_[v] += first_at_[v - 1];
-    std::vector<Index> next(first_at_.begin(), first_at_.end() - 1);
-    corners_at_.resize(corners);
-    ends_at_.resize(corners);
-    for (Index c = 0; c < corners; ++c) {
-      const Index i = next[vertex_of_[c]]++;
-      corners_at_[i] = c;
-      ends_at_[i] = {vertex_of_[previous_corner(c)], next_vertex(c)};
-    }
+    const auto corner = [this](Index c) { return Corner{c, vertex_of_[previous_corner(c)], next_vertex(c)}; };
+    corners_at_.emplace(numbers_below(corners) | boost::adaptors::transformed(corner), table_.numbers().size(),
+                        [this](const Corner& x) { return vertex_of_[x.corner]; });
   }
 
-  Index number_of_vertex_numbers() const { return Index(first_at_.size() - 1); }
+  Number_range vertices() const { return numbers_below(Index(table_.numbers().size())); }
   std::uint64_t number(Index v) const { return table_.numbers()[v]; }
-  Number_range positions_at(Index v) const { return number_range(first_at_[v], first_at_[v + 1]); }
+  Bucketed_items<Corner>::Range corners_at(Index v) const { return (*corners_at_)[v]; }
   Index next_vertex(Index c) const { return vertex_of_[mesh_.next_corner(face_of_[c], c)]; }
   Index previous_corner(Index c) const { return mesh_.previous_corner(face_of_[c], c); }
-  std::string name(Index f) const { return names_(faces_.origin[f]); }
+  std::string name(Index f) const { return names_(faces_[f].origin); }
 
   // Returns the vertex of smallest number for which `is_faulty(v)`, or NONE.
   template <class Predicate>
   Index first_faulty(const Predicate& is_faulty) const
   {
     Index first = NONE;
-    for (Index v = 0; v < number_of_vertex_numbers(); ++v)
+    for (const Index v : vertices())
       if ((first == NONE || number(v) < number(first)) && is_faulty(v))
         first = v;
     return first;
   }
 
-  // Returns the first corner at a vertex whose position differs from the position of the previous corner, or NONE.
-  Index other_position(Index v) const
+  // Returns the first corner at a vertex whose position differs from the position of the next corner, or the end.
+  const Corner* other_position(Index v) const
   {
-    for (Index i = first_at_[v] + 1; i < first_at_[v + 1]; ++i)
-      if (faces_.point[corners_at_[i]] != faces_.point[corners_at_[i - 1]])
-        return i;
-    return NONE;
+    return std::adjacent_find(corners_at(v).begin(), corners_at(v).end(), [this](const Corner& a, const Corner& b) {
+      return faces_.point[a.corner] != faces_.point[b.corner];
+    });
   }
 
   void check_positions() const
   {
-    const Index v = first_faulty([this](Index w) { return other_position(w) != NONE; });
+    const Index v = first_faulty([this](Index w) { return other_position(w) != corners_at(w).end(); });
     if (v == NONE)
       return;
-    const Index i = other_position(v);
-    throw Invalid_input("vertex " + std::to_string(number(v)) + " has two positions, in " + name(face_of_[corners_at_[i - 1]]) +
-                        " and in " + name(face_of_[corners_at_[i]]));
+    const Corner* const first = other_position(v);
+    throw Invalid_input("vertex " + std::to_string(number(v)) + " has two positions, in " + name(face_of_[first->corner]) +
+                        " and in " + name(face_of_[(first + 1)->corner]));
   }
 
-  // Searches around the end of each edge with fewer faces, so vertices of high degree cost no more than others.
   void pair_edges()
   {
     mesh_.face_across.assign(vertex_of_.size(), NONE);
     corner_across_.assign(vertex_of_.size(), NONE);
     bool has_fault = false;
-    for (Index v = 0; v < number_of_vertex_numbers(); ++v)
-      for (const Index i : positions_at(v)) {
-        const Index w = ends_at_[i].next;
-        if (corner_across_[corners_at_[i]] == NONE)
-          has_fault = pair_edge(corners_at_[i], v, w) || has_fault;
-      }
+    std::vector<Corner> corners;
+    for (const Index v : vertices())
+      has_fault = !pair_edges_at_vertex(corners_at(v), corners, [this](const Corner& x, const Corner& y) {
+        corner_across_[x.corner] = previous_corner(y.corner);
+        mesh_.face_across[x.corner] = face_of_[y.corner];
+      }) || has_fault;
     if (has_fault)
       throw_two_faces();
-  }
-
-  // Pairs the edge from v to w at a corner with the edges back. Returns whether there is more than one edge in a direction.
-  bool pair_edge(Index c, Index v, Index w)
-  {
-    const bool is_at_source = degree(v) <= degree(w);
-    const Index other_end = is_at_source ? w : v;
-    std::size_t edges = 0, edges_back = 0;
-    for (const Index i : positions_at(is_at_source ? v : w)) {
-      const bool is_next = ends_at_[i].next == other_end, is_previous = ends_at_[i].previous == other_end;
-      edges += is_at_source ? is_next : is_previous;
-      if (is_at_source ? !is_previous : !is_next)
-        continue;
-      const Index opposite = is_at_source ? previous_corner(corners_at_[i]) : corners_at_[i];
-      ++edges_back;
-      pair(c, opposite);
-      pair(opposite, c);
-    }
-    return edges > 1 || edges_back > 1;
-  }
-
-  Index degree(Index v) const { return first_at_[v + 1] - first_at_[v]; }
-
-  void pair(Index c, Index opposite)
-  {
-    corner_across_[c] = opposite;
-    mesh_.face_across[c] = face_of_[opposite];
   }
 
   [[noreturn]] void throw_two_faces() const
@@ -259,11 +237,11 @@ private:
   void number_vertices()
   {
     mesh_.corner_vertex.assign(vertex_of_.size(), NONE);
-    for (Index v = 0; v < number_of_vertex_numbers(); ++v)
-      for (const Index i : positions_at(v)) {
-        if (mesh_.corner_vertex[corners_at_[i]] != NONE)
+    for (const Index v : vertices())
+      for (const Corner& x : corners_at(v)) {
+        if (mesh_.corner_vertex[x.corner] != NONE)
           continue;
-        const Index vertex = Index(patch_.number.size()), begin = first_of_fan(corners_at_[i]);
+        const Index vertex = Index(patch_.number.size()), begin = first_of_fan(x.corner);
         patch_.number.push_back(number(v));
         mesh_.points.push_back(faces_.point[begin]);
         for (Index c = begin; c != NONE && mesh_.corner_vertex[c] == NONE; c = next_in_fan(c))
@@ -290,9 +268,9 @@ private:
   {
     const Index v = first_faulty([this](Index w) {
       bool has_own = false, has_fans = false;
-      for (const Index i : positions_at(w)) {
-        has_own = has_own || patch_.is_own(face_of_[corners_at_[i]]);
-        has_fans = has_fans || mesh_.corner_vertex[corners_at_[i]] != mesh_.corner_vertex[corners_at_[first_at_[w]]];
+      for (const Corner& x : corners_at(w)) {
+        has_own = has_own || patch_.is_own(face_of_[x.corner]);
+        has_fans = has_fans || mesh_.corner_vertex[x.corner] != mesh_.corner_vertex[corners_at(w).begin()->corner];
       }
       return has_own && has_fans;
     });
@@ -318,9 +296,7 @@ private:
   Number_table table_;             // of the vertex numbers
   std::vector<Index> face_of_;     // of each corner
   std::vector<Index> vertex_of_;   // of each corner, by number; fans are not distinguished
-  std::vector<Index> first_at_;    // of each vertex number: its first position in `corners_at_`, and the total
-  std::vector<Index> corners_at_;
-  std::vector<Edge_ends> ends_at_; // of the edges at each of these corners
+  std::optional<Bucketed_items<Corner> > corners_at_; // of each vertex number
   std::vector<Index> corner_across_; // for each corner, the begin of the edge after it, seen from the other face
 };
 
@@ -328,14 +304,8 @@ private:
 inline Patch read_patch(const Word_store& store, std::size_t bin, const Face_names& names, const Cancellation_point& cancellation)
 {
   Patch patch;
-  Face_record face;
-  patch.faces.reserve(store.number_of_words(bin) / Face_record::words_of_triangle);
-  store.read(bin, [&](const std::uint64_t* word, const std::uint64_t* end) {
-    while (word != end) {
-      word = face.read(word);
-      patch.faces.append(face);
-    }
-  });
+  patch.faces.reserve(store.number_of_words(bin) / words_of_triangle);
+  store.read<Face_record>(bin, [&](const Face_record& face) { patch.faces.append(face); });
   Patch_builder(patch, names).run(cancellation);
   return patch;
 }

@@ -29,32 +29,6 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The bounding box of the points of all ranks. Minima and maxima do not depend on the order of their computation.
-class Box_of_ranks
-{
-public:
-  void add(const Vector& p)
-  {
-    for (std::size_t i = 0; i < 3; ++i) {
-      low_and_negated_high_[i] = (std::min)(low_and_negated_high_[i], p[i]);
-      low_and_negated_high_[i + 3] = (std::min)(low_and_negated_high_[i + 3], -p[i]);
-    }
-  }
-
-  // The lowest and the highest coordinates.
-  std::vector<Vector> ends_of_all(const boost::mpi::communicator& communicator) const
-  {
-    std::array<double, 6> all;
-    boost::mpi::all_reduce(communicator, low_and_negated_high_.data(), 6, all.data(), boost::mpi::minimum<double>());
-    return {{{all[0], all[1], all[2]}}, {{-all[3], -all[4], -all[5]}}};
-  }
-
-private:
-  static constexpr double inf = std::numeric_limits<double>::infinity();
-
-  std::array<double, 6> low_and_negated_high_{{inf, inf, inf, inf, inf, inf}};
-};
-
 // Receives a face: the global numbers and the points of its vertices, and its density.
 typedef std::function<void(const std::vector<std::uint64_t>&, const std::vector<Vector>&, double)> Face_receiver;
 
@@ -127,7 +101,10 @@ public:
     throw_on_all_ranks(communicator_, failure);
     if (number_of_faces() == 0)
       throw Invalid_input("the input has no faces");
-    std::vector<Vector> ends = box_.ends_of_all(communicator_);
+    // Minima do not depend on the order of their computation.
+    std::array<double, 6> box;
+    boost::mpi::all_reduce(communicator_, low_and_negated_high_.data(), 6, box.data(), boost::mpi::minimum<double>());
+    std::vector<Vector> ends = {{{box[0], box[1], box[2]}}, {{-box[3], -box[4], -box[5]}}};
     frame_ = to_local_frame(ends, {0, 1, 2}, Cancellation_point());
     low_ = ends[0];
     high_ = ends[1];
@@ -172,12 +149,8 @@ public:
   void read(const std::vector<std::uint64_t>& starts, const Bin_ranks& blocks, Word_store& store) const
   {
     Word_routing routing(context_, blocks, store);
-    Words words;
     routing.run([&] {
-      for_each_record([&](const Face_record& face) {
-        face.write(words);
-        routing.send(block_of(starts, face.place), words);
-      });
+      for_each_record([&](const Face_record& face) { routing.send(block_of(starts, face.place), face); });
     });
   }
 
@@ -185,9 +158,8 @@ private:
   void measure_face(const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points, double density)
   {
     context_.cancellation.poll();
-    if (!has_fault_ && !is_sound(vertices, points, density)) {
+    if (!has_fault_ && !fault_of(vertices, points, density, std::string()).empty()) {
       has_fault_ = true;
-      fault_ = Face_record();
       fault_.origin = faces_;
       fault_.density = density;
       fault_.vertex = vertices;
@@ -195,22 +167,31 @@ private:
     }
     ++faces_;
     for (const Vector& p : points)
-      box_.add(p);
+      for (std::size_t i = 0; i < 3; ++i) {
+        low_and_negated_high_[i] = (std::min)(low_and_negated_high_[i], p[i]);
+        low_and_negated_high_[i + 3] = (std::min)(low_and_negated_high_[i + 3], -p[i]);
+      }
   }
 
-  static bool is_sound(const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points, double density)
+  // Returns what is wrong with a face, or an empty string.
+  static std::string fault_of(const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points, double density,
+                              const std::string& name)
   {
-    bool is_sound = vertices.size() >= 3 && vertices.size() <= Face_record::max_corners && is_in_range(density);
-    for (const Vector& p : points)
-      is_sound = is_sound && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-    if (vertices.size() == 3)
-      return is_sound && vertices[0] != vertices[1] && vertices[1] != vertices[2] && vertices[2] != vertices[0];
-    std::vector<std::uint64_t> distinct = vertices;
-    sort_unique(distinct);
-    return is_sound && distinct.size() == vertices.size();
+    if (vertices.size() < 3 || vertices.size() > Face_data::max_corners)
+      return name + " has " + std::to_string(vertices.size()) + " sides";
+    if (!(density >= 1 / largest_density && density <= largest_density))
+      return "the density of " + name + " is " + number_text(density) + ", not in [1e-20, 1e20]";
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      for (const double x : points[i])
+        if (!std::isfinite(x))
+          return "vertex " + std::to_string(vertices[i]) + ", in " + name + ", has a coordinate that is " + number_text(x);
+    if (vertices.size() == 3 && vertices[0] != vertices[1] && vertices[1] != vertices[2] && vertices[2] != vertices[0])
+      return std::string();
+    std::vector<std::uint64_t> sorted = vertices;
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    return twice == sorted.end() ? std::string() : name + " visits vertex " + std::to_string(*twice) + " twice";
   }
-
-  static bool is_in_range(double density) { return density >= 1 / largest_density && density <= largest_density; }
 
   void count_faces()
   {
@@ -227,22 +208,9 @@ private:
     if (faces_ >= NONE)
       throw Invalid_input("piece " + std::to_string(communicator_.rank()) + " has more faces than the " +
                           std::to_string(NONE - 1) + " that can be numbered");
-    if (!has_fault_)
-      return;
-    const std::string face = name(first_face_[context_.rank()] + fault_.origin);
-    std::vector<std::uint64_t> vertices = fault_.vertex;
-    if (vertices.size() < 3 || vertices.size() > Face_record::max_corners)
-      throw Invalid_input(face + " has " + std::to_string(vertices.size()) + " sides");
-    if (!is_in_range(fault_.density))
-      throw Invalid_input("the density of " + face + " is " + number_text(fault_.density) + ", not in [1e-20, 1e20]");
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      for (const double x : fault_.point[i])
-        if (!std::isfinite(x))
-          throw Invalid_input("vertex " + std::to_string(vertices[i]) + ", in " + face + ", has a coordinate that is " +
-                              number_text(x));
-    std::sort(vertices.begin(), vertices.end());
-    throw Invalid_input(face + " visits vertex " + std::to_string(*std::adjacent_find(vertices.begin(), vertices.end())) +
-                        " twice");
+    if (has_fault_)
+      throw Invalid_input(
+        fault_of(fault_.vertex, fault_.point, fault_.density, name(first_face_[context_.rank()] + fault_.origin)));
   }
 
   template <class Receive>
@@ -269,7 +237,8 @@ private:
   const boost::mpi::communicator& communicator_;
   const Face_source& source_;
   Face_names names_;
-  Box_of_ranks box_;
+  static constexpr double inf = std::numeric_limits<double>::infinity();
+  std::array<double, 6> low_and_negated_high_{{inf, inf, inf, inf, inf, inf}}; // of the vertices of this piece
   Local_frame frame_;
   Vector low_{{0, 0, 0}}, high_{{0, 0, 0}}; // of the mesh in its frame
   std::uint64_t faces_ = 0;                 // of this piece

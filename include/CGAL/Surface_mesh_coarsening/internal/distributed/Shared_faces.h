@@ -11,12 +11,24 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+// A vertex and a group with faces at this vertex.
+typedef std::array<std::uint64_t, 2> Place;
+
+// Returns the groups at the vertices of a face. `places` is sorted.
+inline void find_groups(const Face_record& face, const std::vector<Place>& places, std::vector<Index>& groups)
+{
+  groups.clear();
+  for (const std::uint64_t v : face.vertex)
+    for (auto i = std::lower_bound(places.begin(), places.end(), Place{{v, 0}}); i != places.end() && (*i)[0] == v; ++i)
+      groups.push_back(Index((*i)[1]));
+  sort_unique(groups);
+}
 
 // Gives each group of faces copies of all faces of other groups that share a vertex with its own faces.
 //
@@ -40,15 +52,10 @@ public:
   }
 
 private:
-  typedef std::array<std::uint64_t, 2> Place; // a vertex and a group with faces at this vertex
-
   static std::vector<Place> places_in(const Word_store& store, std::size_t bin)
   {
     std::vector<Place> places;
-    store.read(bin, [&](const std::uint64_t* word, const std::uint64_t* end) {
-      for (; word != end; word += 2)
-        places.push_back({{word[0], word[1]}});
-    });
+    store.read<Place>(bin, [&](const Place& place) { places.push_back(place); });
     sort_unique(places);
     return places;
   }
@@ -66,10 +73,8 @@ private:
     Word_routing to_bins(context_, groups_, places);
     to_bins.run([&] {
       for (std::size_t bin = 0; bin < faces.number_of_bins(); ++bin)
-        for (const std::uint64_t v : vertices_of(faces, bin)) {
-          const Place place{{v, groups_.first() + bin}};
-          to_bins.send(bin_of_vertex(v), place.data(), place.size());
-        }
+        for (const std::uint64_t v : vertices_of(faces, bin))
+          to_bins.send(bin_of_vertex(v), Place{{v, groups_.first() + bin}});
     });
     Word_routing to_groups(context_, groups_, shared);
     to_groups.run([&] {
@@ -82,7 +87,7 @@ private:
           for (std::size_t i = begin; i < end; ++i)
             for (std::size_t j = begin; j < end; ++j)
               if (i != j)
-                to_groups.send(std::size_t(all[i][1]), all[j].data(), all[j].size());
+                to_groups.send(std::size_t(all[i][1]), all[j]);
         }
       }
     });
@@ -91,14 +96,10 @@ private:
   std::vector<std::uint64_t> vertices_of(const Word_store& faces, std::size_t bin) const
   {
     Number_table vertices;
-    Face_record face;
-    faces.read(bin, [&](const std::uint64_t* word, const std::uint64_t* end) {
-      while (word != end) {
-        word = face.read(word);
-        for (const std::uint64_t v : face.vertex)
-          vertices.index(v);
-      }
-      context_.cancellation.poll(Scratch_file::slot_words);
+    faces.read<Face_record>(bin, [&](const Face_record& face) {
+      context_.cancellation.poll(words_of_triangle);
+      for (const std::uint64_t v : face.vertex)
+        vertices.index(v);
     });
     return vertices.numbers();
   }
@@ -108,33 +109,24 @@ private:
     const std::vector<Place> places = places_in(shared, bin);
     shared.clear(bin);
     // Copies may arrive in this bin while faces are sent, so all copies are collected before.
-    std::vector<Index> targets;
-    std::vector<std::pair<Index, Words> > copies;
-    Face_record face;
-    faces.read(bin, [&](const std::uint64_t* word, const std::uint64_t* end) {
-      while (word != end) {
-        word = face.read(word);
-        if (!face.is_own)
-          continue;
-        find_targets(face, places, targets);
-        face.is_own = false;
-        for (const Index target : targets) {
-          copies.emplace_back(target, Words());
-          face.write(copies.back().second);
-        }
+    std::vector<Index> targets, target_of_copy;
+    Words copies;
+    faces.read<Face_record>(bin, [&](Face_record& face) {
+      if (!face.is_own)
+        return;
+      find_groups(face, places, targets);
+      face.is_own = false;
+      for (const Index target : targets) {
+        write_record(face, copies);
+        target_of_copy.push_back(target);
       }
     });
-    for (const auto& copy : copies)
-      routing.send(copy.first, copy.second);
-  }
-
-  static void find_targets(const Face_record& face, const std::vector<Place>& places, std::vector<Index>& targets)
-  {
-    targets.clear();
-    for (const std::uint64_t v : face.vertex)
-      for (auto i = std::lower_bound(places.begin(), places.end(), Place{{v, 0}}); i != places.end() && (*i)[0] == v; ++i)
-        targets.push_back(Index((*i)[1]));
-    sort_unique(targets);
+    Face_record face;
+    const std::uint64_t* copy = copies.data();
+    for (const Index target : target_of_copy) {
+      copy = read_record(copy, face);
+      routing.send(target, face);
+    }
   }
 
   Rank_context& context_;

@@ -22,7 +22,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -43,61 +43,56 @@ struct Rank_context
   std::size_t number_of_ranks() const { return std::size_t(communicator.size()); }
 };
 
-// MPI counts the elements of a message in an `int`.
-constexpr std::size_t max_words_of_message = std::size_t(1) << 27;
+// Calls `transfer(bytes, number)` for each part of an array of records, because MPI counts the bytes of a message in an `int`.
+template <class Record, class Transfer>
+void for_each_message(std::vector<Record>& records, const Transfer& transfer)
+{
+  static_assert(std::is_trivially_copyable<Record>::value);
+  constexpr std::size_t max_bytes = std::size_t(1) << 30;
+  char* const bytes = reinterpret_cast<char*>(records.data());
+  const std::size_t size = records.size() * sizeof(Record);
+  for (std::size_t begin = 0; begin < size; begin += max_bytes)
+    transfer(bytes + begin, int((std::min)(max_bytes, size - begin)));
+}
 
-// Sends the words `outgoing[r]` to each rank r and returns the words received from each rank. `outgoing` is empty
+// Sends the records `outgoing[r]` to each rank r and returns the records received from each rank. `outgoing` is empty
 // afterwards.
-inline std::vector<Words> exchange(Rank_context& context, std::vector<Words>& outgoing)
+template <class Record>
+std::vector<std::vector<Record> > exchange(Rank_context& context, std::vector<std::vector<Record> >& outgoing)
 {
   const boost::mpi::communicator& communicator = context.communicator;
-  const int ranks = communicator.size(), own = communicator.rank();
-  std::vector<std::uint64_t> sent, received(outgoing.size());
-  for (const Words& words : outgoing)
-    sent.push_back(words.size());
+  const std::size_t ranks = context.number_of_ranks(), own = context.rank();
+  std::vector<std::uint64_t> sent, received(ranks);
+  for (const std::vector<Record>& records : outgoing)
+    sent.push_back(records.size());
   boost::mpi::all_to_all(communicator, sent.data(), 1, received.data());
-  std::vector<Words> incoming(outgoing.size());
+  std::vector<std::vector<Record> > incoming(ranks);
   std::vector<boost::mpi::request> requests;
-  const auto for_each_message = [&](std::vector<Words>& words, int rank, const auto& transfer) {
-    Words& all = words[std::size_t(rank)];
-    for (std::size_t begin = 0; begin < all.size(); begin += max_words_of_message)
-      requests.push_back(transfer(all.data() + begin, int((std::min)(max_words_of_message, all.size() - begin))));
-  };
-  for (int rank = 0; rank < ranks; ++rank)
+  incoming[own].swap(outgoing[own]);
+  for (std::size_t rank = 0; rank < ranks; ++rank)
     if (rank != own) {
-      incoming[std::size_t(rank)].resize(received[std::size_t(rank)]);
-      for_each_message(incoming, rank, [&](std::uint64_t* words, int n) { return communicator.irecv(rank, 0, words, n); });
+      incoming[rank].resize(received[rank]);
+      for_each_message(incoming[rank], [&](char* bytes, int n) { requests.push_back(communicator.irecv(int(rank), 0, bytes, n)); });
     }
-  for (int rank = 0; rank < ranks; ++rank)
-    if (rank != own) {
-      context.bytes_sent += outgoing[std::size_t(rank)].size() * sizeof(std::uint64_t);
-      for_each_message(outgoing, rank, [&](std::uint64_t* words, int n) { return communicator.isend(rank, 0, words, n); });
-    }
+  for (std::size_t rank = 0; rank < ranks; ++rank) {
+    context.bytes_sent += outgoing[rank].size() * sizeof(Record);
+    for_each_message(outgoing[rank], [&](char* bytes, int n) { requests.push_back(communicator.isend(int(rank), 0, bytes, n)); });
+  }
   boost::mpi::wait_all(requests.begin(), requests.end());
-  incoming[std::size_t(own)].swap(outgoing[std::size_t(own)]);
   outgoing.clear();
   return incoming;
 }
 
-// Sends words to rank 0, which receives the words of each rank.
-inline std::vector<Words> gather_words(Rank_context& context, Words words)
+// Sends the records of rank 0 to all ranks.
+template <class Record>
+void broadcast_records(Rank_context& context, std::vector<Record>& records)
 {
-  std::vector<Words> outgoing(context.number_of_ranks());
-  outgoing[0] = std::move(words);
-  return exchange(context, outgoing);
-}
-
-// Sends the words of rank 0 to all ranks.
-inline void broadcast_words(Rank_context& context, Words& words)
-{
-  const boost::mpi::communicator& communicator = context.communicator;
-  std::uint64_t size = words.size();
+  std::uint64_t size = records.size();
   if (context.rank() == 0)
-    context.bytes_sent += (context.number_of_ranks() - 1) * size * sizeof(std::uint64_t);
-  boost::mpi::broadcast(communicator, size, 0);
-  words.resize(size);
-  for (std::size_t begin = 0; begin < size; begin += max_words_of_message)
-    boost::mpi::broadcast(communicator, words.data() + begin, int((std::min)(max_words_of_message, size - begin)), 0);
+    context.bytes_sent += (context.number_of_ranks() - 1) * size * sizeof(Record);
+  boost::mpi::broadcast(context.communicator, size, 0);
+  records.resize(size);
+  for_each_message(records, [&](char* bytes, int n) { boost::mpi::broadcast(context.communicator, bytes, n, 0); });
 }
 
 // An exception that is sent to other ranks.
@@ -107,6 +102,12 @@ struct Remote_exception
   int kind = NONE_THROWN;
   std::string message;
   std::uint64_t nearest = 0; // the nearest number of vertices, for UNREACHABLE
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned)
+  {
+    archive & kind & message & nearest;
+  }
 };
 
 inline Remote_exception caught(const std::function<void()>& work, int rank)
@@ -139,20 +140,13 @@ inline Remote_exception caught(const std::function<void()>& work, int rank)
 // If some ranks have thrown, all ranks throw the same exception. Of several messages, the alphabetically first is selected.
 inline void throw_on_all_ranks(const boost::mpi::communicator& communicator, const Remote_exception& own)
 {
-  const int kind = boost::mpi::all_reduce(communicator, own.kind, boost::mpi::maximum<int>());
-  if (kind == Remote_exception::NONE_THROWN)
+  if (boost::mpi::all_reduce(communicator, own.kind, boost::mpi::maximum<int>()) == Remote_exception::NONE_THROWN)
     return;
-  std::vector<std::string> messages;
-  std::vector<int> kinds;
-  std::vector<std::uint64_t> nearest;
-  boost::mpi::all_gather(communicator, own.message, messages);
-  boost::mpi::all_gather(communicator, own.kind, kinds);
-  boost::mpi::all_gather(communicator, own.nearest, nearest);
-  std::size_t first = messages.size();
-  for (std::size_t i = 0; i < messages.size(); ++i)
-    if (kinds[i] == kind && (first == messages.size() || messages[i] < messages[first]))
-      first = i;
-  rethrow({kind, messages[first], nearest[first]});
+  std::vector<Remote_exception> all;
+  boost::mpi::all_gather(communicator, own, all);
+  rethrow(*std::min_element(all.begin(), all.end(), [](const Remote_exception& a, const Remote_exception& b) {
+    return a.kind != b.kind ? a.kind > b.kind : a.message < b.message;
+  }));
 }
 
 // Does the work of this rank, which must not wait for other ranks. If it throws on some ranks, all ranks throw the same
@@ -160,6 +154,29 @@ inline void throw_on_all_ranks(const boost::mpi::communicator& communicator, con
 inline void on_all_ranks(const boost::mpi::communicator& communicator, const std::function<void()>& work)
 {
   throw_on_all_ranks(communicator, caught(work, communicator.rank()));
+}
+
+// Does work on rank 0. If it throws, all ranks throw the same exception.
+inline void on_first_rank(const Rank_context& context, const std::function<void()>& work)
+{
+  on_all_ranks(context.communicator, [&] {
+    if (context.rank() == 0)
+      work();
+  });
+}
+
+// Moves the records of all ranks to rank 0, sorted.
+template <class Record>
+void gather_sorted(Rank_context& context, std::vector<Record>& records)
+{
+  std::vector<std::vector<Record> > outgoing(context.number_of_ranks());
+  outgoing[0].swap(records);
+  const std::vector<std::vector<Record> > incoming = exchange(context, outgoing);
+  on_all_ranks(context.communicator, [&] {
+    for (const std::vector<Record>& of_rank : incoming)
+      records.insert(records.end(), of_rank.begin(), of_rank.end());
+    std::sort(records.begin(), records.end());
+  });
 }
 
 // Does the work of each block of this rank. If several blocks are invalid, the alphabetically first message is selected, so it
@@ -222,17 +239,19 @@ public:
     throw_on_all_ranks(context_.communicator, failure);
   }
 
-  void send(std::size_t bin, const Words& record) { send(bin, record.data(), record.size()); }
-  void send(std::size_t bin, const std::uint64_t* record, std::size_t size)
+  template <class Record>
+  void send(std::size_t bin, const Record& record)
   {
+    record_.clear();
+    write_record(record, record_);
     if (bins_.rank_of(bin) == context_.rank()) {
-      store_.append(bin - bins_.first(), record, size);
+      store_.append(bin - bins_.first(), record_.data(), record_.size());
       return;
     }
     Words& words = outgoing_[bins_.rank_of(bin)];
-    words.push_back(packed(Index(bin), Index(size)));
-    words.insert(words.end(), record, record + size);
-    buffered_ += size + 1;
+    write_record(Label{Index(bin), Index(record_.size())}, words);
+    words.insert(words.end(), record_.begin(), record_.end());
+    buffered_ += record_.size() + 1;
     if (buffered_ < max_words_of_round)
       return;
     exchange_round(false);
@@ -242,6 +261,12 @@ public:
 
 private:
   static constexpr std::size_t max_words_of_round = std::size_t(1) << 18;
+
+  // What precedes a record in a message.
+  struct Label
+  {
+    Index bin, size;
+  };
 
   // Returns whether no rank has more records to send.
   bool exchange_round(bool is_last)
@@ -264,9 +289,10 @@ private:
       return;
     try {
       for (const std::uint64_t* word = words.data(); word != words.data() + words.size();) {
-        const std::size_t bin = high_half(*word), size = low_half(*word);
-        store_.append(bin - bins_.first(), word + 1, size);
-        word += 1 + size;
+        Label label;
+        word = read_record(word, label);
+        store_.append(label.bin - bins_.first(), word, label.size);
+        word += label.size;
       }
     } catch (...) {
       failure_of_store_ = std::current_exception();
@@ -277,6 +303,7 @@ private:
   const Bin_ranks& bins_;
   Word_store& store_;
   std::vector<Words> outgoing_;
+  Words record_; // the record that is sent
   std::size_t buffered_ = 0;
   std::exception_ptr failure_of_store_;
 };

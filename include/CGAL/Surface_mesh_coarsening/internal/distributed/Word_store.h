@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,26 +21,38 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// The data that ranks exchange: numbers of 64 bits, which include the bits of coordinates.
+// Records as they lie in memory, one after the other.
 typedef std::vector<std::uint64_t> Words;
 
-inline std::uint64_t to_word(double x)
+// Appends records of a fixed size.
+template <class Record>
+void write_records(const Record* records, std::size_t number, Words& words)
 {
-  std::uint64_t word;
-  std::memcpy(&word, &x, sizeof word);
-  return word;
+  static_assert(std::is_trivially_copyable<Record>::value && sizeof(Record) % sizeof(std::uint64_t) == 0);
+  const std::size_t size = words.size();
+  words.resize(size + number * sizeof(Record) / sizeof(std::uint64_t));
+  std::memcpy(words.data() + size, records, number * sizeof(Record));
 }
 
-inline double to_double(std::uint64_t word)
+// Reads the records that begin at `word`, and returns their end.
+template <class Record>
+const std::uint64_t* read_records(const std::uint64_t* word, Record* records, std::size_t number)
 {
-  double x;
-  std::memcpy(&x, &word, sizeof x);
-  return x;
+  std::memcpy(static_cast<void*>(records), word, number * sizeof(Record));
+  return word + number * sizeof(Record) / sizeof(std::uint64_t);
 }
 
-inline std::uint64_t packed(std::uint32_t high, std::uint32_t low) { return (std::uint64_t(high) << 32) | low; }
-inline std::uint32_t high_half(std::uint64_t word) { return std::uint32_t(word >> 32); }
-inline std::uint32_t low_half(std::uint64_t word) { return std::uint32_t(word & 0xffffffffu); }
+// The same for one record. Records with lists have overloads of these two functions.
+template <class Record>
+void write_record(const Record& record, Words& words)
+{
+  write_records(&record, 1, words);
+}
+template <class Record>
+const std::uint64_t* read_record(const std::uint64_t* word, Record& record)
+{
+  return read_records(word, &record, 1);
+}
 
 // The limit on the words that a rank keeps in memory, and the file for the words that exceed it.
 //
@@ -163,7 +176,7 @@ private:
   std::fstream file_;
 };
 
-// Bins of records, in memory and, beyond its limit, in a scratch file. Records are sequences of words that remain whole.
+// Bins of records, in memory and, beyond its limit, in a scratch file. Records remain whole.
 class Word_store
 {
 public:
@@ -178,7 +191,7 @@ public:
 
   std::size_t number_of_bins() const { return bins_.size(); }
 
-  // Appends whole records.
+  // Appends one record.
   void append(std::size_t bin, const std::uint64_t* words, std::size_t size)
   {
     Bin& b = bins_[bin];
@@ -197,12 +210,17 @@ public:
     return words;
   }
 
-  // Calls `receive(begin, end)` for all records of a bin, some at a time, in the order of appending. The bin must not change
-  // during the call.
-  template <class Receive>
+  // Calls `receive(record)` for each record of a bin, in the order of appending. The bin must not change during the call.
+  template <class Record, class Receive>
   void read(std::size_t bin, const Receive& receive) const
   {
-    const auto pass = [&](const Words& words) { receive(words.data(), words.data() + words.size()); };
+    Record record;
+    const auto pass = [&](const Words& words) {
+      for (const std::uint64_t* word = words.data(); word != words.data() + words.size();) {
+        word = read_record(word, record);
+        receive(record);
+      }
+    };
     Words from_file;
     for (const Chunk& chunk : bins_[bin].chunks) {
       if (!chunk.is_in_memory)
