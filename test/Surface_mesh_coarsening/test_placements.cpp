@@ -370,8 +370,8 @@ BOOST_AUTO_TEST_CASE(reclusters_where_triangles_intersect)
 {
   const auto np = SMC::parameters::cluster_weight(SMC::Maximum_density_weight()).maximum_density(10).feature_angle(180);
   std::size_t left = 0, left_of_several = 0, most = 0, in_vain = 0;
-  for (const double thickness : {0.0005, 0.002, 0.004}) {
-    const Mesh mesh = test::to_mesh(generated::thin_plate(30, thickness));
+  for (const auto& [side, thickness] : {std::pair(30, 0.002), std::pair(30, 0.004), std::pair(20, 0.006)}) {
+    const Mesh mesh = test::to_mesh(generated::thin_plate(side, thickness));
     for (const std::size_t n : {20, 50, 80}) {
       Mesh plain, embedded, again;
       SMC::Mwcvd_clustering<Mesh, SMC::Maximum_density_weight> clustering(mesh, np);
