@@ -405,7 +405,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
     return first;
   const std::vector<Index> first_labels = labels(state).labels();
   const std::size_t exchanged = state.report.exchanged_vertices;
-  std::size_t clusterings = 1, fewest = first.number_left(), left = fewest;
+  std::size_t clusterings = 1, fewest = first.number_left();
   const std::vector<double> first_densities = state.base_input().density;
   std::vector<double> densities = first_densities, best_densities = densities;
   Placed_dual dual;
@@ -415,9 +415,8 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
     budget.spend(placement_tests * first.triangles.size());
     dual = place(state, placement, output_coordinates, budget);
     ++clusterings;
-    left = dual.number_left();
-    if (left < fewest) {
-      fewest = left;
+    if (dual.number_left() < fewest) {
+      fewest = dual.number_left();
       best_densities = densities;
     }
   } while (clusterings <= max_repetitions && is_worth_reclustering(state, dual, budget));
@@ -426,11 +425,12 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
     state.report.exchanged_vertices = exchanged;
     ++clusterings;
   } else {
-    if (left > fewest) {
+    const bool is_last = dual.number_left() == fewest;
+    if (!is_last) {
       recluster(state, best_densities);
       ++clusterings;
     }
-    if (left > fewest || may_exchange_vertices(state, placement)) {
+    if (!is_last || may_exchange_vertices(state, placement)) {
       budget = repair_budget(state); // the selected result must not be worse than before
       dual = place_and_exchange(state, placement, output_coordinates, budget);
     }

@@ -43,8 +43,7 @@ public:
       coarse_(triangles, positions.size(), surface.features()), reference_(surface, budget),
       faults_(surface, reference_, coarse_, positions, output, budget, cancellation),
       distance_(surface, coarse_, positions), budget_(budget), cancellation_(cancellation)
-  {
-  }
+  {}
 
   // Restricts the positions of vertices to input vertices of their clusters.
   void stay_at_input_vertices() { at_input_vertices_ = true; }
