@@ -4,6 +4,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/paper.h>
@@ -103,8 +104,10 @@ int main(int argc, char* argv[])
 
   //! [start]
   // Continues from these clusters with other densities.
-  SMC::coarsen_mesh(input, 527, output,
-                    SMC::parameters::face_cluster_map(cluster).start_from_face_clusters(true).maximum_density(5.));
+  SMC::Mwcvd_clustering<Mesh> clustering(input, SMC::parameters::maximum_density(5.));
+  clustering.set_clusters(cluster);
+  clustering.minimize();
+  clustering.extract_embedded_dual_mesh(output);
   //! [start]
 
   //! [order]

@@ -754,21 +754,24 @@ BOOST_AUTO_TEST_CASE(start_from_clusters)
   const auto direct = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
   Mesh output, again;
   SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::number_of_iterations(0).face_cluster_map(grown));
-  const Labels before = test::labels_of(mesh, grown);
   const auto first =
     SMC::coarsen_mesh(mesh, 50, output, SMC::parameters::face_cluster_map(direct).convergence_tolerance(0).error_feedback(0));
-  const auto second = SMC::coarsen_mesh(
-    mesh, 50, again, SMC::parameters::start_from_face_clusters(true).face_cluster_map(grown).convergence_tolerance(0));
-  BOOST_CHECK(test::labels_of(mesh, grown) == test::labels_of(mesh, direct));
-  BOOST_CHECK(test::labels_of(mesh, grown) != before);
-  BOOST_CHECK_EQUAL(first.final_energy, second.final_energy);
+  SMC::Mwcvd_clustering<Mesh> second(mesh);
+  second.set_clusters(grown);
+  second.minimize(SMC::Coarsening_defaults::number_of_iterations, 0);
+  second.extract_embedded_dual_mesh(again);
+  BOOST_CHECK(test::labels_in(second, mesh) == test::labels_of(mesh, direct));
+  BOOST_CHECK(test::labels_in(second, mesh) != test::labels_of(mesh, grown));
+  BOOST_CHECK_EQUAL(first.final_energy, second.report().final_energy);
   BOOST_CHECK(same_mesh(output, again));
-  // Converged clusters do not change; the number may be omitted.
-  const auto third =
-    SMC::coarsen_mesh(mesh, again, SMC::parameters::face_cluster_map(grown).start_from_face_clusters(true));
-  BOOST_CHECK_EQUAL(third.moves, 0u);
-  BOOST_CHECK_EQUAL(third.rounds, 1u);
-  BOOST_CHECK_EQUAL(third.clusters, 50u);
+  // Converged clusters do not change.
+  SMC::Mwcvd_clustering<Mesh> third(mesh);
+  third.set_clusters(direct);
+  third.minimize();
+  third.extract_embedded_dual_mesh(again);
+  BOOST_CHECK_EQUAL(third.report().moves, 0u);
+  BOOST_CHECK_EQUAL(third.report().rounds, 1u);
+  BOOST_CHECK_EQUAL(third.report().clusters, 50u);
   BOOST_CHECK(same_mesh(output, again));
 }
 

@@ -5,6 +5,7 @@
 #include "support/face_graphs.h"
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
+#include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/compute_face_densities.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
@@ -249,37 +250,26 @@ BOOST_AUTO_TEST_CASE(labels_to_start_from)
   Mesh unused;
   SMC::coarsen_mesh(mesh, 20, unused, SMC::parameters::face_cluster_map(good).number_of_iterations(0));
   const Labels labels = test::labels_of(mesh, good);
-  const auto with = [&](const Labels& start, std::size_t n, const std::vector<std::string>& parts) {
-    const auto map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
-    for (const auto f : faces(mesh))
-      put(map, f, start[f]);
-    expect<SMC::Invalid_input>(
-      [&](Mesh& output) {
-        SMC::coarsen_mesh(mesh, n, output, SMC::parameters::face_cluster_map(map).start_from_face_clusters(true));
-      },
-      parts);
-    BOOST_CHECK(test::labels_of(mesh, map) == start);
+  const auto with = [&](const Labels& start, const std::vector<std::string>& parts) {
+    const auto map = boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index f) { return start[f]; });
+    expect<SMC::Invalid_input>([&](Mesh&) { SMC::Mwcvd_clustering<Mesh>(mesh).set_clusters(map); }, parts);
   };
-  with(labels, 21, {"20", "21"});
   Labels bad = labels;
   bad[5] = std::size_t(-1);
-  with(bad, 20, {"face 5", std::to_string(std::size_t(-1))});
+  with(bad, {"face 5", std::to_string(std::size_t(-1))});
   bad = labels;
   for (std::size_t& x : bad)
     x += x == 7 ? 100 : 0; // a gap
-  with(bad, 20, {"cluster 7"});
+  with(bad, {"cluster 7"});
   bad = labels;
   for (std::size_t& x : bad)
     x = x == 7 ? 8 : x;
-  with(bad, 20, {"cluster "});
+  with(bad, {"cluster "});
   bad = labels; // a face far from its cluster
   const auto far = std::find_if(labels.rbegin(), labels.rend(), [&](std::size_t x) { return x != labels[0]; });
   bad[0] = *far;
-  with(bad, 20, {"cluster "});
-  with(Labels(labels.size(), 0), 20, {"cluster 0"});
-  expect<SMC::Invalid_input>(
-    [&](Mesh& output) { SMC::coarsen_mesh(mesh, 20, output, SMC::parameters::start_from_face_clusters(true)); },
-    {"face_cluster_map"});
+  with(bad, {"cluster "});
+  with(Labels(labels.size(), 0), {"cluster 0"});
 }
 
 // Steps in the wrong order.

@@ -465,8 +465,7 @@ BOOST_AUTO_TEST_CASE(named_parameters_in_any_order)
           .face_cluster_map(clusters)
           .maximum_density(5.)
           .vertex_placement(SMC::Centroid_placement())
-          .number_of_iterations(2)
-          .start_from_face_clusters(false));
+          .number_of_iterations(2));
   // A pack of CGAL's, adopted in the middle of the work.
   check(p::adopt(CGAL::parameters::vertex_point_map(points).number_of_iterations(2))
           .maximum_density(5.)

@@ -14,13 +14,13 @@ namespace internal {
 
 template <class ConcurrencyTag, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
 Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
-                               std::size_t number, const Seed& seed)
+                               const Seed& seed)
 {
   if constexpr (!fits_maps_of_clusters<FaceGraph, NPIn>()) // the errors that would follow hide the sentence
     return Coarsening_report();
   else
     return coarsen_with_fitting_maps<Mwcvd_clustering<FaceGraph, Energy_choice<NPIn>, ConcurrencyTag> >(input, output, np_in,
-                                                                                                       np_out, number, seed);
+                                                                                                       np_out, seed);
 }
 
 } // namespace internal
@@ -156,7 +156,7 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_cluster_map}
 ///     \cgalParamDescription{receives the cluster of each face of `input`}
-///     \cgalParamType{a model of `ReadWritePropertyMap` with the faces as keys and an integral value type}
+///     \cgalParamType{a model of `WritablePropertyMap` with the faces as keys and an integral value type}
 ///     \cgalParamDefault{the clusters are not written}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_to_cluster_map}
@@ -165,13 +165,6 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamType{a model of `WritablePropertyMap` with the vertices as keys and an integral value type}
 ///     \cgalParamDefault{the clusters are not written}
 ///     \cgalParamExtra{isolated vertices get the number of clusters}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{start_from_face_clusters}
-///     \cgalParamDescription{whether the minimization starts from the clusters in `face_cluster_map`, which have to be valid
-///                           in the sense of `is_valid_clustering()`}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
-///     \cgalParamExtra{the number of clusters has to be `number_of_vertices`; not possible if features are kept}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_boundary_count_map}
 ///     \cgalParamDescription{receives the boundary-edge count of each vertex of `input`: the number of incident edges that lie
@@ -259,10 +252,10 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
                                const NamedParametersOut& np_out = parameters::default_values())
 {
   using namespace internal;
-  accept_parameters<NamedParametersIn, Coarsening_parameters, Coarsen_mesh_parameters,
-                    Parameter_list<internal_np::neighborhood_level_t> >();
+  accept_parameters<NamedParametersIn, Coarsening_parameters,
+                    Parameter_list<internal_np::vertex_boundary_count_t, internal_np::neighborhood_level_t> >();
   accept_parameters<NamedParametersOut, Output_parameters>();
-  return internal::coarsen_mesh<ConcurrencyTag>(input, output, np_in, np_out, number_of_vertices, [&](auto& clustering) {
+  return internal::coarsen_mesh<ConcurrencyTag>(input, output, np_in, np_out, [&](auto& clustering) {
     if constexpr (has_parameter<internal_np::neighborhood_level_t, NamedParametersIn>)
       clustering.seed_from_level(get_parameter(np_in, internal_np::neighborhood_level_p), number_of_vertices);
     else
@@ -271,12 +264,10 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
 }
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// coarsens a polygon mesh to a fraction of its vertices, to a number of faces, to the number of seeds of a level, or to the number
-/// of given clusters.
+/// coarsens a polygon mesh to a fraction of its vertices, to a number of faces, or to the number of seeds of a level.
 ///
 /// One of the following parameters in `np_in` replaces the number of vertices; `keep_small_components` goes with `vertex_ratio`.
-/// Otherwise the function behaves as the overload
-/// with a number of vertices.
+/// Otherwise the function behaves as the overload with a number of vertices.
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_ratio}
@@ -305,10 +296,6 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, std::size_t number_of_ver
 ///                           seeds are merged to the number.}
 ///     \cgalParamType{`std::size_t`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{start_from_face_clusters}
-///     \cgalParamDescription{`true` to get as many vertices as `face_cluster_map` has clusters}
-///     \cgalParamType{`bool`}
-///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class OutputFaceGraph,
           class NamedParametersIn = parameters::Default_named_parameters,
@@ -325,17 +312,17 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, OutputFaceGraph& output,
   using namespace internal;
   constexpr bool has_ratio = has_parameter<internal_np::vertex_ratio_t, NamedParametersIn>,
                  has_faces = has_parameter<internal_np::number_of_faces_t, NamedParametersIn>,
-                 has_level = has_parameter<internal_np::neighborhood_level_t, NamedParametersIn>,
-                 has_clusters = has_parameter<internal_np::start_from_face_clusters_t, NamedParametersIn>;
-  static_assert(has_ratio || has_faces || has_level || has_clusters,
+                 has_level = has_parameter<internal_np::neighborhood_level_t, NamedParametersIn>;
+  static_assert(has_ratio || has_faces || has_level,
                 "how many vertices? Give a number, or one of the parameters vertex_ratio, number_of_faces and neighborhood_level");
   static_assert(int(has_ratio) + int(has_faces) + int(has_level) < 2,
                 "the parameters vertex_ratio, number_of_faces and neighborhood_level exclude each other");
-  accept_parameters<NamedParametersIn, Coarsening_parameters, Coarsen_mesh_parameters,
-                    Parameter_list<internal_np::vertex_ratio_t, internal_np::keep_small_components_t,
-                                   internal_np::number_of_faces_t, internal_np::neighborhood_level_t> >();
+  accept_parameters<NamedParametersIn, Coarsening_parameters,
+                    Parameter_list<internal_np::vertex_boundary_count_t, internal_np::vertex_ratio_t,
+                                   internal_np::keep_small_components_t, internal_np::number_of_faces_t,
+                                   internal_np::neighborhood_level_t> >();
   accept_parameters<NamedParametersOut, Output_parameters>();
-  return internal::coarsen_mesh<ConcurrencyTag>(input, output, np_in, np_out, 0, [&](auto& clustering) {
+  return internal::coarsen_mesh<ConcurrencyTag>(input, output, np_in, np_out, [&](auto& clustering) {
     if constexpr (has_ratio)
       clustering.seed_from_ratio(get_parameter(np_in, internal_np::vertex_ratio_p),
                                  choose_parameter(get_parameter(np_in, internal_np::keep_small_components_p), false));
@@ -347,8 +334,6 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, OutputFaceGraph& output,
                                                             Coarsening_defaults::convergence_tolerance));
     else if constexpr (has_level)
       clustering.seed_from_level(get_parameter(np_in, internal_np::neighborhood_level_p));
-    else
-      throw Invalid_input("start_from_face_clusters is false, and there is no number of vertices");
   });
 }
 

@@ -94,7 +94,7 @@ Distance_report coarsen_to_goal(const FaceGraph& input, Distance_goal goal, Outp
 /// \param output is cleared and filled; its `i`-th vertex is the vertex of cluster `i`. The output may be the input. Then the
 /// maps of `np_in` are written before it is replaced, and `vertex_source_map` cannot be used.
 /// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters": all parameters of `coarsen_mesh()` except
-/// \smcParam{start_from_face_clusters}, \smcParam{neighborhood_level} and \smcParam{vertex_boundary_count_map}
+/// \smcParam{neighborhood_level} and \smcParam{vertex_boundary_count_map}
 /// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters": the parameters of
 /// `coarsen_mesh()`
 ///

@@ -5,7 +5,6 @@
 
 CGAL_add_named_parameter(face_density_t, face_density, face_density_map)
 CGAL_add_named_parameter(face_cluster_t, face_cluster, face_cluster_map)
-CGAL_add_named_parameter(start_from_face_clusters_t, start_from_face_clusters_p, start_from_face_clusters)
 CGAL_add_named_parameter(vertex_boundary_count_t, vertex_boundary_count, vertex_boundary_count_map)
 CGAL_add_named_parameter(vertex_to_cluster_t, vertex_to_cluster, vertex_to_cluster_map)
 CGAL_add_named_parameter(vertex_source_t, vertex_source, vertex_source_map)

@@ -9,8 +9,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/output/Output_maps.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
-#include <cstddef>
-#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -28,38 +26,19 @@ void write_boundary_counts(const Clustering& clustering, const Map& map) { clust
 template <class Clustering>
 void write_boundary_counts(const Clustering&, const CGAL::internal_np::Param_not_found&) {}
 
-template <class Clustering, class Map>
-void read_clusters(Clustering& clustering, const Map& map) { clustering.set_clusters(map); }
-template <class Clustering>
-void read_clusters(Clustering&, const CGAL::internal_np::Param_not_found&)
-{
-  throw Invalid_input("start_from_face_clusters(true) was given without a face_cluster_map");
-}
-
-// The parameters that only the functions with this name accept.
-typedef Parameter_list<internal_np::start_from_face_clusters_t, internal_np::vertex_boundary_count_t> Coarsen_mesh_parameters;
-
-// Runs all steps of a `Clustering`, which is an `Mwcvd_clustering`, and writes the maps of the caller. Calls `seed` and grows the clusters, unless the caller passes clusters: then their number must be `number`, or may be any
-// number if `number` is 0.
+// Runs all steps of a `Clustering`, which is an `Mwcvd_clustering`, and writes the maps of the caller. Calls `seed` for the seeds.
 template <class Clustering, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
 Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
-                                            std::size_t number, const Seed& seed)
+                                            const Seed& seed)
 {
   typedef Parameter_type<internal_np::vertex_placement_t, NPIn, Fitted_placement> Placement;
   const auto source_map = get_parameter(np_out, internal_np::vertex_source);
   check_input_stays<std::decay_t<decltype(source_map)> >(input, output);
   Clustering clustering(typename Clustering::Accepted(), input, np_in);
   const Placement placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
-  if (choose_parameter(get_parameter(np_in, internal_np::start_from_face_clusters_p), false)) {
-    read_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
-    if (number != 0 && clustering.number_of_clusters() != number)
-      throw Invalid_input("the face_cluster_map has " + std::to_string(clustering.number_of_clusters()) +
-                          " clusters, but " + std::to_string(number) + " vertices were asked for");
-  } else {
-    clustering.choose_items_for(placement);
-    seed(clustering);
-    clustering.grow();
-  }
+  clustering.choose_items_for(placement);
+  seed(clustering);
+  clustering.grow();
   clustering.minimize(choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
                                        Coarsening_defaults::number_of_iterations),
                       choose_parameter(get_parameter(np_in, internal_np::convergence_tolerance_p),
