@@ -129,6 +129,14 @@ public:
     set(f, to);
   }
 
+  // Moves each face to its cluster in `labels`, as `move()` does.
+  void move_all(const std::vector<Index>& labels)
+  {
+    for (std::size_t f = 0; f < labels.size(); ++f)
+      if (label_[f] != labels[f])
+        move(Index(f), labels[f]);
+  }
+
   // Recomputes the boundary-edge counts.
   std::vector<Index> recounted() const
   {

@@ -385,9 +385,7 @@ inline Placed_dual return_to_first(Clustering_state& state, const std::vector<do
                                    Placed_dual dual)
 {
   recluster(state, densities);
-  for (std::size_t f = 0; f < first.size(); ++f)
-    if (labels(state)[Index(f)] != first[f])
-      state.labels->move(Index(f), first[f]);
+  state.labels->move_all(first);
   state.minimization.reset();
   dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
   return dual;

@@ -67,9 +67,7 @@ public:
   // Sets the labels of the faces.
   void take_labels(const std::vector<Index>& labels)
   {
-    for (std::size_t f = 0; f < labels.size(); ++f)
-      if (labels_[Index(f)] != labels[f])
-        labels_.move(Index(f), labels[f]);
+    labels_.move_all(labels);
     editing_.find_clusters();
     count();
     for (std::size_t x = 0; x < bounds_.size(); ++x)
