@@ -5,18 +5,10 @@
 #include "io/Failure.h"
 #include "io/Number_property.h"
 #include "kept_vertices.h"
+#include "named_energies.h"
 #include "patches.h"
 #include "written.h"
 
-#include <CGAL/Surface_mesh_coarsening/Any_cluster_energy.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Normal_deviation_energy.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Quadric_energy.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Weighted_inertia_energy.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Exact_maximum_density_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
@@ -268,33 +260,6 @@ Coarsening_result coarsen_with(const SMC::Any_cluster_energy& energy, const Mesh
   return result;
 }
 
-typedef std::vector<std::pair<std::string, SMC::Any_cluster_energy> > Named_energies;
-
-template <class Weight>
-SMC::Any_cluster_energy weighted_energy()
-{
-  return SMC::Any_cluster_energy(SMC::Weighted_inertia_energy<Weight>());
-}
-
-// Returns the weighted energies with the names of their weights.
-const Named_energies& weighted_energies()
-{
-  static const Named_energies all = {{"uniform", weighted_energy<SMC::Uniform_weight>()},
-                                     {"area", weighted_energy<SMC::Weighted_area_weight>()},
-                                     {"maximum", weighted_energy<SMC::Maximum_density_weight>()},
-                                     {"exact-maximum", weighted_energy<SMC::Exact_maximum_density_weight>()},
-                                     {"variance", weighted_energy<SMC::Density_variance_weight>()}};
-  return all;
-}
-
-const Named_energies& energies()
-{
-  static const Named_energies all = {{default_energy(), weighted_energy<SMC::Weighted_area_weight>()},
-                                     {"quadric", SMC::Any_cluster_energy(SMC::Quadric_energy())},
-                                     {"normals", SMC::Any_cluster_energy(SMC::Normal_deviation_energy())}};
-  return all;
-}
-
 SMC::Any_cluster_energy energy_of(const Options& options)
 {
   const bool is_weighted = options.energy == default_energy();
@@ -350,7 +315,7 @@ unsigned max_threads()
 #endif
 }
 
-std::string default_energy() { return "weighted"; }
+std::string default_energy() { return energies().front().first; }
 
 std::string default_weight() { return "area"; }
 

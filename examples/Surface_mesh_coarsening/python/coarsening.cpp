@@ -2,18 +2,10 @@
 
 #include "coarsening.h"
 
+#include "named_energies.h"
 #include "repair/drop_small_components.h"
 
-#include <CGAL/Surface_mesh_coarsening/Any_cluster_energy.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Normal_deviation_energy.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Quadric_energy.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Weighted_inertia_energy.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Exact_maximum_density_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Closest_vertex_placement.h>
@@ -194,36 +186,18 @@ std::vector<Coarsening> coarsen_with(const SMC::Any_cluster_energy& energy, cons
     boost::make_function_property_map<Face>([&fields](Face f) -> double { return fields.density[f]; })));
 }
 
-template <class Weight>
-SMC::Any_cluster_energy weighted_energy()
-{
-  return SMC::Any_cluster_energy(SMC::Weighted_inertia_energy<Weight>());
-}
-
-SMC::Any_cluster_energy energy_with_weight(const std::string& weight)
-{
-  if (weight == "uniform")
-    return weighted_energy<SMC::Uniform_weight>();
-  if (weight == "area")
-    return weighted_energy<SMC::Weighted_area_weight>();
-  if (weight == "maximum")
-    return weighted_energy<SMC::Maximum_density_weight>();
-  if (weight == "exact-maximum")
-    return weighted_energy<SMC::Exact_maximum_density_weight>();
-  if (weight == "variance")
-    return weighted_energy<SMC::Density_variance_weight>();
-  throw SMC::Invalid_input("there is no weight '" + weight + "' (uniform, area, maximum, exact-maximum, variance)");
-}
-
 SMC::Any_cluster_energy energy_of(const Options& options)
 {
-  if (options.energy == "weighted")
-    return energy_with_weight(options.weight);
-  if (options.energy == "quadric")
-    return SMC::Any_cluster_energy(SMC::Quadric_energy());
-  if (options.energy == "normals")
-    return SMC::Any_cluster_energy(SMC::Normal_deviation_energy());
-  throw SMC::Invalid_input("there is no energy '" + options.energy + "' (weighted, quadric, normals)");
+  using namespace coarsen_mesh_tool;
+  const bool is_weighted = options.energy == energies().front().first;
+  const std::string& wanted = is_weighted ? options.weight : options.energy;
+  std::string names;
+  for (const auto& [name, energy] : is_weighted ? weighted_energies() : energies()) {
+    if (name == wanted)
+      return energy;
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  throw SMC::Invalid_input((is_weighted ? "there is no weight '" : "there is no energy '") + wanted + "' (" + names + ")");
 }
 
 // Calls `use` with the requested number of threads. Exceptions that the visitor holds replace the cancellation.

@@ -2,15 +2,10 @@
 
 #include "Coarsening_task.h"
 
+#include "named_energies.h"
 #include "render/face_distances.h"
 #include "report/Timing_visitor.h"
 
-#include <CGAL/Surface_mesh_coarsening/Any_cluster_energy.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_energy/Weighted_inertia_energy.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Density_variance_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
-#include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Closest_vertex_placement.h>
@@ -45,14 +40,9 @@ public:
 
 namespace {
 
-template <class Weight>
-SMC::Any_cluster_energy weighted_energy()
-{
-  return SMC::Any_cluster_energy(SMC::Weighted_inertia_energy<Weight>());
-}
-
 SMC::Any_cluster_energy energy_of(const Choice& choice)
 {
+  using coarsen_mesh_tool::weighted_energy;
   switch (choice.weight) {
   case 0:
     return weighted_energy<SMC::Uniform_weight>();
