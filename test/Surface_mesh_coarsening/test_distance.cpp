@@ -17,6 +17,7 @@
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
@@ -195,6 +196,24 @@ BOOST_AUTO_TEST_CASE(tolerances_that_the_input_meets_are_met)
     BOOST_CHECK_SMALL(SMC::measure_coarsening(mesh, all, 2000).maximum_distance, 1e-9);
     BOOST_CHECK_LE(SMC::coarsen_mesh_to_distance(mesh, 1e-6, within).distance_bound, 1e-6);
     BOOST_CHECK_SMALL(SMC::measure_coarsening(mesh, within, 2000).maximum_distance, 1.1e-6);
+  }
+}
+
+// In the cells of vertices of a large polygon, and in its fan of triangles, one vertex has all triangles. A search for a nearest
+// point that looks only at some of them is wrong by up to the size of the polygon.
+BOOST_AUTO_TEST_CASE(large_polygons_stay_planar)
+{
+  for (const std::size_t sides : {40, 160, 750}) {
+    const Mesh mesh = test::to_mesh(generated::prism(sides));
+    Mesh output;
+    SMC::coarsen_mesh(mesh, mesh.number_of_vertices(), output);
+    BOOST_CHECK_SMALL(SMC::measure_coarsening(mesh, output, 2000).maximum_distance, 1e-9);
+    SMC::coarsen_mesh(mesh, mesh.number_of_vertices() / 2, output); // cuts every second corner
+    const double side = CGAL_PI / double(sides);
+    BOOST_CHECK_LE(SMC::measure_coarsening(mesh, output, 2000).maximum_distance, 4 * side * side);
+    const SMC::Distance_report report = SMC::coarsen_mesh_to_distance(mesh, 0.02, output);
+    BOOST_CHECK_LE(report.distance_bound, 0.02);
+    BOOST_CHECK_LE(report.vertices, std::max<std::size_t>(mesh.number_of_vertices() / 2, 50));
   }
 }
 

@@ -29,6 +29,16 @@ struct Far_point
   Vector barycentric, offset;
 };
 
+// A bound of the distance of two surfaces, the distance of some points, and the points that are far in comparison.
+struct Measured_distance
+{
+  double bound = 0, reached = 0;
+  std::vector<Far_point> far;
+};
+
+// Points are far if their distance is at least this part of the largest one.
+constexpr double far_part = 0.75;
+
 // Moves vertices so that far points come nearer than `distance`. Vertices on the border stay.
 inline void approach_far_points(const std::vector<Far_point>& far, double distance, const Clustered_faces& surface,
                                 const Border_arcs& border, const std::vector<Triangle>& triangles, std::vector<Vector>& positions)
@@ -57,16 +67,16 @@ inline void approach_far_points(const std::vector<Far_point>& far, double distan
 // over a part is at a corner. CGAL's bounded_error_symmetric_Hausdorff_distance() finds the nearest triangles without the
 // clusters, takes two to eight times as long, and does not tell where the distance is large.
 //
-// The work of all bounds together is limited in proportion to the mesh. Where surfaces are crumpled or extremely long, a proof
-// would take very many parts; when the work is spent, a bound exceeds the distance by more.
+// Where surfaces are crumpled or extremely long, a proof would take very many parts, so the work is limited; when it is spent, a
+// bound exceeds the distance by more.
 class Distance_bound
 {
 public:
-  // `cluster_of_face` gives the vertex of the coarse mesh near each face of the mesh, and is below `vertices`.
-  Distance_bound(const Flat_mesh& mesh, const std::vector<Index>& cluster_of_face, std::size_t vertices,
+  // `cluster_of_face` gives the vertex of the coarse mesh near each face of the mesh, and is below `vertices`. `work_left` counts
+  // down the comparisons of points with triangles and boxes.
+  Distance_bound(const Flat_mesh& mesh, const std::vector<Index>& cluster_of_face, std::size_t vertices, std::size_t& work_left,
                  const Cancellation_point& cancellation)
-    : surface_(mesh.points, vertices), cancellation_(cancellation),
-      work_left_(work_of_face * (std::max)(mesh.number_of_faces(), min_faces))
+    : surface_(mesh.points, vertices), cancellation_(cancellation), work_left_(work_left)
   {
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
       for (Index c = mesh.first_corner[f] + 2; c != mesh.first_corner[f + 1]; ++c)
@@ -75,42 +85,75 @@ public:
     surface_.prepare();
   }
 
-  // Returns a bound that exceeds the distance by at most `error` or, if `error` is 0, by at most a 32nd part of the distance,
-  // unless the work is spent. If the distance exceeds `limit`, may return any number between them; then `far`, if it is not null,
-  // receives points that are too far.
-  double operator()(const std::vector<Vector>& positions, const std::vector<Triangle>& triangles, double error, double limit,
-                    std::vector<Far_point>* far)
+  // Bounds the distance, up to a 32nd part of it if it is larger than `limit`. Otherwise the bound is at most `limit` and, if it is
+  // `precise`, exceeds the distance by at most a 32nd part of `limit`. When the work is spent, bounds are larger.
+  Measured_distance operator()(const std::vector<Vector>& positions, const std::vector<Triangle>& triangles, double limit,
+                               bool precise)
   {
-    Surface coarse(positions, positions.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-      coarse.add(triangles[t], Index(t), triangles[t][0]);
-    coarse.prepare();
-    double bound = 0;
-    one_way(surface_, coarse, error, limit, bound, [&](const Part& part, const Nearest_point& near) {
-      if (far == nullptr)
-        return;
-      const Vector foot = coarse.point(near.face, near.barycentric);
-      far->push_back({coarse.number[near.face], near.barycentric, center(part) - foot});
-    });
-    one_way(coarse, surface_, error, limit, bound, [&](const Part& part, const Nearest_point& near) {
-      if (far == nullptr)
-        return;
-      const auto t = coarse.corners(part.triangle);
-      far->push_back({coarse.number[part.triangle], closest_on_triangle(center(part), t[0], t[1], t[2]).barycentric,
-                      surface_.point(near.face, near.barycentric) - center(part)});
-    });
-    return bound;
+    const Surface coarse(positions, triangles);
+    Measured_distance measured;
+    std::vector<Far_point> points;
+    std::vector<Part> undecided; // a heap: the part with the largest bound comes first, because it is likely to raise `reached`
+    double reached = 0;
+    const auto is_below = [](const Part& a, const Part& b) { return a.bound < b.bound; };
+    const auto measure = [&](Part part) {
+      cancellation_.poll(16);
+      const Nearest_point near = nearest_to_center(part, part.is_coarse ? surface_ : coarse, reached);
+      const double distance = std::sqrt(near.squared_distance);
+      reached = (std::max)(reached, distance);
+      if (distance >= far_part * reached)
+        points.push_back(far_point(part, near, coarse));
+      if (part.bound > reached) {
+        undecided.push_back(part);
+        std::push_heap(undecided.begin(), undecided.end(), is_below);
+      }
+    };
+    // A few of the triangles, first, yield a distance below which the others need not be divided.
+    constexpr std::size_t step = 8;
+    for (const Surface* from : {static_cast<const Surface*>(&surface_), &coarse})
+      for (std::size_t first = 0; first < step; ++first)
+        for (std::size_t t = first; t < from->number.size(); t += step)
+          measure({from->corners(t), Index(t), from->group[t], from == &coarse, 0});
+    const double least_error = (std::max)(limit / 8192, 1e-12 * surface_.largest_coordinate);
+    std::size_t number = 0; // of the points until the distance is known up to a 32nd, which does not depend on the limit
+    while (!undecided.empty() && work_left_ > 0) {
+      const double largest = undecided.front().bound;
+      if (number == 0 && largest <= reached + reached / 32) {
+        number = points.size();
+        measured.reached = reached;
+      }
+      // A bound beyond the limit must not be due to the error.
+      if (largest <= limit ? !precise || largest <= reached + limit / 32
+                           : largest <= reached + (reached > limit ? reached / 32 : least_error))
+        break;
+      std::pop_heap(undecided.begin(), undecided.end(), is_below);
+      const Part part = undecided.back();
+      undecided.pop_back();
+      divide(part, part.is_coarse ? surface_ : coarse, measure);
+    }
+    measured.bound = undecided.empty() ? reached : (std::max)(reached, undecided.front().bound);
+    if (number == 0) {
+      number = points.size();
+      measured.reached = reached;
+    }
+    for (std::size_t i = 0; i < number; ++i)
+      if (length(points[i].offset) >= far_part * measured.reached)
+        measured.far.push_back(points[i]);
+    return measured;
   }
 
 private:
-  // In comparisons of points with triangles and boxes. The Fandisk takes 9,000 for a thousandth of its diagonal. Meshes with fewer
-  // faces than the second number have the work of that number.
-  static constexpr std::size_t work_of_face = 16000, min_faces = 200;
-
   // Triangles that are not degenerate, and their groups.
   struct Surface
   {
     Surface(const std::vector<Vector>& points, std::size_t groups) : number_of_groups(groups) { mesh.points = points; }
+
+    Surface(const std::vector<Vector>& positions, const std::vector<Triangle>& triangles) : Surface(positions, positions.size())
+    {
+      for (std::size_t t = 0; t < triangles.size(); ++t)
+        add(triangles[t], Index(t), triangles[t][0]);
+      prepare();
+    }
 
     void add(const Triangle& t, Index triangle_number, Index triangle_group)
     {
@@ -158,6 +201,7 @@ private:
   {
     std::array<Vector, 3> corners;
     Index triangle, group;
+    bool is_coarse; // whether it is a part of the coarse mesh
     double bound;
     std::size_t nearest = 0; // the triangle nearest to the center
     int cuts = 0;            // since it was halved
@@ -165,57 +209,14 @@ private:
 
   static Vector center(const Part& part) { return (1. / 3) * (part.corners[0] + part.corners[1] + part.corners[2]); }
 
-  // Raises a bound to a bound of the distance of one surface from the other, and calls `report(part, near)` with the parts
-  // whose centers are too far, and their nearest triangles.
-  template <class Report>
-  void one_way(const Surface& from, const Surface& to, double error, double limit, double& bound, const Report& report)
+  Far_point far_point(const Part& part, const Nearest_point& near, const Surface& coarse) const
   {
-    const double rounding = 1e-12 * from.largest_coordinate,
-                 least_error = std::isfinite(limit) ? (std::max)(limit / 8192, rounding) : rounding;
-    double reached = 0; // by some point
-    const double least = bound;
-    std::vector<Part> undecided; // a heap: the part with the largest bound comes first, because it is likely to raise `reached`
-    const auto is_below = [](const Part& a, const Part& b) { return a.bound < b.bound; };
-    const auto measure = [&](Part part) {
-      cancellation_.poll(16);
-      const double enough = (std::max)((std::min)(reached, limit), least);
-      const Nearest_point near = nearest_to_center(part, to, enough);
-      const double distance = std::sqrt(near.squared_distance);
-      reached = (std::max)(reached, distance);
-      if (distance > limit)
-        report(part, near);
-      else if (part.bound > enough) {
-        undecided.push_back(part);
-        std::push_heap(undecided.begin(), undecided.end(), is_below);
-      }
-    };
-    // A few of the triangles, first, yield a distance below which the others need not be divided.
-    constexpr std::size_t step = 8;
-    for (std::size_t first = 0; first < step; ++first)
-      for (std::size_t t = first; t < from.number.size(); t += step)
-        measure({from.corners(t), Index(t), from.group[t], 0});
-    while (!undecided.empty() && reached <= limit) {
-      const double largest = undecided.front().bound, permitted = error > 0 ? error : reached / 32;
-      // A bound beyond the limit must not be due to the error.
-      if (work_left_ == 0 || largest <= (std::max)((std::min)(reached + permitted, limit), reached + least_error)) {
-        bound = (std::max)(bound, largest);
-        break;
-      }
-      std::pop_heap(undecided.begin(), undecided.end(), is_below);
-      const Part part = undecided.back();
-      undecided.pop_back();
-      divide(part, to, measure);
-    }
-    bound = (std::max)(bound, reached);
-    if (reached <= limit)
-      return;
-    // Some point is too far. The halves of the undecided parts are measured once more, for other such points.
-    const std::vector<Part> rest = std::move(undecided);
-    undecided.clear();
-    for (const Part& part : rest)
-      if (work_left_ > 0)
-        divide(part, to, measure);
-    bound = (std::max)(bound, reached);
+    const Vector middle = center(part);
+    if (!part.is_coarse)
+      return {coarse.number[near.face], near.barycentric, middle - coarse.point(near.face, near.barycentric)};
+    const auto t = coarse.corners(part.triangle);
+    return {coarse.number[part.triangle], closest_on_triangle(middle, t[0], t[1], t[2]).barycentric,
+            surface_.point(near.face, near.barycentric) - middle};
   }
 
   // Bounds the distance of a part. Returns the point nearest to its center, or one so near that the part is nearer than
@@ -288,7 +289,7 @@ private:
     const Vector on_pq = crossing(q, heights[(alone + 1) % 3]), on_pr = crossing(r, heights[(alone + 2) % 3]);
     for (const std::array<Vector, 3>& corners :
          {std::array<Vector, 3>{{p, on_pq, on_pr}}, std::array<Vector, 3>{{on_pq, q, on_pr}}, std::array<Vector, 3>{{q, r, on_pr}}})
-      visit({corners, part.triangle, part.group, part.bound, part.nearest, part.cuts + 1});
+      visit({corners, part.triangle, part.group, part.is_coarse, part.bound, part.nearest, part.cuts + 1});
     return true;
   }
 
@@ -303,13 +304,13 @@ private:
       if (squared_length(i) > squared_length(longest))
         longest = i;
     const Vector middle = 0.5 * (c[longest] + c[(longest + 1) % 3]), opposite = c[(longest + 2) % 3];
-    visit({{{c[longest], middle, opposite}}, part.triangle, part.group, part.bound});
-    visit({{{middle, c[(longest + 1) % 3], opposite}}, part.triangle, part.group, part.bound});
+    visit({{{c[longest], middle, opposite}}, part.triangle, part.group, part.is_coarse, part.bound});
+    visit({{{middle, c[(longest + 1) % 3], opposite}}, part.triangle, part.group, part.is_coarse, part.bound});
   }
 
   Surface surface_;
   Cancellation_point cancellation_;
-  std::size_t work_left_;
+  std::size_t& work_left_;
 };
 
 } // namespace internal

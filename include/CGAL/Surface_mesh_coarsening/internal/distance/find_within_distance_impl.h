@@ -42,20 +42,23 @@ public:
   Placed_dual run()
   {
     const std::vector<std::size_t> numbers = trial_numbers();
+    std::vector<char> is_too_far(numbers.size(), false);
     std::size_t first = 0, end = numbers.size() - 1, found = end, tried = numbers.size();
     trials_ = 2 + std::size_t(std::ceil(std::log2(double(numbers.size()))));
     const auto try_number = [&](std::size_t i) {
-      tried = i;
-      if (!is_within_distance(numbers[i], false))
+      if (is_too_far[i])
         return false;
-      found = i;
-      return true;
+      tried = i;
+      is_too_far[i] = !is_within_distance(numbers[i], false);
+      if (!is_too_far[i])
+        found = i;
+      return !is_too_far[i];
     };
     while (first < end) {
       const std::size_t middle = (first + end) / 2;
       if (try_number(middle))
         end = middle;
-      else if (middle + 1 < end && nearest_ <= narrow_miss * local_distance_ && try_number(middle + 1))
+      else if (tried == middle && middle + 1 < end && nearest_ <= narrow_miss * local_distance_ && try_number(middle + 1))
         end = middle;
       else
         first = middle + 1;
@@ -63,11 +66,11 @@ public:
     if (tried != found && !is_within_distance(numbers[found], true) && numbers[found] < goal_.max_vertices)
       throw Unreachable_distance("no result within a distance of " + number_text(goal_.distance) + " was found",
                                  state_.frame.length_to_mesh(rounded_up * nearest_));
-    if (bound_ <= local_distance_)
-      bound_ = bound(local_distance_ / 32, local_distance_, nullptr);
     report_.vertices = numbers[found];
-    report_.is_within_distance = bound_ <= local_distance_;
-    report_.distance_bound = state_.frame.length_to_mesh(bound_);
+    work_left_ = work_of_trial();
+    const double bound = measure(true).bound;
+    report_.is_within_distance = bound <= local_distance_;
+    report_.distance_bound = state_.frame.length_to_mesh(bound);
     return std::move(dual_);
   }
 
@@ -103,6 +106,15 @@ private:
     return numbers;
   }
 
+  // Returns the work of the bounds of a trial, in comparisons of points with triangles and boxes. At the Fandisk, each of the up to
+  // eight bounds for a thousandth of its diagonal takes 900 for each face.
+  std::size_t work_of_trial() const
+  {
+    constexpr std::size_t work_of_triangle = 8000, min_triangles = 200;
+    const Flat_mesh& mesh = state_.base_input().mesh;
+    return work_of_triangle * (std::max)(mesh.corner_vertex.size() - 2 * mesh.number_of_faces(), min_triangles);
+  }
+
   // Computes the result for a number of vertices, as far as the answer needs it, or completely.
   bool is_within_distance(std::size_t n, bool is_last)
   {
@@ -120,68 +132,55 @@ private:
     minimize(state_, goal_.end);
     ++report_.clusterings;
     Repair_budget budget = repair_budget(state_, trials_);
+    work_left_ = work_of_trial();
     if (may_exchange_vertices(state_, placement_)) {
       dual_ = place(state_, placement_, output_coordinates_, budget);
-      prepare_bounds();
-      bound_distance();
-      approach(budget);
-      if (bound_ <= local_distance_)
+      if (approach(budget))
         return true;
-      if (bound_ > largest_gain * local_distance_ && !is_last)
+      if (nearest_ > largest_gain * local_distance_ && !is_last)
         return false;
     }
     dual_ = place_and_exchange(state_, placement_, output_coordinates_, budget);
-    prepare_bounds();
-    bound_distance();
-    approach(budget);
-    return bound_ <= local_distance_;
+    return approach(budget);
   }
 
-  // Moves vertices where the result is too far: the fit minimizes the mean of the squared distances, and a few places determine
-  // the maximum.
-  void approach(Repair_budget& budget)
+  // Returns whether the result is within the distance. Where it is too far, moves vertices: the fit minimizes the mean of the
+  // squared distances, and a few places determine the maximum.
+  bool approach(Repair_budget& budget)
   {
     constexpr int max_steps = 3;
-    constexpr double max_ratio = 2, far = 0.75;
+    constexpr double max_ratio = 2;
+    bound_of_.emplace(state_.base_input().mesh, clusters_of_base_faces(state_), dual_.positions.size(), work_left_,
+                      state_.cancellation());
     std::unique_ptr<Bordered_surface> surface;
-    for (int i = 0; i < max_steps && bound_ > local_distance_ && bound_ <= max_ratio * local_distance_; ++i) {
+    double before = infinite;
+    for (int step = 0;; ++step) {
+      const Measured_distance measured = measure(false);
+      nearest_ = (std::min)(nearest_, measured.bound);
+      if (measured.bound <= local_distance_)
+        return true;
+      if (step == max_steps || measured.bound > max_ratio * local_distance_ || !(measured.reached < before))
+        return false;
+      before = measured.reached;
       const std::size_t left = dual_.number_left();
-      const double limit = far * bound_;
-      std::vector<Far_point> far_points;
-      bound(limit / 32, limit, &far_points);
       if (!surface)
         surface = bordered_surface(state_, dual_);
-      approach_far_points(far_points, limit, *surface->faces, surface->border, dual_.triangles, dual_.positions);
+      approach_far_points(measured.far, far_part * measured.reached, *surface->faces, surface->border, dual_.triangles,
+                          dual_.positions);
       dual_.counts = repair_exchanged(state_, *surface, placement_, output_coordinates_, dual_, budget);
-      bound_distance();
       if (dual_.number_left() > left)
-        return;
+        step = max_steps - 1; // one more look
     }
   }
 
-  void prepare_bounds()
-  {
-    bound_of_.emplace(state_.base_input().mesh, clusters_of_base_faces(state_), dual_.positions.size(), state_.cancellation());
-  }
-
-  // Bounds the distance of the dual. A bound beyond the requested distance does not depend on the requested distance.
-  double bound_distance()
-  {
-    bound_ = bound(local_distance_, local_distance_, nullptr);
-    if (bound_ > local_distance_)
-      bound_ = bound(0, infinite, nullptr);
-    nearest_ = (std::min)(nearest_, bound_);
-    return bound_;
-  }
-
   // Bounds the distance after rounding to the output; see `Distance_bound`.
-  double bound(double error, double limit, std::vector<Far_point>* far)
+  Measured_distance measure(bool precise)
   {
     std::vector<Vector> rounded;
     for (const Vector& p : dual_.positions)
       rounded.push_back(state_.frame.to_local(output_coordinates_(p)));
     ++report_.bounds;
-    return (*bound_of_)(rounded, dual_.triangles, error, limit, far);
+    return (*bound_of_)(rounded, dual_.triangles, local_distance_, precise);
   }
 
   // The bound of a narrow miss, in requested distances.
@@ -197,8 +196,9 @@ private:
   std::size_t trials_ = 1; // without second ones, each with its part of the repair's budget
   Distance_report& report_;
   Placed_dual dual_;
+  std::size_t work_left_ = 0; // of the bounds of a trial
   std::optional<Distance_bound> bound_of_;
-  double bound_ = infinite, nearest_ = infinite;
+  double nearest_ = infinite; // the least bound of the last trial
 };
 
 CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual

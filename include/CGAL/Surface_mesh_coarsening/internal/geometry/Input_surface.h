@@ -34,6 +34,7 @@ public:
   {
     Input_point point;
     double squared_distance;
+    bool is_partial; // the descent has left out faces around its last vertex, or has ended early
   };
 
   explicit Input_surface(const Flat_mesh& mesh) : mesh_(mesh)
@@ -41,6 +42,15 @@ public:
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
       if (mesh.degree(Index(f)) > max_in_fan)
         large_faces_.push_back(large_face(Index(f)));
+  }
+
+  // Returns whether a vertex has so many faces that a descent does not visit all of them.
+  bool has_hubs() const
+  {
+    for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v)
+      if (mesh_.first_in_star[v + 1] - mesh_.first_in_star[v] > 2 * max_each_way + 1)
+        return true;
+    return false;
   }
 
   // Returns the area of all fans.
@@ -104,21 +114,21 @@ public:
     Recent_faces recent;
     recent.add(f);
     improve(p, f, candidate);
-    for (int i = 0; i < steps; ++i) {
+    bool has_ended = false, has_visited_all = true;
+    for (int i = 0; i < steps && !has_ended; ++i) {
       const Candidate before = candidate;
-      for_each_near(before, [&](Index g) {
+      has_visited_all = for_each_near(before, [&](Index g) {
         if (recent.add(g))
           improve(p, g, candidate);
       });
-      if (candidate.face == before.face)
-        break;
+      has_ended = candidate.face == before.face;
     }
-    return closest(candidate);
+    return closest(candidate, !has_ended || !has_visited_all);
   }
 
 private:
   // The maximum number of faces visited around a vertex in each direction.
-  static constexpr int max_each_way = 12;
+  static constexpr Index max_each_way = 12;
   // Larger fans are not searched triangle by triangle.
   static constexpr Index max_in_fan = 16;
 
@@ -203,23 +213,26 @@ private:
   // Due to rounding, a point of a face may be nearer than the box of the face.
   static double exceeding(double squared_distance) { return (1 + 1e-12) * squared_distance; }
 
-  // Calls `visit(g)` for the faces around the vertex at corner `c` of face `f`, from `f` in both directions.
+  // Calls `visit(g)` for the faces around the vertex at corner `c` of face `f`, from `f` in both directions. Returns whether no
+  // face is left out.
   template <class Visit>
-  void for_each_around(Index f, Index c, const Visit& visit) const
+  bool for_each_around(Index f, Index c, const Visit& visit) const
   {
     const Index v = mesh_.corner_vertex[c];
     Index g = mesh_.face_across[mesh_.previous_corner(f, c)];
-    for (int i = 0; i < max_each_way && g != NONE && g != f; ++i) {
+    for (Index i = 0; i < max_each_way && g != NONE && g != f; ++i) {
       visit(g);
       g = mesh_.face_across[mesh_.previous_corner(g, corner_of(g, v))];
     }
     if (g == f)
-      return;
+      return true;
+    const Index last = g;
     g = mesh_.face_across[c];
-    for (int i = 0; i < max_each_way && g != NONE; ++i) {
+    for (Index i = 0; i < max_each_way && g != NONE && g != last; ++i) {
       visit(g);
       g = mesh_.face_across[corner_of(g, v)];
     }
+    return g == last;
   }
 
   template <class Visit>
@@ -236,12 +249,12 @@ private:
     return 0.5 * length(n);
   }
 
-  Closest closest(const Candidate& c) const
+  Closest closest(const Candidate& c, bool is_partial) const
   {
     const Fan corners = fan(c.face);
     const Vector& x = c.foot.barycentric;
     return {{x[0] * corners.point(0) + x[1] * corners.point(c.last - 1) + x[2] * corners.point(c.last), c.face},
-            c.foot.squared_distance};
+            c.foot.squared_distance, is_partial};
   }
 
   void improve(const Vector& p, Index f, Candidate& candidate) const
@@ -267,9 +280,9 @@ private:
   }
 
   // Calls `visit(g)` for the faces across a side that is no farther from a closest point than the point that was searched for;
-  // if there are two such sides, for the faces around their common corner.
+  // if there are two such sides, for the faces around their common corner. Returns whether no such face is left out.
   template <class Visit>
-  void for_each_near(const Candidate& c, const Visit& visit) const
+  bool for_each_near(const Candidate& c, const Visit& visit) const
   {
     const Fan corners = fan(c.face);
     const Index at[3] = {0, c.last - 1, c.last};
@@ -280,14 +293,14 @@ private:
       const double b = c.foot.barycentric[k];
       is_near[k] = b * b * dot(n, n) <= c.foot.squared_distance * dot(side, side);
     }
-    bool at_corner = false;
+    bool at_corner = false, are_all = true;
     for (std::size_t k = 0; k < 3; ++k)
       if (is_near[(k + 1) % 3] && is_near[(k + 2) % 3]) {
         at_corner = true;
-        for_each_around(c.face, corners.corner(at[k]), visit);
+        are_all = for_each_around(c.face, corners.corner(at[k]), visit) && are_all;
       }
     if (at_corner)
-      return;
+      return are_all;
     const bool is_edge[3] = {true, c.last + 1 == corners.degree, c.last == 2};
     for (std::size_t k = 0; k < 3; ++k)
       if (is_near[k] && is_edge[k]) {
@@ -295,6 +308,7 @@ private:
         if (g != NONE)
           visit(g);
       }
+    return true;
   }
 
   // Visits some triangles of a large fan, then descends from the best of them to adjacent triangles.

@@ -53,6 +53,8 @@ public:
     : surface_(surface), input_(surface.input().mesh), coarse_(coarse), positions_(positions),
       area_(input_.area(surface.cancellation())), prepared_(coarse.triangles().size()), back_(coarse.triangles().size())
   {
+    if (input_.has_hubs())
+      search_.emplace(surface.input().mesh, surface.labels().labels(), surface.number_of_clusters());
     std::size_t number = samples_per_triangle * coarse.triangles().size();
     if (surface.has_cells())
       number = (std::min)(number, surface.input().mesh.number_of_faces());
@@ -81,6 +83,7 @@ public:
                      for (std::size_t i = begin; i < end; ++i)
                        find_foot(samples_[i * step_]);
                    });
+    correct_feet_at_hubs();
     if (surface_.has_cells())
       correct_far_feet();
     first_on_.assign(triangles.size(), NONE);
@@ -235,6 +238,26 @@ private:
   // If more triangles surround a vertex, not all are tested.
   static constexpr std::size_t max_around = 16;
 
+  // A descent around a vertex of many triangles does not test all of them.
+  void correct_feet_at_hubs()
+  {
+    std::vector<Index> at_hubs;
+    for (std::size_t i = 0; i < samples_.size(); i += step_)
+      if (is_at_hub(samples_[i]))
+        at_hubs.push_back(Index(i));
+    if (!at_hubs.empty())
+      search_all_triangles(at_hubs, Coarse_mesh_search(coarse_.triangles(), positions_));
+  }
+
+  // A foot nearly at its sample cannot be improved.
+  bool is_at_hub(const Sample& s) const
+  {
+    constexpr double nearly_zero = 1e-20; // of the area that the sample represents
+    const Triangle& t = coarse_.triangles()[s.triangle];
+    return s.foot.squared_distance > nearly_zero * weight() && !prepared_[s.triangle].is_far_from_sides(s.foot) &&
+           std::any_of(t.begin(), t.end(), [this](Index v) { return coarse_.around(v).size() > max_around; });
+  }
+
   // Descents between the narrow triangles of long clusters can end far from the nearest point. Few such samples would dominate all
   // sums. Between round clusters they do not occur: one of 299,744 samples of the Fandisk with 648 vertices.
   void correct_far_feet()
@@ -252,16 +275,22 @@ private:
         return;
       if (!search)
         search.emplace(coarse_.triangles(), positions_);
-      for_each_number(surface_.execution(), far.size(), surface_.cancellation(), [&](Index i) {
-        Sample& s = samples_[far[i]];
-        const Nearest_point p = (*search)(s.position, surface_.labels()[s.face]);
-        if (!is_on_side_of(s, coarse_.triangles()[p.face]))
-          return;
-        s.triangle = p.face;
-        s.foot = {p.barycentric, p.squared_distance};
-      });
+      search_all_triangles(far, *search);
       sum = sum_of_squared_distances() / weight();
     }
+  }
+
+  // Replaces the feet of some samples by their nearest points on the side of the surface on which the samples lie.
+  void search_all_triangles(const std::vector<Index>& samples, const Coarse_mesh_search& search)
+  {
+    for_each_number(surface_.execution(), samples.size(), surface_.cancellation(), [&](Index i) {
+      Sample& s = samples_[samples[i]];
+      const Nearest_point p = search(s.position, surface_.labels()[s.face]);
+      if (!is_on_side_of(s, coarse_.triangles()[p.face]))
+        return;
+      s.triangle = p.face;
+      s.foot = {p.barycentric, p.squared_distance};
+    });
   }
 
   // Returns whether a triangle approximates the side of the component on which a sample lies.
@@ -413,7 +442,9 @@ private:
     const Index start = starts.face_of_nearest(p);
     if (start == NONE)
       return s;
-    const Input_surface::Closest closest = input_.closest_from(p, start, max_steps);
+    Input_surface::Closest closest = input_.closest_from(p, start, max_steps);
+    if (search_ && closest.is_partial)
+      closest = input_.closest_from(p, (*search_)(p, surface_.labels()[closest.point.face]).face, max_steps);
     s.foot = closest.point;
     s.squared_distance = closest.squared_distance;
     s.weight = area * part[i / 3];
@@ -430,6 +461,7 @@ private:
 
   const Clustered_faces& surface_;
   const Input_surface input_;
+  std::optional<Nearest_point_search> search_; // on the input, if descents do not visit all faces around some vertices
   const Flippable_triangulation& coarse_;
   const std::vector<Vector>& positions_;
   const double area_;
