@@ -110,7 +110,7 @@ private:
   // eight bounds for a thousandth of its diagonal takes 900 for each face.
   std::size_t work_of_trial() const
   {
-    constexpr std::size_t work_of_triangle = 8000, min_triangles = 200;
+    constexpr std::size_t work_of_triangle = 8000, min_triangles = 100;
     const Flat_mesh& mesh = state_.base_input().mesh;
     return work_of_triangle * (std::max)(mesh.corner_vertex.size() - 2 * mesh.number_of_faces(), min_triangles);
   }
@@ -159,7 +159,8 @@ private:
       nearest_ = (std::min)(nearest_, measured.bound);
       if (measured.bound <= local_distance_)
         return true;
-      if (step == max_steps || measured.bound > max_ratio * local_distance_ || !(measured.reached < before))
+      if (step == max_steps || measured.bound > max_ratio * local_distance_ || !(measured.reached < before) ||
+          has_many_intersections(state_, dual_))
         return false;
       before = measured.reached;
       const std::size_t left = dual_.number_left();
