@@ -199,6 +199,17 @@ BOOST_AUTO_TEST_CASE(tolerances_that_the_input_meets_are_met)
   }
 }
 
+BOOST_AUTO_TEST_CASE(all_vertices_are_the_input)
+{
+  for (const char* name : {"meshes/cow.off", "meshes/u.off", "meshes/hand.off"}) {
+    Mesh mesh, output;
+    BOOST_REQUIRE(CGAL::IO::read_polygon_mesh(CGAL::data_file_path(name), mesh));
+    SMC::coarsen_mesh(mesh, mesh.number_of_vertices(), output);
+    BOOST_CHECK_SMALL(SMC::measure_coarsening(mesh, output).maximum_distance, 1e-9);
+    BOOST_CHECK_SMALL(SMC::measure_coarsening(output, mesh).maximum_distance, 1e-9);
+  }
+}
+
 // In the cells of vertices of a large polygon, and in its fan of triangles, one vertex has all triangles. A search for a nearest
 // point that looks only at some of them is wrong by up to the size of the polygon.
 BOOST_AUTO_TEST_CASE(large_polygons_stay_planar)

@@ -79,6 +79,15 @@ private:
   const Nearest_point_search on_surface_;
 };
 
+// Returns whether the result has all vertices of the input.
+inline bool has_all_vertices(const Clustered_faces& surface)
+{
+  for (std::size_t x = 0; x < surface.number_of_clusters(); ++x)
+    if (surface.single_vertex(x) == NONE)
+      return false;
+  return true;
+}
+
 // The rounds of the fit on one coarse mesh.
 class Vertex_fit
 {
@@ -86,7 +95,7 @@ public:
   Vertex_fit(const Clustered_faces& surface, const Border_arcs& border, double mean_angle,
              const std::vector<Triangle>& triangles, std::vector<Vector>& positions, const Vertex_relocation& relocation)
     : surface_(surface), mean_angle_(mean_angle), judges_movements_(mean_angle < min_angle_of_exchange), positions_(positions),
-      relocation_(relocation),
+      relocation_(relocation), keeps_vertices_(has_all_vertices(surface)),
       coarse_(triangles, positions.size(), surface.features()), fit_(surface, border, coarse_, positions),
       flips_(coarse_, positions, fit_.samples(), relocation.rounds > 0, surface.cancellation(), surface.execution()),
       exchange_(border, coarse_, positions, fit_.samples(), relocation, surface.cancellation(), surface.execution()),
@@ -120,7 +129,9 @@ public:
       correct_reserve();
     flips_.run((mean_angle_ + reserve_) / degrees_per_radian, is_steady_);
     const std::size_t exchanged = exchanges ? exchange_.run(flips_.worth()) : 0;
-    move_vertices(exchanges ? coarse_tolerance : fine_tolerance);
+    if (!keeps_vertices_)
+      move_vertices(exchanges ? coarse_tolerance : fine_tolerance);
+    has_feet_ = false;
     return exchanged;
   }
 
@@ -128,6 +139,8 @@ public:
   void settle()
   {
     find_feet();
+    if (keeps_vertices_)
+      return;
     // Narrow triangles that remain now are final, so their worth is increased.
     Angle_worth worth = flips_.worth();
     worth.narrow_rate *= 2;
@@ -212,6 +225,7 @@ private:
   double reserve_ = 0.4; // in degrees: movements after the last flips reduce the angles slightly
   std::vector<Vector>& positions_;
   const Vertex_relocation& relocation_;
+  const bool keeps_vertices_; // only the diagonals of polygons change
   Flippable_triangulation coarse_;
   Surface_fit fit_;
   Edge_flips flips_;
@@ -285,6 +299,16 @@ inline void run_plain_rounds(Vertex_fit& fit, std::size_t rounds, const Cancella
   fit.settle();
 }
 
+// Returns whether the triangles are the faces of the input. A polygon would have several triangles.
+inline bool are_input(const Clustered_faces& surface, const std::vector<Triangle>& triangles)
+{
+  if (!has_all_vertices(surface))
+    return false;
+  std::size_t faces = 0;
+  for_each_meeting_point(surface.labels(), [&](Index, const std::vector<Index>&) { ++faces; });
+  return triangles.size() == faces;
+}
+
 CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices_from(const Clustered_faces& surface, const Border_arcs& border,
                                                            std::size_t rounds, double mean_angle,
                                                            std::vector<Triangle>& triangles, std::vector<Vector>& positions)
@@ -302,6 +326,8 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Plain_fit fit_vertices(const Clustered_faces
 {
   if (relocation.destinations.empty())
     place_by_quadrics(surface, border, positions);
+  if (are_input(surface, triangles))
+    return Plain_fit();
   if (surface.has_cells() && surface.clusters_per_cell() > min_share_of_dense) {
     // Five rounds are no closer at 60 and 80 % of the vertices of the Horse.
     constexpr std::size_t rounds_of_dense = 2;
