@@ -153,16 +153,13 @@ private:
     bound_of_.emplace(state_.base_input().mesh, clusters_of_base_faces(state_), dual_.positions.size(), work_left_,
                       state_.cancellation());
     std::unique_ptr<Bordered_surface> surface;
-    double before = infinite;
     for (int step = 0;; ++step) {
       const Measured_distance measured = measure(false);
       nearest_ = (std::min)(nearest_, measured.bound);
       if (measured.bound <= local_distance_)
         return true;
-      if (step == max_steps || measured.bound > max_ratio * local_distance_ || !(measured.reached < before) ||
-          has_many_intersections(state_, dual_))
+      if (step == max_steps || measured.bound > max_ratio * local_distance_ || has_many_intersections(state_, dual_))
         return false;
-      before = measured.reached;
       const std::size_t left = dual_.number_left();
       if (!surface)
         surface = bordered_surface(state_, dual_);
