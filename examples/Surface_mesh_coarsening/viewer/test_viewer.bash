@@ -7,7 +7,7 @@ set -euo pipefail
 viewer=$1 mesh=$2 picture=${3:-} scale=${QT_SCALE_FACTOR:-1}
 fail() { echo "test_viewer: $*" >&2; exit 1; }
 
-# A display that has just been started may refuse the first connections.
+# A display that has just been started may refuse the first connections. It must not reset itself after the last one (-noreset).
 for _ in $(seq 50); do
   xdotool getdisplaygeometry > /dev/null 2>&1 && break
   sleep 0.2
