@@ -101,7 +101,7 @@ public:
       const Nearest_point near = nearest_to_center(part, part.is_coarse ? surface_ : coarse, reached);
       const double distance = std::sqrt(near.squared_distance);
       reached = (std::max)(reached, distance);
-      if (distance >= far_part * reached)
+      if (distance > far_part * reached)
         points.push_back(far_point(part, near, coarse));
       if (part.bound > reached) {
         undecided.push_back(part);

@@ -241,6 +241,11 @@ private:
   // A descent around a vertex of many triangles does not test all of them.
   void correct_feet_at_hubs()
   {
+    std::size_t most = 0;
+    for (std::size_t v = 0; v < positions_.size(); ++v)
+      most = (std::max)(most, coarse_.around(Index(v)).size());
+    if (most <= max_around)
+      return;
     std::vector<Index> at_hubs;
     for (std::size_t i = 0; i < samples_.size(); i += step_)
       if (is_at_hub(samples_[i]))
