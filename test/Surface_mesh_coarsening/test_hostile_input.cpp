@@ -252,6 +252,12 @@ BOOST_AUTO_TEST_CASE(extreme_coordinates)
   Soup soup = sphere();
   soup.points[17] = {1e300, -1e300, 1e300};
   check_coarsened(soup, 40, false);
+  // Relative to it, squares of areas are tiny, denormalized or zero.
+  for (int exponent = 66; exponent < 110; ++exponent) {
+    Soup grid = generated::with_noise(generated::grid(4, 2), 0.3, 5);
+    grid.points[7][1] = std::pow(10., exponent);
+    check_coarsened(grid, 10, false);
+  }
   soup.points[18] = {-largest, largest, -largest};
   check_coarsened(soup, 40, false);
   check_coarsened(generated::translated(sphere(), 1e15, 0, 0), 40);

@@ -24,7 +24,7 @@ public:
   {
     const Vector ab = b - a, ac = c - a, n = cross(ab, ac);
     const double square = dot(n, n), longest = (std::max)(dot(ab, ab), dot(ac, ac));
-    if (!(square > flat * longest * longest))
+    if (!(square > (std::max)(flat * longest * longest, tiny)))
       return;
     normal_ = (1 / std::sqrt(square)) * n;
     gradients_[0] = (1 / square) * cross(ac, n);
@@ -85,6 +85,8 @@ public:
 private:
   // The square of the height of a triangle with longest side 1, below which rounding errors are too large.
   static constexpr double flat = 1e-20;
+  // A square of this size has no finite reciprocal, or is inexact. A vertex far from all others makes such triangles.
+  static constexpr double tiny = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
 
   // `across` is the distance from the plane; `v` and `w` are the last two barycentric coordinates.
   Foot_point closest(const Vector& p, double across, double v, double w) const
