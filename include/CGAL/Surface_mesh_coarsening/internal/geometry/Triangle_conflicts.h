@@ -19,6 +19,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -90,6 +92,8 @@ public:
       // Around a vertex of high valence, all boxes of triangles overlap, but few of them contain an opposite edge.
       if (!do_overlap(box(a, b), box(t)) && !do_overlap(box(c, d), box(u)))
         return false;
+      if (const std::optional<bool> certain = cross_certainly(t[shared], a, b, c, d))
+        return *certain;
       if (are_apart(t[shared], a, b, c, d))
         return false;
       // In most cases, all corners of one triangle except the common corner lie on one side of the plane of the other triangle.
@@ -97,7 +101,9 @@ public:
         return false;
       return crosses(t, a, b) || crosses(u, c, d);
     }
-    if (are_apart(t, u) || is_beside(t, u) || is_beside(u, t) || is_flat(t) || is_flat(u))
+    if (const std::optional<bool> certain = cross_certainly(t, u))
+      return *certain;
+    if (is_beside(t, u) || is_beside(u, t) || is_flat(t) || is_flat(u))
       return false;
     return do_intersect(triangle(t), triangle(u));
   }
@@ -172,18 +178,103 @@ private:
     return r;
   }
 
-  // Returns whether the plane of one triangle certainly separates the triangles or, if they are coplanar, whether a side does.
-  // Exact tests take long for coplanar triangles.
-  bool are_apart(const Triangle& t, const Triangle& u) const
+  // A relative error of heights over a plane for which the points where sides cross this plane are nearly exact.
+  static constexpr double part_of_certain_height = 1e-7;
+
+  // Where a triangle meets the plane of another one: the range of its coordinates along a line in both planes.
+  struct Section
+  {
+    double low, high;
+    bool is_certain = false;
+
+    // `heights` are the heights of the corners over the other plane. The section is certain if the heights exceed `least`, and if
+    // not all have the same sign.
+    Section(const std::array<Vector, 3>& corners, const std::array<double, 3>& heights, double least, const Vector& line)
+    {
+      if (!(least > least_bound))
+        return;
+      std::size_t above = 0;
+      for (const double h : heights) {
+        if (!(std::abs(h) > least))
+          return;
+        above += h > 0;
+      }
+      if (above == 0 || above == 3)
+        return;
+      std::size_t alone = 0;
+      while ((heights[alone] > 0) != (above == 1))
+        ++alone;
+      std::array<double, 2> ends;
+      for (std::size_t i = 0; i < 2; ++i) {
+        const std::size_t other = (alone + 1 + i) % 3;
+        const double x = heights[alone] / (heights[alone] - heights[other]);
+        ends[i] = (1 - x) * dot(line, corners[alone]) + x * dot(line, corners[other]);
+      }
+      std::tie(low, high) = std::minmax(ends[0], ends[1]);
+      is_certain = true;
+    }
+  };
+
+  // Returns whether two triangles without a common vertex intersect, if rounding errors certainly do not matter. They do not
+  // matter for most pairs. Exact tests take longer, in particular for coplanar triangles. Compares the sections of the two
+  // planes (T. Moeller, A fast triangle-triangle intersection test, Journal of Graphics Tools 2(2), 1997).
+  std::optional<bool> cross_certainly(const Triangle& t, const Triangle& u) const
   {
     const Relative_corners r = relative_corners(t, u), s = relative_corners(u, t);
     const Vector n = cross(r.second, r.third), m = cross(s.second, s.third);
     if (r.are_separated_by(n) || s.are_separated_by(m))
-      return true;
-    return r.is_flat_along(n) &&
-           (r.are_separated_by(cross(n, r.second)) || r.are_separated_by(cross(n, r.third)) ||
-            r.are_separated_by(cross(n, r.third - r.second)) || s.are_separated_by(cross(m, s.second)) ||
-            s.are_separated_by(cross(m, s.third)) || s.are_separated_by(cross(m, s.third - s.second)));
+      return false;
+    if (r.is_flat_along(n) &&
+        (r.are_separated_by(cross(n, r.second)) || r.are_separated_by(cross(n, r.third)) ||
+         r.are_separated_by(cross(n, r.third - r.second)) || s.are_separated_by(cross(m, s.second)) ||
+         s.are_separated_by(cross(m, s.third)) || s.are_separated_by(cross(m, s.third - s.second))))
+      return false;
+    constexpr double tolerance = 1e-5, parallel = 1e-6;
+    const Vector line = cross(n, m);
+    const double sides_of_t = length(r.second) * length(r.third), sides_of_u = length(s.second) * length(s.third),
+                 size = (std::max)(r.size, s.size), length_of_line = length(line);
+    if (!(sides_of_t > least_bound && sides_of_u > least_bound &&
+          length_of_line > (std::max)(parallel * sides_of_t * sides_of_u, least_bound)))
+      return std::nullopt;
+    const double least = part_of_certain_height * size;
+    const Section of_t(s.other, {{dot(m, s.other[0]), dot(m, s.other[1]), dot(m, s.other[2])}}, least * sides_of_u, line),
+      of_u({{{{0, 0, 0}}, s.second, s.third}}, {{dot(n, r.other[0]), dot(n, r.other[1]), dot(n, r.other[2])}},
+           least * sides_of_t, line);
+    if (!of_t.is_certain || !of_u.is_certain)
+      return std::nullopt;
+    const double common = (std::min)(of_t.high, of_u.high) - (std::max)(of_t.low, of_u.low);
+    if (!(std::abs(common) > (std::max)(tolerance * size * length_of_line, least_bound)))
+      return std::nullopt;
+    return common > 0;
+  }
+
+  // The same for triangles (common, a, b) and (common, c, d). The planes meet in a line through the common vertex. Each triangle
+  // contains a part of this line on one side of the vertex.
+  std::optional<bool> cross_certainly(Index common, Index a, Index b, Index c, Index d) const
+  {
+    const std::array<Vector, 2> first{{vector_between(common, a), vector_between(common, b)}},
+      second{{vector_between(common, c), vector_between(common, d)}};
+    std::array<Vector, 2> on_line;
+    for (const bool of_first : {true, false}) {
+      const std::array<Vector, 2>&of = of_first ? first : second, &other = of_first ? second : first;
+      const Vector n = cross(other[0], other[1]);
+      const double unit = length(other[0]) * length(other[1]), x = dot(n, of[0]), y = dot(n, of[1]),
+                   unit_of_x = unit * length(of[0]), unit_of_y = unit * length(of[1]);
+      if (!(unit > least_bound && std::abs(x) - rounding * unit_of_x > least_bound &&
+            std::abs(y) - rounding * unit_of_y > least_bound))
+        return std::nullopt;
+      if ((x > 0) == (y > 0))
+        return false;
+      if (!(std::abs(x) > part_of_certain_height * unit_of_x && std::abs(y) > part_of_certain_height * unit_of_y))
+        return std::nullopt;
+      Vector& p = on_line[of_first];
+      p = (x / (x - y)) * of[1] - (y / (x - y)) * of[0];
+      constexpr double tolerance = 1e-5;
+      if (!(length(p) > tolerance * (std::max)(length(of[0]), length(of[1]))))
+        return std::nullopt;
+    }
+    const double side = dot(on_line[0], on_line[1]);
+    return std::abs(side) > least_bound ? std::optional<bool>(side > 0) : std::nullopt;
   }
 
   // Returns whether a plane through `common` certainly separates `a` and `b` from `c` and `d`. This test separates most triangles

@@ -209,7 +209,8 @@ public:
   }
 
   // Finds the feet of the samples of replaced triangles on the new triangles, and the feet of the samples of the new triangles.
-  void redistribute(const std::vector<Index>& old_triangles, const std::vector<Index>& new_triangles)
+  // Returns the number of comparisons of samples with triangles.
+  std::size_t redistribute(const std::vector<Index>& old_triangles, const std::vector<Index>& new_triangles)
   {
     std::vector<Index> samples;
     for (const Index t : old_triangles) {
@@ -229,6 +230,7 @@ public:
     }
     for (const Index t : new_triangles)
       back_[t] = feet_of(coarse_.triangles()[t], starts_around(t));
+    return samples.size() * new_triangles.size();
   }
 
 private:

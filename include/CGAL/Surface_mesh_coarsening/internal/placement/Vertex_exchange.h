@@ -35,14 +35,15 @@ public:
       candidates_(border, coarse, positions, samples, cancellation, execution)
   {}
 
-  // Exchanges vertices as long as an exchange between two untouched regions is profitable. Returns the number of
-  // exchanged vertices.
+  // Exchanges vertices as long as an exchange between two untouched regions is profitable, and while this does not take long.
+  // Returns the number of exchanged vertices.
   std::size_t run(const Angle_worth& worth)
   {
     begin(worth);
     candidates_.for_each_insertion([this](const Vertex_insertion& x) { insertions_.push(x); });
     std::size_t exchanged = 0;
-    while (find_best(removals_) && find_best(insertions_)) {
+    const std::size_t max_compared = comparisons_of_vertex * positions_.size();
+    while (compared_ < max_compared && find_best(removals_) && find_best(insertions_)) {
       const Vertex_removal removal = removals_.top();
       const Vertex_insertion insertion = insertions_.top();
       if (!(insertion.gain() > min_ratio * removal.loss()))
@@ -72,6 +73,8 @@ public:
 private:
   // Gain and loss are estimated before other vertices adapt, which reduces the loss more than the gain.
   static constexpr double min_ratio = 0.6;
+  // Where a few faces are much larger than all others, their few triangles have most of the samples. Usual meshes need up to 160.
+  static constexpr std::size_t comparisons_of_vertex = 500;
   static constexpr std::size_t at_a_time = 16, steps_of_candidate = 64;
 
   const Triangle& triangle(Index t) const { return coarse_.triangles()[t]; }
@@ -79,6 +82,7 @@ private:
   void begin(const Angle_worth& worth)
   {
     worth_ = worth;
+    compared_ = 0;
     is_touched_.assign(positions_.size(), false);
     candidates_.measure_triangles(worth);
     removals_ = std::priority_queue<Vertex_removal>();
@@ -229,8 +233,7 @@ private:
     const std::vector<Index> collapsed = coarse_.around(r.into);
     if (!is_one_component)
       samples_.forget_feet(split);
-    samples_.redistribute(around, collapsed);
-    samples_.redistribute({x.t, x.u}, split);
+    compared_ += samples_.redistribute(around, collapsed) + samples_.redistribute({x.t, x.u}, split);
     const Relocation outcome = cost_of(all) < max_cost ? relocation_.relocate(v, r.into, faces) : Relocation::TOO_FAR;
     if (outcome == Relocation::DONE) {
       touch(r, x);
@@ -239,7 +242,7 @@ private:
       positions_[v] = place_of_v;
       coarse_.replace(changed, before);
       if (is_one_component) {
-        samples_.redistribute(all, all);
+        compared_ += samples_.redistribute(all, all);
       } else { // the components may be close to each other, so each receives its own samples
         samples_.forget_feet(split);
         samples_.redistribute(split, {x.t, x.u});
@@ -277,6 +280,7 @@ private:
   Cancellation_point cancellation_;
   Exchange_candidates candidates_;
   Angle_worth worth_;
+  std::size_t compared_ = 0; // samples with triangles, in this run
   std::vector<char> is_touched_; // of each vertex, in this run
   std::priority_queue<Vertex_removal> removals_;
   std::priority_queue<Vertex_insertion> insertions_;
