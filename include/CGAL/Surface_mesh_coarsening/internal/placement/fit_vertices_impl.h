@@ -50,7 +50,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t samples_per_triangle = 3, min_samples = 1000;
+  static constexpr std::size_t samples_per_triangle = 1, min_samples = 1000;
 
   // `group(face)` is the group in which the search for points of a face begins.
   template <class Search, class Group>
