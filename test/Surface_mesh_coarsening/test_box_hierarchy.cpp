@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The boxes that a `Box_hierarchy` and a `Box_list` find are the boxes that a loop over all finds, also after boxes have changed.
-
+// Triangles are in conflict if CGAL's exact predicates say so.
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_hierarchy.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Triangle_conflicts.h>
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <functional>
 #include <random>
 #include <vector>
 
@@ -127,6 +130,51 @@ BOOST_AUTO_TEST_CASE(builds_again)
   BOOST_TEST(found_by(hierarchy, Bbox_3(0, 0, 0, 9, 9, 9)).size() == 1u);
   hierarchy.build({});
   BOOST_TEST(found_by(hierarchy, Bbox_3(0, 0, 0, 9, 9, 9)).empty());
+}
+
+BOOST_AUTO_TEST_CASE(conflicts_are_exact)
+{
+  using namespace CGAL::Surface_mesh_coarsening::internal;
+  typedef std::function<Exact_point(double, double, double)> Change;
+  const std::vector<Change> changes{
+    [](double x, double y, double z) { return Exact_point(x, y, z); },
+    [](double x, double y, double z) { return Exact_point(x, y, 1e-9 * z); },
+    [](double x, double y, double z) { return Exact_point(std::round(2 * x), std::round(2 * y), std::round(2 * z)); },
+    [](double x, double y, double z) { return Exact_point(x, 1e-6 * y, 1e-12 * z); },
+    [](double x, double y, double z) { return Exact_point(x + 1e6, y + 1e6, z + 1e6); },
+    [](double x, double y, double z) { return Exact_point(1e-100 * x, 1e-100 * y, 1e-100 * z); },
+    [](double x, double y, double z) { return Exact_point(std::pow(1e40, x) * y, std::pow(1e40, y) * z, std::pow(1e40, z) * x); }};
+  constexpr std::size_t number = 30, pairs = 2000;
+  std::mt19937 random(3);
+  const auto below = [&](std::size_t n) { return Index(random() % n); };
+  const auto coordinate = [&] { return 2 * double(random() % 100000) / 100000 - 1; };
+  for (const Change& change : changes) {
+    std::vector<Exact_point> points;
+    while (points.size() < number) {
+      const double x = coordinate(), y = coordinate(), z = coordinate();
+      points.push_back(change(x, y, z));
+    }
+    const Triangle_conflict conflict(points, have_wide_exponents(points));
+    const auto exact = [&](const Triangle& t) { return Exact_tests::Triangle_3(points[t[0]], points[t[1]], points[t[2]]); };
+    std::size_t conflicts = 0;
+    for (std::size_t i = 0; i < pairs; ++i) {
+      const Triangle t{{below(10), 10 + below(10), 20 + below(10)}};
+      const bool have_common = i % 2 == 0;
+      const Triangle u{{have_common ? t[0] : (t[0] + 1 + below(9)) % 10, 10 + (t[1] - 10 + 1 + below(9)) % 10,
+                        20 + (t[2] - 20 + 1 + below(9)) % 10}};
+      if (conflict.is_flat(t) || conflict.is_flat(u))
+        continue;
+      const auto meets_opposite_side = [&](const Triangle& one, const Triangle& other) {
+        return points[other[1]] != points[other[2]] &&
+               CGAL::do_intersect(exact(one), Exact_tests::Segment_3(points[other[1]], points[other[2]]));
+      };
+      const bool expected = have_common ? meets_opposite_side(t, u) || meets_opposite_side(u, t)
+                                        : CGAL::do_intersect(exact(t), exact(u));
+      BOOST_TEST(conflict(t, u) == expected);
+      conflicts += expected;
+    }
+    BOOST_TEST(conflicts > 0u);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

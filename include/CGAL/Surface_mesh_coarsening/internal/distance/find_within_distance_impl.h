@@ -106,11 +106,11 @@ private:
     return numbers;
   }
 
-  // Returns the work of the bounds of a trial, in comparisons of points with triangles and boxes. At the Fandisk, each of the up to
-  // eight bounds for a thousandth of its diagonal takes 900 for each face.
+  // Returns the work of the bounds of a trial, in comparisons of points with triangles and boxes. For distances from .003 to .02,
+  // twelve models need no more. For a thousandth, the Fandisk has 2,041 vertices instead of 1,818 with five times the work.
   std::size_t work_of_trial() const
   {
-    constexpr std::size_t work_of_triangle = 8000, min_triangles = 100;
+    constexpr std::size_t work_of_triangle = 1500, min_triangles = 100;
     const Flat_mesh& mesh = state_.base_input().mesh;
     return work_of_triangle * (std::max)(mesh.corner_vertex.size() - 2 * mesh.number_of_faces(), min_triangles);
   }
@@ -131,7 +131,7 @@ private:
     }
     minimize(state_, goal_.end);
     ++report_.clusterings;
-    Repair_budget budget = repair_budget(state_, trials_);
+    Repair_budget budget = repair_budget(state_, parts_per_trial * trials_);
     work_left_ = work_of_trial();
     if (may_exchange_vertices(state_, placement_)) {
       dual_ = place(state_, placement_, output_coordinates_, budget);
@@ -181,6 +181,9 @@ private:
     return (*bound_of_)(rounded, dual_.triangles, local_distance_, precise);
   }
 
+  // A trial is repaired with a small part of the usual work. The numbers found for twelve models and distances from .003 to .02
+  // are the same with a whole part.
+  static constexpr std::size_t parts_per_trial = 8;
   // The bound of a narrow miss, in requested distances.
   static constexpr double narrow_miss = 1.5;
   static constexpr double infinite = std::numeric_limits<double>::infinity();
