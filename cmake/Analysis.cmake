@@ -28,7 +28,11 @@ endif()
 
 if(VALGRIND AND TARGET coarsen_mesh AND NOT CMAKE_CXX_FLAGS MATCHES "sanitize")
   # Valgrind does not emulate rounding modes, which an assertion of CGAL tests at the start of a program.
-  foreach(target IN ITEMS coarsen_mesh coarsen_mesh_parts Surface_mesh_coarsening_library)
+  set(targets coarsen_mesh coarsen_mesh_parts)
+  if(NOT SURFACE_MESH_COARSENING_HEADER_ONLY)
+    list(APPEND targets Surface_mesh_coarsening_library)
+  endif()
+  foreach(target IN LISTS targets)
     target_compile_definitions(${target} PRIVATE CGAL_DISABLE_ROUNDING_MATH_CHECK)
   endforeach()
   set(small_mesh ${PROJECT_BINARY_DIR}/octahedron.off)

@@ -20,7 +20,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -181,39 +180,31 @@ private:
   // A relative error of heights over a plane for which the points where sides cross this plane are nearly exact.
   static constexpr double part_of_certain_height = 1e-7;
 
-  // Where a triangle meets the plane of another one: the range of its coordinates along a line in both planes.
-  struct Section
+  // Returns where a triangle meets the plane of another one, as the range of dot products with the direction of the line in both
+  // planes; nothing unless all `heights` of its corners over the other plane exceed `least`, on both sides of it.
+  static std::optional<std::pair<double, double> > section(const std::array<Vector, 3>& corners,
+                                                           const std::array<double, 3>& heights, double least,
+                                                           const Vector& line)
   {
-    double low, high;
-    bool is_certain = false;
-
-    // `heights` are the heights of the corners over the other plane. The section is certain if the heights exceed `least`, and if
-    // not all have the same sign.
-    Section(const std::array<Vector, 3>& corners, const std::array<double, 3>& heights, double least, const Vector& line)
-    {
-      if (!(least > least_bound))
-        return;
-      std::size_t above = 0;
-      for (const double h : heights) {
-        if (!(std::abs(h) > least))
-          return;
-        above += h > 0;
-      }
-      if (above == 0 || above == 3)
-        return;
-      std::size_t alone = 0;
-      while ((heights[alone] > 0) != (above == 1))
-        ++alone;
-      std::array<double, 2> ends;
-      for (std::size_t i = 0; i < 2; ++i) {
-        const std::size_t other = (alone + 1 + i) % 3;
-        const double x = heights[alone] / (heights[alone] - heights[other]);
-        ends[i] = (1 - x) * dot(line, corners[alone]) + x * dot(line, corners[other]);
-      }
-      std::tie(low, high) = std::minmax(ends[0], ends[1]);
-      is_certain = true;
+    std::size_t above = 0;
+    for (const double h : heights) {
+      if (!(least > least_bound && std::abs(h) > least))
+        return std::nullopt;
+      above += h > 0;
     }
-  };
+    if (above == 0 || above == 3)
+      return std::nullopt;
+    std::size_t alone = 0;
+    while ((heights[alone] > 0) != (above == 1))
+      ++alone;
+    std::array<double, 2> ends;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::size_t other = (alone + 1 + i) % 3;
+      const double x = heights[alone] / (heights[alone] - heights[other]);
+      ends[i] = (1 - x) * dot(line, corners[alone]) + x * dot(line, corners[other]);
+    }
+    return std::minmax(ends[0], ends[1]);
+  }
 
   // Returns whether two triangles without a common vertex intersect, if rounding errors certainly do not matter. They do not
   // matter for most pairs. Exact tests take longer, in particular for coplanar triangles. Compares the sections of the two
@@ -237,12 +228,12 @@ private:
           length_of_line > (std::max)(parallel * sides_of_t * sides_of_u, least_bound)))
       return std::nullopt;
     const double least = part_of_certain_height * size;
-    const Section of_t(s.other, {{dot(m, s.other[0]), dot(m, s.other[1]), dot(m, s.other[2])}}, least * sides_of_u, line),
-      of_u({{{{0, 0, 0}}, s.second, s.third}}, {{dot(n, r.other[0]), dot(n, r.other[1]), dot(n, r.other[2])}},
-           least * sides_of_t, line);
-    if (!of_t.is_certain || !of_u.is_certain)
+    const auto of_t = section(s.other, {{dot(m, s.other[0]), dot(m, s.other[1]), dot(m, s.other[2])}}, least * sides_of_u, line),
+               of_u = section({{{{0, 0, 0}}, s.second, s.third}},
+                              {{dot(n, r.other[0]), dot(n, r.other[1]), dot(n, r.other[2])}}, least * sides_of_t, line);
+    if (!of_t || !of_u)
       return std::nullopt;
-    const double common = (std::min)(of_t.high, of_u.high) - (std::max)(of_t.low, of_u.low);
+    const double common = (std::min)(of_t->second, of_u->second) - (std::max)(of_t->first, of_u->first);
     if (!(std::abs(common) > (std::max)(tolerance * size * length_of_line, least_bound)))
       return std::nullopt;
     return common > 0;

@@ -243,10 +243,10 @@ private:
   // A descent around a vertex of many triangles does not test all of them.
   void correct_feet_at_hubs()
   {
-    std::size_t most = 0;
-    for (std::size_t v = 0; v < positions_.size(); ++v)
-      most = (std::max)(most, coarse_.around(Index(v)).size());
-    if (most <= max_around)
+    std::size_t hub = 0;
+    while (hub < positions_.size() && coarse_.around(Index(hub)).size() <= max_around)
+      ++hub;
+    if (hub == positions_.size())
       return;
     std::vector<Index> at_hubs;
     for (std::size_t i = 0; i < samples_.size(); i += step_)
