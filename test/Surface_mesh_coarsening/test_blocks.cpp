@@ -57,8 +57,8 @@ struct Grown
   {
     const auto np = CGAL::parameters::default_values();
     Local_frame frame;
-    input.items = clustering_input(mesh, np, numbering(mesh, np), frame, Cancellation_point());
-    initial = std::make_unique<Initial_clustering>(input, false, report, Cancellation_point(), Execution::SEQUENTIAL);
+    input.items = clustering_input(mesh, np, numbering(mesh, np), frame, Run_context());
+    initial = std::make_unique<Initial_clustering>(input, false, report, Run_context());
     initial->seed(number_of_clusters);
     labels = std::make_unique<Cluster_labels>(initial->grow());
   }
@@ -101,19 +101,19 @@ public:
                                    std::vector<Cluster_sums<Energy> >(number_of_clusters),
                                    std::vector<Move_time>(number_of_clusters, 1),
                                    Listed_edges(grown.working_input().items.mesh.corner_vertex.size()), nullptr, {}},
-      cancellation_(Cancellation_point())
+      cancellation_(Run_context())
   {
     state.last_change.push_back(0);
-    state.energy.add_up(state.input, labels, state.clusters, Cancellation_point());
+    state.energy.add_up(state.input, labels, state.clusters, Run_context());
     Boundary_edges edges;
-    list_boundary_edges(labels, edges, state.listed, Cancellation_point(), Execution::SEQUENTIAL);
+    list_boundary_edges(labels, edges, state.listed, Run_context());
     std::vector<Moments> moments(number_of_clusters);
-    add_up_centroids(state.input, labels, moments, Cancellation_point(), Execution::SEQUENTIAL);
+    add_up_centroids(state.input, labels, moments, Run_context());
     std::vector<Vector> points;
     for (const Moments& x : moments)
       points.push_back(x.centroid);
-    division = Cluster_blocks(points, number_of_blocks, Execution::SEQUENTIAL);
-    distributed = distribute(edges, division, Execution::SEQUENTIAL);
+    division = Cluster_blocks(points, number_of_blocks, Run_context());
+    distributed = distribute(edges, division, Run_context());
     state.is_shared.assign(state.input.mesh.number_of_vertices(), false);
     for (const Boundary_edge& e : distributed.between)
       mark_ends(state.input.mesh, e, state.is_shared);
@@ -233,10 +233,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(threads_agree, Energy, Energies)
 {
   for (const auto& [name, soup] : soups()) {
     const Grown grown(soup);
-    const auto minimized = [&grown](double tolerance, Execution execution) {
+    const auto minimized = [&grown](double tolerance, const Run_context& context) {
       Cluster_labels labels(*grown.labels);
-      Energy_minimization<Energy> minimization(grown.working_input(), labels, number_of_clusters, Energy(), false,
-                                               Cancellation_point(), execution);
+      Energy_minimization<Energy> minimization(grown.working_input(), labels, number_of_clusters, Energy(), false, context);
       BOOST_CHECK_GT(minimization.rounds_at_a_time(), 1u);
       std::vector<double> energies{minimization.energy()};
       for (;;) {
@@ -254,12 +253,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(threads_agree, Energy, Energies)
       return std::make_pair(labels.labels(), energies);
     };
     for (const double tolerance : {0., 1e-3}) {
-      const auto expected = minimized(tolerance, Execution::SEQUENTIAL);
+      const auto expected = minimized(tolerance, Run_context());
       BOOST_CHECK_GT(expected.second.size(), 2u);
 #ifdef CGAL_LINKED_WITH_TBB
       for (const std::size_t threads : {1, 2, 3, 8}) {
         tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        BOOST_CHECK_MESSAGE(minimized(tolerance, Execution::PARALLEL) == expected, name << " on " << threads << " threads");
+        BOOST_CHECK_MESSAGE(minimized(tolerance, Run_context(CGAL::Parallel_tag())) == expected,
+                            name << " on " << threads << " threads");
       }
 #endif
     }
@@ -272,13 +272,12 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(ends_in_a_local_minimum, Energy, Energies)
   const Grown grown(soups().front().second);
   Cluster_labels labels(*grown.labels);
   const Clustering_input& input = grown.working_input().items;
-  Energy_minimization<Energy> minimization(grown.working_input(), labels, number_of_clusters, Energy(), false,
-                                           Cancellation_point(), Execution::SEQUENTIAL);
+  Energy_minimization<Energy> minimization(grown.working_input(), labels, number_of_clusters, Energy(), false, Run_context());
   while (minimization.run({3, 0}).moves > 0)
     ;
   const Energy_evaluation<Energy> energy(Energy(), input, number_of_clusters);
   std::vector<Cluster_sums<Energy> > sums(number_of_clusters);
-  energy.add_up(input, labels, sums, Cancellation_point());
+  energy.add_up(input, labels, sums, Run_context());
   Valid_moves moves(labels, nullptr);
   const Flat_mesh& m = input.mesh;
   std::size_t gains = 0;
@@ -301,7 +300,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(ends_in_a_local_minimum, Energy, Energies)
 // A weight of 0 for all faces, and clusters at the same place: divisions are decided by numbers.
 BOOST_AUTO_TEST_CASE(equal_points)
 {
-  const Cluster_blocks blocks(std::vector<Vector>(100, Vector{{1, 2, 3}}), 8, Execution::SEQUENTIAL);
+  const Cluster_blocks blocks(std::vector<Vector>(100, Vector{{1, 2, 3}}), 8, Run_context());
   std::vector<std::size_t> size(8, 0);
   for (Index x = 0; x < 100; ++x) {
     ++size[blocks[x]];
@@ -326,21 +325,14 @@ BOOST_AUTO_TEST_CASE(cancelling)
     }
   };
   const Grown grown(soups()[1].second);
-  const auto execution =
-#ifdef CGAL_LINKED_WITH_TBB
-    Execution::PARALLEL;
-#else
-    Execution::SEQUENTIAL;
-#endif
   std::size_t refusals = 0;
   for (std::size_t questions = 0; questions < 12; ++questions) {
     Refusing visitor;
     visitor.left = (std::numeric_limits<std::size_t>::max)();
-    const Visitor_handle handle{std::ref(visitor)};
     Cluster_labels labels(*grown.labels);
+    const Run_context context(CGAL::Parallel_if_available_tag(), std::ref(visitor));
     Energy_minimization<SMC::Weighted_inertia_energy<> > minimization(grown.working_input(), labels, number_of_clusters,
-                                                                      SMC::Weighted_inertia_energy<>(), false,
-                                                                      Cancellation_point(handle), execution);
+                                                                      SMC::Weighted_inertia_energy<>(), false, context);
     visitor.left = questions;
     try {
       for (int i = 0; i < 5; ++i)

@@ -347,7 +347,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(gains_of_moves, Energy, Energies)
     internal::Cluster_labels labels(*clustering.state().labels);
     const internal::Energy_evaluation<Energy> evaluation(Energy(), input, n);
     std::vector<internal::Cluster_sums<Energy> > sums(n);
-    evaluation.add_up(input, labels, sums, internal::Cancellation_point());
+    evaluation.add_up(input, labels, sums, internal::Run_context());
     const auto total = [&] {
       double sum = 0;
       for (const double x : internal::cluster_energies(Energy(), input, labels, n))

@@ -173,8 +173,8 @@ struct Prepared
     using namespace SMC::internal;
     const auto np = model.parameters();
     numbering = SMC::internal::numbering(model.mesh, np);
-    input.items = clustering_input(model.mesh, np, numbering, frame, Cancellation_point());
-    read_features(model.mesh, np, numbering, input, frame, patches, Cancellation_point());
+    input.items = clustering_input(model.mesh, np, numbering, frame, Run_context());
+    read_features(model.mesh, np, numbering, input, frame, patches, Run_context());
   }
 };
 
@@ -230,12 +230,11 @@ void check_rules(const Model& model, std::size_t number)
   const Prepared p(model);
   check_sums_of_cells(p.input);
   SMC::Coarsening_report report;
-  Initial_clustering initial(p.input, false, report, Cancellation_point(), Execution::SEQUENTIAL);
+  Initial_clustering initial(p.input, false, report, Run_context());
   initial.seed(number);
   Cluster_labels labels = initial.grow();
   typedef SMC::Weighted_inertia_energy<SMC::Maximum_density_weight> Energy;
-  Energy_minimization<Energy> minimization(initial.input(), labels, report.clusters, Energy(), false, Cancellation_point(),
-                                           Execution());
+  Energy_minimization<Energy> minimization(initial.input(), labels, report.clusters, Energy(), false, Run_context());
   for (int round = 0; round < 3; ++round) {
     BOOST_TEST(Clustering_check(labels, report.clusters).fault([](std::size_t x) { return std::to_string(x); }) == "");
     const Labelled_pieces pieces(initial.input(), labels, report.clusters);

@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(bounds_of_relocated_clusters)
     expected.push_back(position(x));
   const std::vector<Index> labels = state.labels->labels();
   std::vector<char> is_equal(n, true);
-  for_each_chunk(state.execution, n, 1, [&](std::size_t x, std::size_t, std::size_t) {
+  for_each_chunk(state.context, n, 1, [&](std::size_t x, std::size_t, std::size_t) {
     for (int repetition = 0; repetition < 1000; ++repetition)
       is_equal[x] = is_equal[x] && position(x) == expected[x];
   });

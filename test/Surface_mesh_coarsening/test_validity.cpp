@@ -53,7 +53,7 @@ struct Surface
     const auto np = CGAL::parameters::default_values();
     const auto numbering = SMC::internal::numbering(mesh, np);
     SMC::internal::Local_frame frame;
-    input = SMC::internal::clustering_input(mesh, np, numbering, frame, SMC::internal::Cancellation_point());
+    input = SMC::internal::clustering_input(mesh, np, numbering, frame, SMC::internal::Run_context());
   }
 
   Reference_mesh reference;

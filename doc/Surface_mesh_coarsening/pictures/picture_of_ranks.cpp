@@ -44,7 +44,7 @@ Labels blocks_of(const Mesh& mesh, std::size_t& number)
 {
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   std::vector<SMC::internal::Vector> ends = {SMC::internal::low_corner(box), SMC::internal::high_corner(box)};
-  const SMC::internal::Local_frame frame = SMC::internal::to_local_frame(ends, {0, 1, 2}, SMC::internal::Cancellation_point());
+  const SMC::internal::Local_frame frame = SMC::internal::to_local_frame(ends, {0, 1, 2}, SMC::internal::Run_context());
   const SMC::internal::Morton_curve place_of(ends[0], ends[1]);
   std::vector<std::uint64_t> places;
   for (Face f : mesh.faces()) {

@@ -127,9 +127,8 @@ public:
     const Clustering_state& state = clustering_.state();
     const Placed_level placed = levels_.place(level, placement_model(placement), state.repairs_output,
                                               output_coordinates<Traits>(state.frame));
-    Face_graph_filler<Output, NamedParameters> filler(placed.positions, state.frame, placed.triangles, output, np,
-                                                      state.cancellation());
-    state.visitor.throw_if_cancelled();
+    Face_graph_filler<Output, NamedParameters> filler(placed.positions, state.frame, placed.triangles, output, np, state.context);
+    state.context.throw_if_cancelled();
     filler.commit();
   }
 
@@ -153,7 +152,7 @@ public:
     const Placed_level placed = levels_.place(level, placement_model(placement), state.repairs_output,
                                               output_coordinates<Simple_cartesian<double> >(state.frame));
     const double distance = levels_.estimate(placed);
-    state.visitor.throw_if_cancelled();
+    state.context.throw_if_cancelled();
     return state.frame.length_to_mesh(distance);
   }
 

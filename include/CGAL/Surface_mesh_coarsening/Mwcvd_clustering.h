@@ -79,7 +79,7 @@ public:
   template <class NamedParameters>
   Mwcvd_clustering(Accepted, const FaceGraph& mesh, const NamedParameters& np)
   {
-    internal::prepare(mesh, np, internal::execution<ConcurrencyTag>(), numbering_, state_);
+    internal::prepare<ConcurrencyTag>(mesh, np, numbering_, state_);
     state_.energy = internal::energy_model(internal::chosen_energy<ClusterWeight>(np));
     state_.may_cluster_cells = state_.energy->is_default() && !state_.follows_paper &&
                                !internal::has_parameter<internal_np::face_density_t, NamedParameters>;

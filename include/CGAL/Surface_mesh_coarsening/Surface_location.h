@@ -88,14 +88,14 @@ std::vector<Surface_location<FaceGraph> > surface_locations(const FaceGraph& mes
                                                             const Clustering_input& input,
                                                             const std::vector<Index>& cluster_of_face,
                                                             const std::vector<Vector>& positions,
-                                                            const Cancellation_point& cancellation = Cancellation_point())
+                                                            const Run_context& context = Run_context())
 {
   const Flat_mesh& m = input.mesh;
   const Nearest_point_search search(m, cluster_of_face, positions.size());
   std::vector<Surface_location<FaceGraph> > locations;
   locations.reserve(positions.size());
   for (std::size_t x = 0; x < positions.size(); ++x) {
-    cancellation.poll(64);
+    context.poll(64);
     const Nearest_point nearest = search(positions[x], Index(x));
     locations.push_back(surface_location(mesh, n, m, nearest, nearest.face));
   }

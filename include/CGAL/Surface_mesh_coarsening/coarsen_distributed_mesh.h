@@ -44,9 +44,8 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
   std::optional<Filler> filler;
   on_all_ranks(communicator, [&] {
     if (coarsening.has_output())
-      filler.emplace(coarsening.positions(), coarsening.frame(), coarsening.triangles(), output, np_out,
-                     Cancellation_point(choice.visitor));
-    choice.visitor.throw_if_cancelled();
+      filler.emplace(coarsening.positions(), coarsening.frame(), coarsening.triangles(), output, np_out, choice.context);
+    choice.context.throw_if_cancelled();
   });
   on_all_ranks(communicator, [&] {
     put_clusters(coarsening.clusters_of_piece());

@@ -52,7 +52,7 @@ Distance_report coarsen_to_goal(const FaceGraph& input, Distance_goal goal, Outp
   Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
   emit(state, dual, output, np_out, [&](const std::vector<Vector>& positions) {
     const std::vector<Index> clusters = clusters_of_base_faces(state);
-    sources.find(input, clustering.numbering(), state.base_input(), clusters, positions, state.cancellation());
+    sources.find(input, clustering.numbering(), state.base_input(), clusters, positions, state.context);
     write_face_clusters(clustering.numbering(), clusters, get_parameter(np_in, internal_np::face_cluster));
     write_vertex_clusters(clustering.numbering(), state.base_input(), clusters, report.vertices,
                           get_parameter(np_in, internal_np::vertex_to_cluster));

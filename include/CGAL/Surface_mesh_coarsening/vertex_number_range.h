@@ -6,6 +6,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
+#include <CGAL/tags.h>
+
 #include <cstddef>
 
 namespace CGAL {
@@ -40,7 +42,7 @@ Vertex_number_range vertex_number_range(const FaceGraph& mesh, const NamedParame
   internal::accept_parameters<NamedParameters, internal::Coarsening_parameters>();
   internal::Numbering<FaceGraph> numbering;
   internal::Clustering_state state;
-  internal::prepare(mesh, np, internal::Execution::SEQUENTIAL, numbering, state);
+  internal::prepare<Sequential_tag>(mesh, np, numbering, state);
   const auto range = internal::vertex_number_range(state);
   return {range.first, range.second};
 }

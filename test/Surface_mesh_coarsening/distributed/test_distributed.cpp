@@ -658,7 +658,7 @@ BOOST_AUTO_TEST_CASE(block_with_too_many_corners)
   const Face_names names = [](std::uint64_t f) { return "face " + std::to_string(f) + " of piece 0"; };
   std::string message;
   try {
-    Patch_builder(patch, names, 3 * soup.polygons.size() - 1).run(Cancellation_point());
+    Patch_builder(patch, names, 3 * soup.polygons.size() - 1).run(Run_context());
   } catch (const SMC::Invalid_input& e) {
     message = e.what();
   }

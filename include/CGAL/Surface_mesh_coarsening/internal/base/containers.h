@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_CONTAINERS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_CONTAINERS_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -79,8 +79,7 @@ public:
 
   // Omits items for which `group_of()` is not below the number of groups.
   template <class Items, class Group_of>
-  Bucketed_items(const Items& items, std::size_t groups, const Group_of& group_of,
-                 const Cancellation_point& cancellation = Cancellation_point())
+  Bucketed_items(const Items& items, std::size_t groups, const Group_of& group_of, const Run_context& context = Run_context())
     : first_(groups + 1, 0)
   {
     for (const Item& item : items)
@@ -91,7 +90,7 @@ public:
     items_.resize(first_.back());
     std::vector<std::size_t> at(first_.begin(), first_.end() - 1);
     for (const Item& item : items) {
-      cancellation.poll();
+      context.poll();
       if (const std::size_t x = group_of(item); x < groups)
         items_[at[x]++] = item;
     }

@@ -193,7 +193,7 @@ inline std::vector<Index> faces_in_bfs_order(Cluster_labels& labels, Index f)
   const Index x = labels[f];
   std::vector<Index> faces;
   labels.set(f, NONE);
-  flood_fill(m, f, faces, Cancellation_point(), [&](Index, Index g) {
+  flood_fill(m, f, faces, Run_context(), [&](Index, Index g) {
     if (labels[g] != x)
       return false;
     labels.set(g, NONE);

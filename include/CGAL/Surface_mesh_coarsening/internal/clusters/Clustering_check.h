@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_CLUSTERING_CHECK_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_CLUSTERING_CHECK_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
@@ -123,7 +123,7 @@ private:
   {
     reached[face] = true;
     std::vector<Index> faces;
-    flood_fill(mesh_, face, faces, Cancellation_point(), [&](Index, Index g) {
+    flood_fill(mesh_, face, faces, Run_context(), [&](Index, Index g) {
       if (reached[g] || labels_[g] != labels_[face])
         return false;
       reached[g] = true;

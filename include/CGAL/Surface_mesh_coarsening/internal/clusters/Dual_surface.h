@@ -31,11 +31,10 @@ public:
 
   // The clusters of the faces `faces` of a component are valid and numbered from 0.
   template <class FaceRange>
-  Dual_surface(const Cluster_labels& labels, const FaceRange& faces, Index clusters,
-               const Cancellation_point& cancellation = Cancellation_point(), Execution execution = Execution::SEQUENTIAL)
+  Dual_surface(const Cluster_labels& labels, const FaceRange& faces, Index clusters, const Run_context& context = Run_context())
     : clusters_(clusters)
   {
-    add_triangles(labels, faces, cancellation, execution);
+    add_triangles(labels, faces, context);
     pair_edges();
     stamp_of_.assign(edge_of_.size(), 0);
     loop_of_.assign(clusters, NONE);
@@ -172,12 +171,11 @@ private:
   }
 
   template <class FaceRange>
-  void add_triangles(const Cluster_labels& labels, const FaceRange& faces, const Cancellation_point& cancellation,
-                     Execution execution)
+  void add_triangles(const Cluster_labels& labels, const FaceRange& faces, const Run_context& context)
   {
     std::vector<Index> loops;
     for_each_part<Clusters_at_vertices>(
-      execution, faces.size(), 4096, cancellation,
+      context, faces.size(), 4096,
       [&](Clusters_at_vertices& part, std::size_t begin, std::size_t end) {
         part.list(labels, faces.begin() + begin, faces.begin() + end);
       },

@@ -95,10 +95,10 @@ inline Moments joined(const Moments& a, const Moments& b)
 
 // Computes the masses and centroids of the clusters. `moments` must be zero on entry.
 inline void add_up_centroids(const Clustering_input& input, const Cluster_labels& labels, std::vector<Moments>& moments,
-                             const Cancellation_point& cancellation, Execution execution)
+                             const Run_context& context)
 {
   const std::vector<Index>& clusters = labels.labels();
-  for_each_in_groups(execution, clusters, moments.size(), cancellation,
+  for_each_in_groups(context, clusters, moments.size(),
                      [&](Index f) { moments[clusters[f]].add_to_centroid(input.mass(f), input.centroid(f)); });
   for (Moments& x : moments)
     x.end_centroid();
@@ -106,11 +106,11 @@ inline void add_up_centroids(const Clustering_input& input, const Cluster_labels
 
 // The same with inertias.
 inline void add_up_moments(const Clustering_input& input, const Cluster_labels& labels, std::vector<Moments>& moments,
-                           const Cancellation_point& cancellation, Execution execution)
+                           const Run_context& context)
 {
   const std::vector<Index>& clusters = labels.labels();
-  add_up_centroids(input, labels, moments, cancellation, execution);
-  for_each_in_groups(execution, clusters, moments.size(), cancellation,
+  add_up_centroids(input, labels, moments, context);
+  for_each_in_groups(context, clusters, moments.size(),
                      [&](Index f) { moments[clusters[f]].add_to_inertia(input.mass(f), input.centroid(f)); });
 }
 

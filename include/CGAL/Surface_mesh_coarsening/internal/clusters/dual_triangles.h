@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_TRIANGLES_H
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
@@ -223,14 +223,12 @@ void for_each_meeting_point(const Cluster_labels& labels, const Visit& visit)
 
 // Returns the dual (section 8.3 of the paper) as triangles of cluster numbers, in the orientation of the mesh: a triangle for
 // each vertex where three clusters meet, and a fan where more than three clusters meet.
-inline std::vector<Triangle> dual_triangles(const Cluster_labels& labels,
-                                            const Cancellation_point& cancellation = Cancellation_point(),
-                                            Execution execution = Execution::SEQUENTIAL)
+inline std::vector<Triangle> dual_triangles(const Cluster_labels& labels, const Run_context& context = Run_context())
 {
   constexpr std::size_t chunk = 4096;
   const std::size_t vertices = labels.mesh().number_of_vertices();
   std::vector<std::vector<Triangle> > parts((vertices + chunk - 1) / chunk);
-  for_each_chunk(execution, vertices, chunk, cancellation, [&](std::size_t part, std::size_t begin, std::size_t end) {
+  for_each_chunk(context, vertices, chunk, [&](std::size_t part, std::size_t begin, std::size_t end) {
     for_each_meeting_point(labels, Index(begin), Index(end), [&](Index, const std::vector<Index>& runs) {
       for (std::size_t i = 2; i < runs.size(); ++i)
         parts[part].push_back({runs[0], runs[i - 1], runs[i]});

@@ -75,8 +75,8 @@ public:
   // `cluster_of_face` gives the vertex of the coarse mesh near each face of the mesh, and is below `vertices`. `work_left` counts
   // down the comparisons of points with triangles and boxes.
   Distance_bound(const Flat_mesh& mesh, const std::vector<Index>& cluster_of_face, std::size_t vertices, std::size_t& work_left,
-                 const Cancellation_point& cancellation)
-    : surface_(mesh.points, vertices), cancellation_(cancellation), work_left_(work_left)
+                 const Run_context& context)
+    : surface_(mesh.points, vertices), context_(context), work_left_(work_left)
   {
     for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
       for (Index c = mesh.first_corner[f] + 2; c != mesh.first_corner[f + 1]; ++c)
@@ -97,7 +97,7 @@ public:
     double reached = 0;
     const auto is_below = [](const Part& a, const Part& b) { return a.bound < b.bound; };
     const auto measure = [&](Part part) {
-      cancellation_.poll(16);
+      context_.poll(16);
       const Nearest_point near = nearest_to_center(part, part.is_coarse ? surface_ : coarse, reached);
       const double distance = std::sqrt(near.squared_distance);
       reached = (std::max)(reached, distance);
@@ -309,7 +309,7 @@ private:
   }
 
   Surface surface_;
-  Cancellation_point cancellation_;
+  const Run_context context_;
   std::size_t& work_left_;
 };
 

@@ -28,9 +28,8 @@ class Distance_estimate
 {
 public:
   Distance_estimate(const Cluster_labels& labels, const std::vector<Vector>& positions,
-                    const std::vector<Triangle>& triangles, const Cancellation_point& cancellation)
-    : labels_(labels), mesh_(labels.mesh()), positions_(positions), coarse_(triangles, positions.size()),
-      cancellation_(cancellation)
+                    const std::vector<Triangle>& triangles, const Run_context& context)
+    : labels_(labels), mesh_(labels.mesh()), positions_(positions), coarse_(triangles, positions.size()), context_(context)
   {}
 
   double distance() const { return std::sqrt(from_coarse(to_coarse())); }
@@ -41,7 +40,7 @@ private:
     double largest = 0;
     std::vector<Index> around;
     for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v) {
-      cancellation_.poll(16);
+      context_.poll(16);
       around.clear();
       for (const Index f : mesh_.faces_around(v))
         if (around.empty() || around.back() != labels_[f])
@@ -86,7 +85,7 @@ private:
   {
     const Nearest_point_search search(mesh_, labels_.labels(), positions_.size());
     const auto look_at = [&](const Vector& p, Index x, double near_enough) {
-      cancellation_.poll(64);
+      context_.poll(64);
       const double d = search(p, x, near_enough).squared_distance;
       largest = (std::max)(largest, d);
       return d;
@@ -147,7 +146,7 @@ private:
   const Flat_mesh& mesh_;
   const std::vector<Vector>& positions_;
   Flippable_triangulation coarse_;
-  Cancellation_point cancellation_;
+  const Run_context context_;
 };
 
 // The faces with geometry; the items may be cells without geometry.
@@ -166,7 +165,7 @@ inline const Clustering_input& input_without_features(const Clustering_state& st
 
 CGAL_SURFACE_MESH_COARSENING_INLINE Level_hierarchy::Level_hierarchy(const Clustering_state& state)
   : state_(state), history_(input_without_features(state), internal::labels(state), Index(state.number_of_clusters()),
-                            state.cancellation())
+                            state.context)
 {}
 
 CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> Level_hierarchy::ancestors(std::size_t fine, std::size_t coarse) const
@@ -207,15 +206,15 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_level Level_hierarchy::place(std::siz
                                                                         const Output_coordinates& output_coordinates) const
 {
   Placed_level placed{labels(level), history_.triangles(level), {}, {}};
-  const Clustered_faces surface(pieces_of(state_), placed.labels, level);
+  const Clustered_faces surface(pieces_of(state_), placed.labels, level, state_.context);
   placed.positions = place_vertices(surface, Border_arcs(surface, !state_.follows_paper), placement, with_repair,
-                                    output_coordinates, placed.triangles, placed.counts, state_.cancellation());
+                                    output_coordinates, placed.triangles, placed.counts);
   return placed;
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE double Level_hierarchy::estimate(const Placed_level& placed) const
 {
-  return Distance_estimate(placed.labels, placed.positions, placed.triangles, state_.cancellation()).distance();
+  return Distance_estimate(placed.labels, placed.positions, placed.triangles, state_.context).distance();
 }
 
 } // namespace internal

@@ -152,7 +152,7 @@ private:
     constexpr int max_steps = 3;
     constexpr double max_ratio = 2;
     bound_of_.emplace(state_.base_input().mesh, clusters_of_base_faces(state_), dual_.positions.size(), work_left_,
-                      state_.cancellation());
+                      state_.context);
     std::unique_ptr<Bordered_surface> surface;
     for (int step = 0;; ++step) {
       const Measured_distance measured = measure(false);

@@ -62,31 +62,31 @@ public:
   // Fits the vertices to this surface if the placement does so, and repairs the placement on request. Called once. The parts know
   // the clusters of the faces that represent cells.
   Repair_counts place(const Dual_parts& parts, const Distributed_choice& choice, const Output_coordinates& output_coordinates,
-                      const Cancellation_point& cancellation, std::vector<Triangle>& triangles, std::vector<Vector>& positions)
+                      std::vector<Triangle>& triangles, std::vector<Vector>& positions)
   {
-    const Clustering_input input = make_input(cancellation, choice.execution);
+    const Clustering_input input = make_input(choice.context);
     Cluster_labels labels(input.mesh);
     set_labels(parts, labels);
     labels.recount();
     std::vector<Bbox_3> bounds;
     for (const Dual_parts::Cluster_part& cluster : parts.clusters)
       bounds.push_back(cluster.bounds);
-    const Clustered_faces surface(input, labels, bounds, choice.execution, cancellation);
+    const Clustered_faces surface(input, labels, bounds, choice.context);
     const Border_arcs border(surface);
     border.place(positions);
     if (choice.placement.from_start) {
-      cancellation.stage_begins(Coarsening_stage::PLACEMENT);
+      choice.context.stage_begins(Coarsening_stage::PLACEMENT);
       choice.placement.from_start(surface, border, triangles, positions);
-      cancellation.stage_ends(Coarsening_stage::PLACEMENT);
+      choice.context.stage_ends(Coarsening_stage::PLACEMENT);
     }
     if (!choice.repairs_output)
       return Repair_counts();
     Repair_budget budget(input.mesh.number_of_faces());
-    return repair_placement(surface, border, choice.placement, output_coordinates, triangles, positions, budget, cancellation);
+    return repair_placement(surface, border, choice.placement, output_coordinates, triangles, positions, budget);
   }
 
 private:
-  Clustering_input make_input(const Cancellation_point& cancellation, Execution execution)
+  Clustering_input make_input(const Run_context& context)
   {
     first_face_.reserve(center_.size() + 1);
     first_face_.push_back(0);
@@ -99,7 +99,7 @@ private:
     m.face_across.reserve(3 * first_face_.back());
     m.first_corner.push_back(0);
     for (Index x = 0; x < center_.size(); ++x) {
-      cancellation.poll(cells_.degree(x));
+      context.poll(cells_.degree(x));
       for (const Index c : cells_.corners(x))
         add_side(x, c, m);
       if (center_[x] == NONE)
@@ -108,8 +108,8 @@ private:
     m.points.swap(cells_.points);
     cells_ = Flat_mesh(); // frees its memory
     corner_across_ = std::vector<Index>();
-    complete_stars(m, m.points.size(), cancellation, execution);
-    compute_areas_and_centroids(input, cancellation, execution);
+    complete_stars(m, m.points.size(), context);
+    compute_areas_and_centroids(input, context);
     input.density.assign(input.area.size(), 1);
     return input;
   }
@@ -203,10 +203,10 @@ private:
     routing.run([&] {
       std::size_t cells = 0;
       for_each_block(blocks.number_of_bins(), [&](std::size_t bin) {
-        Patch patch = read_patch(blocks, bin, names_, context_.cancellation);
+        Patch patch = read_patch(blocks, bin, names_, context_);
         if (!choice_.has_densities)
           compute_deviations(patch, largest);
-        const Cells cells_of_block(patch, level_, context_.cancellation);
+        const Cells cells_of_block(patch, level_, context_);
         cells_of_block.write([&](const Cell_record& cell) { routing.send(context_.rank(), cell); });
         write_cells(patch, cells_of_block, cells, blocks, bin);
         cells += cells_of_block.size();
@@ -226,7 +226,7 @@ private:
 
   void compute_deviations(Patch& patch, double& largest) const
   {
-    const std::vector<double> deviations = mean_normal_deviations(patch.mesh, context_.cancellation, choice_.execution);
+    const std::vector<double> deviations = mean_normal_deviations(patch.mesh, context_);
     for (std::size_t f = 0; f < deviations.size(); ++f) {
       patch.faces[f].density = deviations[f];
       if (patch.is_own(f))
@@ -274,12 +274,11 @@ private:
       end.push_back(mesh.cells().size());
     }
     Clustering_state state;
-    state.visitor = choice_.visitor;
-    state.execution = choice_.execution;
+    state.context = choice_.context;
     state.energy = choice_.energy;
     state.frame = frame_;
     state.repairs_output = choice_.repairs_output;
-    state.input.items = mesh.make(level_ == 0, context_.cancellation, choice_.execution);
+    state.input.items = mesh.make(level_ == 0, context_);
     if (!cluster(state))
       return false;
     const std::vector<Index> clusters = clusters_of_base_faces(state);

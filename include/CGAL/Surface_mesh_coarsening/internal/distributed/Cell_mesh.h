@@ -91,7 +91,7 @@ public:
   const std::vector<Index>& corners_across() const { return corner_across_; }
 
   // Called once; afterwards, only the two functions above can be called.
-  Clustering_input make(bool cells_are_faces, const Cancellation_point& cancellation, Execution execution)
+  Clustering_input make(bool cells_are_faces, const Run_context& context)
   {
     Clustering_input input;
     Flat_mesh& m = input.mesh;
@@ -99,7 +99,7 @@ public:
     const std::size_t vertices = number_vertices(m);
     pair_edges(m, vertices);
     corners_ = std::vector<Cell_corner>();
-    complete_topology(m, vertices, cancellation, execution);
+    complete_topology(m, vertices, context);
     begin_stars(m);
     begins_star_ = std::vector<char>();
     set_sums(input, cells_are_faces);

@@ -71,11 +71,11 @@ class Cells
 {
 public:
   // Level 0: each face is a cell.
-  Cells(const Patch& patch, Index level, const Cancellation_point& cancellation)
+  Cells(const Patch& patch, Index level, const Run_context& context)
     : patch_(patch),
       mesh_(patch.mesh),
       labels_(patch.mesh),
-      cancellation_(cancellation)
+      context_(context)
   {
     std::vector<Index> inner;
     for (Index f = 0; f < mesh_.number_of_faces(); ++f)
@@ -124,14 +124,13 @@ private:
   void grow(const std::vector<Index>& faces, Index level)
   {
     std::vector<Index> seeds;
-    Seed_walk(mesh_, cancellation_).run(faces, level, seeds);
-    Cluster_growth growth(labels_, cancellation_);
+    Seed_walk(mesh_, context_).run(faces, level, seeds);
+    Cluster_growth growth(labels_, context_);
     for (const Index f : seeds)
       growth.plant(f, cells_++);
     growth.run();
     cells_ = growth.cover(faces, cells_);
-    Cluster_splitting<std::vector<Index> > splitting(labels_, faces, cells_, cancellation_, Execution::SEQUENTIAL, nullptr,
-                                                     single_);
+    Cluster_splitting<std::vector<Index> > splitting(labels_, faces, cells_, context_, nullptr, single_);
     splitting.run();
     cells_ = splitting.number_of_clusters();
   }
@@ -231,7 +230,7 @@ private:
   const Patch& patch_;
   const Flat_mesh& mesh_;
   Cluster_labels labels_;
-  Cancellation_point cancellation_;
+  const Run_context context_;
   Index single_ = 0, cells_ = 0;             // labels below `single_` belong to single faces of this or other patches
   std::vector<Index> number_;                // of the cell of each label; NONE for faces of other patches
   std::vector<Directed_edge> boundary_edge_; // of each cell

@@ -40,8 +40,7 @@ struct Distributed_choice
   Minimization_end end;
   bool has_densities = false; // whether the caller passes densities
   double maximum_density = 0;
-  Execution execution = Execution::SEQUENTIAL;
-  Visitor_handle visitor;
+  Run_context context;
   std::shared_ptr<const Energy_model> energy;
   Cluster_energies energies;
   Placement_model placement;
@@ -106,8 +105,7 @@ Distributed_choice distributed_choice(std::size_t number_of_vertices, const Plac
   choice.end = distributed_minimization_end(np_in);
   choice.has_densities = has_parameter<internal_np::face_density_t, NamedParametersIn>;
   choice.maximum_density = density_choice(np_in).maximum;
-  choice.execution = execution<ConcurrencyTag>();
-  choice.visitor = Visitor_handle(get_parameter(np_in, CGAL::internal_np::visitor));
+  choice.context = Run_context(ConcurrencyTag(), get_parameter(np_in, CGAL::internal_np::visitor));
   const auto energy = chosen_energy<Energy_choice<NamedParametersIn> >(np_in);
   choice.energy = energy_model(energy);
   choice.energies = [energy](const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters) {

@@ -47,7 +47,7 @@ class Distributed_coarsening
 {
 public:
   Distributed_coarsening(const boost::mpi::communicator& communicator, const Distributed_choice& choice)
-    : choice_(choice), context_(communicator, Cancellation_point(choice_.visitor))
+    : choice_(choice), context_(communicator, choice_.context)
   {
     on_all_ranks(communicator, [&] {
       context_.scratch.limit_memory(choice_.scratch_directory, choice_.scratch_memory / sizeof(std::uint64_t));
@@ -68,7 +68,7 @@ public:
     auto blocks = std::make_unique<Word_store>(bins.number_of_own(), context_.scratch);
     pieces.read(starts, bins, *blocks);
     Shared_faces(context_, bins).run(*blocks);
-    choice_.visitor.stage_ends(Coarsening_stage::PREPARATION);
+    context_.stage_ends(Coarsening_stage::PREPARATION);
     Cell_clustering cells(context_, choice_, names, frame_, pieces.curve());
     cells.run(*blocks, pieces.number_of_faces());
     Coarsening_report& report = report_;
@@ -107,7 +107,7 @@ private:
 
   void begin_stage(Coarsening_stage stage) const
   {
-    on_all_ranks(context_.communicator, [&] { choice_.visitor.stage_begins(stage); });
+    on_all_ranks(context_.communicator, [&] { context_.stage_begins(stage); });
   }
 
   void check_agreement() const
@@ -157,22 +157,21 @@ private:
     Word_store labels(1, context_.scratch);
     Dual_parts parts;
     const auto place = [&](const Patch& patch, const Patch_clusters& clusters, Word_routing& routing) {
-      parts.add(patch, clusters, choice_, context_.cancellation);
+      parts.add(patch, clusters, choice_);
       for (std::size_t f = 0; f < patch.faces.size(); ++f)
         if (patch.is_own(f))
           send_label(patch.faces[f].origin, patch.faces[f].cluster, pieces, routing);
     };
     report_.rounds += refinement.run(std::move(faces), ranks, labels, place);
     read_labels(labels);
-    choice_.visitor.stage_ends(Coarsening_stage::MINIMIZATION);
+    context_.stage_ends(Coarsening_stage::MINIMIZATION);
     begin_stage(Coarsening_stage::TRIANGULATION);
     parts.gather(context_);
     on_first_rank(context_, [&] { take_parts(parts); });
-    choice_.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
+    context_.stage_ends(Coarsening_stage::TRIANGULATION);
     on_first_rank(context_, [&] {
       if (choice_.places_on_cells())
-        counts_ = cells.surface().place(parts, choice_, choice_.output_coordinates(frame_), context_.cancellation, triangles_,
-                                        positions_);
+        counts_ = cells.surface().place(parts, choice_, choice_.output_coordinates(frame_), triangles_, positions_);
     });
   }
 

@@ -61,14 +61,12 @@ public:
   Index global_number(Index x) const { return global_[x]; }
 
   // Runs at most `end.max_rounds` rounds of the minimization. Returns the number of rounds.
-  std::size_t minimize(const Energy_model& energy, const Minimization_end& end, const Cancellation_point& cancellation,
-                       Execution execution)
+  std::size_t minimize(const Energy_model& energy, const Minimization_end& end, const Run_context& context)
   {
     for (Index f = 0; f < input().mesh.number_of_faces(); ++f)
       if (!may_move(f))
         labels_.pin(f);
-    const std::unique_ptr<Minimization> minimization =
-      energy.minimization(input_, labels_, size(), false, cancellation, execution);
+    const std::unique_ptr<Minimization> minimization = energy.minimization(input_, labels_, size(), false, context);
     std::size_t rounds = 0;
     bool has_ended = false;
     double before = minimization->energy();
@@ -169,8 +167,7 @@ struct Dual_parts
   std::vector<Center_part> centers; // if vertices are placed on the surface of cells
   std::vector<Triangle_part> triangles;
 
-  void add(const Patch& patch, const Patch_clusters& clusters_of_patch, const Distributed_choice& choice,
-           const Cancellation_point& cancellation)
+  void add(const Patch& patch, const Patch_clusters& clusters_of_patch, const Distributed_choice& choice)
   {
     const Clustering_input& input = clusters_of_patch.input();
     const Cluster_labels& labels = clusters_of_patch.labels();
@@ -181,11 +178,11 @@ struct Dual_parts
       if (choice.places_on_cells() && patch.is_own(f) && patch.faces[f].is_center)
         centers.push_back({patch.faces[f].origin, patch.faces[f].cluster});
     }
-    const Clustered_faces surface(input, labels, clusters_of_patch.size(), choice.execution, nullptr, cancellation);
+    const Clustered_faces surface(input, labels, clusters_of_patch.size(), choice.context);
     const auto& place = choice.placement.local ? choice.placement.local : choice.placement.start;
     const std::vector<double> energy = choice.energies(input, labels, clusters_of_patch.size());
     for (Index x = 0; x < clusters_of_patch.number_of_own(); ++x) {
-      cancellation.poll(surface.faces(x).size());
+      choice.context.poll(surface.faces(x).size());
       const Vector p = is_on_border[x] ? Vector{{0, 0, 0}} : checked_position(surface, x, place(surface, x));
       clusters.push_back({clusters_of_patch.global_number(x), energy[x], p, surface.vertex_bounds(x)});
     }

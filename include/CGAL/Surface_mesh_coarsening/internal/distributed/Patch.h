@@ -80,7 +80,7 @@ public:
     : patch_(patch), faces_(patch.faces), mesh_(patch.mesh), names_(names), max_corners_(max_corners)
   {}
 
-  void run(const Cancellation_point& cancellation)
+  void run(const Run_context& context)
   {
     sort_faces();
     check_size();
@@ -91,7 +91,7 @@ public:
     check_fans();
     faces_.vertex = std::vector<std::uint64_t>();
     faces_.point = std::vector<Vector>();
-    complete_stars(mesh_, patch_.number.size(), cancellation, Execution::SEQUENTIAL);
+    complete_stars(mesh_, patch_.number.size(), context);
     find_inner_vertices();
   }
 
@@ -301,12 +301,12 @@ private:
 };
 
 // Builds the patch of a bin of face records.
-inline Patch read_patch(const Word_store& store, std::size_t bin, const Face_names& names, const Cancellation_point& cancellation)
+inline Patch read_patch(const Word_store& store, std::size_t bin, const Face_names& names, const Run_context& context)
 {
   Patch patch;
   patch.faces.reserve(store.number_of_words(bin) / words_of_triangle);
   store.read<Face_record>(bin, [&](const Face_record& face) { patch.faces.append(face); });
-  Patch_builder(patch, names).run(cancellation);
+  Patch_builder(patch, names).run(context);
   return patch;
 }
 

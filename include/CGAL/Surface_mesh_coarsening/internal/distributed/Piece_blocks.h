@@ -105,7 +105,7 @@ public:
     std::array<double, 6> box;
     boost::mpi::all_reduce(communicator_, low_and_negated_high_.data(), 6, box.data(), boost::mpi::minimum<double>());
     std::vector<Vector> ends = {{{box[0], box[1], box[2]}}, {{-box[3], -box[4], -box[5]}}};
-    frame_ = to_local_frame(ends, {0, 1, 2}, Cancellation_point());
+    frame_ = to_local_frame(ends, {0, 1, 2}, Run_context());
     low_ = ends[0];
     high_ = ends[1];
   }
@@ -157,7 +157,7 @@ public:
 private:
   void measure_face(const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points, double density)
   {
-    context_.cancellation.poll();
+    context_.poll();
     if (!has_fault_ && !fault_of(vertices, points, density, std::string()).empty()) {
       has_fault_ = true;
       fault_.origin = faces_;
@@ -220,7 +220,7 @@ private:
     Face_record face;
     std::uint64_t number = first_face_[context_.rank()];
     source_([&](const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points, double density) {
-      context_.cancellation.poll();
+      context_.poll();
       face.vertex = vertices;
       face.point = points;
       for (Vector& p : face.point)

@@ -97,7 +97,7 @@ private:
   {
     Number_table vertices;
     faces.read<Face_record>(bin, [&](const Face_record& face) {
-      context_.cancellation.poll(words_of_triangle);
+      context_.poll(words_of_triangle);
       for (const std::uint64_t v : face.vertex)
         vertices.index(v);
     });

@@ -88,11 +88,10 @@ public:
       std::size_t rounds_of_phase = 0;
       routing.run([&] {
         for (std::size_t bin = 0; bin < faces->number_of_bins(); ++bin) {
-          Patch patch = read_patch(*faces, bin, names_, context_.cancellation);
+          Patch patch = read_patch(*faces, bin, names_, context_);
           faces->clear(bin);
           Patch_clusters clusters(patch);
-          rounds_of_phase = (std::max)(rounds_of_phase, clusters.minimize(*choice_.energy, end_of_phase(),
-                                                                          context_.cancellation, choice_.execution));
+          rounds_of_phase = (std::max)(rounds_of_phase, clusters.minimize(*choice_.energy, end_of_phase(), context_));
           if (is_last)
             receive(patch, clusters, routing);
           else

@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_WORD_ROUTING_H
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_store.h>
@@ -30,14 +30,13 @@ namespace Surface_mesh_coarsening {
 namespace internal {
 
 // The data that all steps on a rank share: its communicator, its scratch file, and the number of bytes sent.
-struct Rank_context
+struct Rank_context : Run_context
 {
   const boost::mpi::communicator& communicator;
-  Cancellation_point cancellation;
   Scratch_file scratch;
   std::uint64_t bytes_sent = 0;
 
-  Rank_context(const boost::mpi::communicator& c, const Cancellation_point& p) : communicator(c), cancellation(p) {}
+  Rank_context(const boost::mpi::communicator& c, const Run_context& run) : Run_context(run), communicator(c) {}
 
   std::size_t rank() const { return std::size_t(communicator.rank()); }
   std::size_t number_of_ranks() const { return std::size_t(communicator.size()); }

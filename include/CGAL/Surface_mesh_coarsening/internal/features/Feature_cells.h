@@ -32,16 +32,16 @@ public:
   enum Extent { AT_FEATURES, AT_ALL_VERTICES };
 
   // Builds the mesh to be clustered. Cells at features need features.
-  static Featured_input run(const Clustering_input& base, const Feature_edges& edges, const Cancellation_point& cancellation,
+  static Featured_input run(const Clustering_input& base, const Feature_edges& edges, const Run_context& context,
                             Extent extent = AT_FEATURES)
   {
     auto cells = std::make_shared<Feature_cells>(base, edges, extent);
     const std::vector<char> too_wide = cells->faces_at_bigons();
     if (!too_wide.empty())
-      return cells->in_fans(too_wide, cancellation);
+      return cells->in_fans(too_wide, context);
     if (!cells->graph_.has_room())
-      return cells->subdivided(std::vector<bool>(base.mesh.components.size(), true), cancellation);
-    Clustering_input items = cells->make(cancellation);
+      return cells->subdivided(std::vector<bool>(base.mesh.components.size(), true), context);
+    Clustering_input items = cells->make(context);
     return {std::move(items), std::move(cells)};
   }
 
@@ -49,24 +49,24 @@ public:
     : base_(base), edges_(edges), graph_(base_.mesh, edges), extent_(extent) {}
 
   // The same after a subdivision of the faces of the chosen components of the original mesh.
-  Featured_input subdivided(const std::vector<bool>& chosen_component, const Cancellation_point& cancellation) const
+  Featured_input subdivided(const std::vector<bool>& chosen_component, const Run_context& context) const
   {
-    const Clustering_input finer = subdivided_input(base_, chosen_component, cancellation);
+    const Clustering_input finer = subdivided_input(base_, chosen_component, context);
     const Feature_edges edges = edges_.subdivided(base_.mesh, chosen_component, finer.mesh);
-    return run(finer, edges, cancellation, extent_);
+    return run(finer, edges, context, extent_);
   }
 
   // The same after edges have been halved that are long for faces of the mean area; nothing if there are none.
-  std::optional<Featured_input> with_long_edges_halved(const Cancellation_point& cancellation) const
+  std::optional<Featured_input> with_long_edges_halved(const Run_context& context) const
   {
     constexpr double long_part = 3; // in units of the square root of the area
     const double area = std::accumulate(base_.area.begin(), base_.area.end(), 0.);
     Long_edge_cutting cutting(base_.mesh, long_part * long_part * area / double(base_.area.size()));
     if (!cutting.has_cut())
       return std::nullopt;
-    Flat_mesh pieces = cutting.run(cancellation);
+    Flat_mesh pieces = cutting.run(context);
     const Feature_edges edges = edges_.cut(pieces, cutting.old_corner());
-    return run(cut_input(base_, std::move(pieces), cutting.old_face(), cancellation), edges, cancellation, extent_);
+    return run(cut_input(base_, std::move(pieces), cutting.old_face(), context), edges, context, extent_);
   }
 
   const Clustering_input& base() const { return base_; }
@@ -142,17 +142,17 @@ private:
   }
 
   // The same after a star subdivision of chosen faces of the original mesh.
-  Featured_input in_fans(const std::vector<char>& is_cut, const Cancellation_point& cancellation) const
+  Featured_input in_fans(const std::vector<char>& is_cut, const Run_context& context) const
   {
     std::vector<Index> old_face;
-    Flat_mesh triangles = star_subdivision(base_.mesh, is_cut, old_face, cancellation);
+    Flat_mesh triangles = star_subdivision(base_.mesh, is_cut, old_face, context);
     Clustering_input fans = cut_input(base_, std::move(triangles), old_face);
     for (std::size_t i = 0; i < fans.mesh.components.size(); ++i)
       fans.mesh.components[i].original_vertices = base_.mesh.components[i].max_clusters();
-    return run(fans, edges_.in_fans(base_.mesh, is_cut, fans.mesh), cancellation, extent_);
+    return run(fans, edges_.in_fans(base_.mesh, is_cut, fans.mesh), context, extent_);
   }
 
-  Clustering_input make(const Cancellation_point& cancellation)
+  Clustering_input make(const Run_context& context)
   {
     const Flat_mesh& m = base_.mesh;
     std::vector<char> is_cut(m.number_of_faces(), false);
@@ -161,13 +161,13 @@ private:
         for (const Index f : m.faces_around(v))
           is_cut[f] = true;
     Quad_subdivision cutting(m, is_cut);
-    Flat_mesh cut_mesh = cutting.run(cancellation);
+    Flat_mesh cut_mesh = cutting.run(context);
     pieces_ = cut_input(base_, std::move(cut_mesh), cutting.old_face());
     face_of_piece_ = cutting.old_face();
     middle_ = cutting.middle();
     number_polygons(cutting);
     Clustering_input result;
-    result.mesh = join_pieces(cancellation);
+    result.mesh = join_pieces(context);
     sum_up(result);
     count_in_components(result.mesh);
     find_border(result.mesh);
@@ -201,7 +201,7 @@ private:
     }
   }
 
-  Flat_mesh join_pieces(const Cancellation_point& cancellation) const
+  Flat_mesh join_pieces(const Run_context& context) const
   {
     const Flat_mesh& m = pieces_.mesh;
     Flat_mesh_builder builder(m.points);
@@ -218,7 +218,7 @@ private:
         add_cell(v, push);
       builder.end_face();
     }
-    return builder.finish(cancellation);
+    return builder.finish(context);
   }
 
   // Walks around the pieces at `v`: their corners are the vertex, the midpoint of an edge, the center of the face, the

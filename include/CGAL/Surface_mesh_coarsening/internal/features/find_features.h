@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FIND_FEATURES_H
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
@@ -40,7 +40,7 @@ std::shared_ptr<const Feature_edges> find_features(const Clustering_input& input
 std::vector<Index> corners_of(const Feature_edges& edges);
 
 // Replaces the items by cells that keep the features.
-void make_cells(Featured_input& input, const Feature_edges& edges, const Cancellation_point& cancellation);
+void make_cells(Featured_input& input, const Feature_edges& edges, const Run_context& context);
 
 // Reads the patch of each face of the caller's mesh; empty if there is no map.
 template <class FaceGraph, class PatchMap>
@@ -109,7 +109,7 @@ void keep_exact_corners(const FaceGraph& mesh, const NamedParameters& np, const 
 // Prepares the input for the features that the parameters request, if any. `patches` receives the patches of the faces.
 template <class FaceGraph, class NamedParameters>
 void read_features(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n, Featured_input& input,
-                   Local_frame& frame, std::vector<long long>& patches, const Cancellation_point& cancellation)
+                   Local_frame& frame, std::vector<long long>& patches, const Run_context& context)
 {
   Feature_request request;
   request.angle = choose_parameter(get_parameter(np, internal_np::feature_angle_p), Coarsening_defaults::feature_angle);
@@ -125,7 +125,7 @@ void read_features(const FaceGraph& mesh, const NamedParameters& np, const Numbe
   if (!edges)
     return;
   keep_exact_corners(mesh, np, n, corners_of(*edges), input.items.mesh, frame);
-  make_cells(input, *edges, cancellation);
+  make_cells(input, *edges, context);
 }
 
 } // namespace internal

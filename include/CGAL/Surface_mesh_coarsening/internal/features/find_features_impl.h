@@ -40,10 +40,9 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> corners_of(const Feature_
   return corners;
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE void make_cells(Featured_input& input, const Feature_edges& edges,
-                                                    const Cancellation_point& cancellation)
+CGAL_SURFACE_MESH_COARSENING_INLINE void make_cells(Featured_input& input, const Feature_edges& edges, const Run_context& context)
 {
-  input = Feature_cells::run(Clustering_input(std::move(input.items)), edges, cancellation);
+  input = Feature_cells::run(Clustering_input(std::move(input.items)), edges, context);
 }
 
 } // namespace internal

@@ -54,41 +54,38 @@ public:
   typedef Iterator_range<const std::uint32_t*> Range;
 
   Clustered_faces(const Clustering_input& input, const Cluster_labels& labels, std::size_t clusters,
-                  Execution execution = Execution::SEQUENTIAL, const Coarse_features* features = nullptr,
-                  const Cancellation_point& cancellation = Cancellation_point())
-    : input_(input), labels_(labels), execution_(execution), features_(features), cancellation_(cancellation),
+                  const Run_context& context = Run_context(), const Coarse_features* features = nullptr)
+    : input_(input), labels_(labels), context_(context), features_(features),
       faces_(numbers_below(std::uint32_t(input.mesh.number_of_faces())), clusters, [&](std::uint32_t f) { return labels[f]; },
-             cancellation),
+             context),
       bounds_(clusters)
   {
-    for_each_chunk(execution, clusters, 64, cancellation, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for_each_chunk(context, clusters, 64, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t x = begin; x < end; ++x)
         bounds_[x] = internal::vertex_bounds(input.mesh, faces(x));
     });
   }
 
-  Clustered_faces(const Labelled_pieces& pieces, std::size_t clusters, Execution execution,
-                  const Cancellation_point& cancellation)
-    : Clustered_faces(pieces.input(), pieces.labels(), clusters, execution, pieces.features(), cancellation)
+  Clustered_faces(const Labelled_pieces& pieces, std::size_t clusters, const Run_context& context)
+    : Clustered_faces(pieces.input(), pieces.labels(), clusters, context, pieces.features())
   {
     single_vertex_ = pieces.single_vertices();
     number_of_cells_ = pieces.number_of_cells();
   }
 
   // For a surface that approximates the input: the vertices have given bounds, and clusters may have no faces.
-  Clustered_faces(const Clustering_input& input, const Cluster_labels& labels, std::vector<Bbox_3> bounds, Execution execution,
-                  const Cancellation_point& cancellation)
-    : input_(input), labels_(labels), execution_(execution), features_(nullptr), cancellation_(cancellation),
+  Clustered_faces(const Clustering_input& input, const Cluster_labels& labels, std::vector<Bbox_3> bounds,
+                  const Run_context& context)
+    : input_(input), labels_(labels), context_(context), features_(nullptr),
       faces_(numbers_below(std::uint32_t(input.mesh.number_of_faces())), bounds.size(),
-             [&](std::uint32_t f) { return labels[f]; }, cancellation),
+             [&](std::uint32_t f) { return labels[f]; }, context),
       bounds_(std::move(bounds)), is_approximate_(true)
   {}
 
   const Clustering_input& input() const { return input_; }
   const Cluster_labels& labels() const { return labels_; }
-  Execution execution() const { return execution_; }
+  const Run_context& context() const { return context_; }
   const Coarse_features* features() const { return features_; }
-  const Cancellation_point& cancellation() const { return cancellation_; }
 
   // Whether the faces approximate the input. They may intersect where the input does not.
   bool is_approximate() const { return is_approximate_; }
@@ -141,9 +138,8 @@ public:
 private:
   const Clustering_input& input_;
   const Cluster_labels& labels_;
-  const Execution execution_;
+  const Run_context context_;
   const Coarse_features* features_; // null without features
-  const Cancellation_point cancellation_;
   Bucketed_items<std::uint32_t> faces_; // of each cluster
   std::vector<Bbox_3> bounds_;          // of each cluster's vertex
   std::vector<Index> single_vertex_;    // of each cluster; empty if faces are clustered

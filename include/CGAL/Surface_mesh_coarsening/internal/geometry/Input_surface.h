@@ -54,11 +54,11 @@ public:
   }
 
   // Returns the area of all fans.
-  double area(const Cancellation_point& cancellation) const
+  double area(const Run_context& context) const
   {
     double sum = 0;
     for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
-      cancellation.poll(mesh_.degree(Index(f)));
+      context.poll(mesh_.degree(Index(f)));
       for_each_triangle(Index(f), [&](const Vector& a, const Vector& b, const Vector& c) { sum += size(a, b, c); });
     }
     return sum;
@@ -68,7 +68,7 @@ public:
   // cumulated area, in the triangles at the points of the additive recurrence of the plastic number. Each point
   // represents an equal part of `area`, the area of all fans.
   template <class Visit>
-  void for_each_sample(std::size_t number, double area, const Cancellation_point& cancellation, const Visit& visit) const
+  void for_each_sample(std::size_t number, double area, const Run_context& context, const Visit& visit) const
   {
     if (!(area > 0))
       return;
@@ -76,7 +76,7 @@ public:
     double cumulated = 0;
     std::size_t visited = 0;
     for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
-      cancellation.poll(mesh_.degree(Index(f)));
+      context.poll(mesh_.degree(Index(f)));
       for_each_triangle(Index(f), [&](const Vector& a, const Vector& b, const Vector& c) {
         cumulated += size(a, b, c);
         for (; visited < number && (double(visited) + 0.5) * area < cumulated * double(number); ++visited) {

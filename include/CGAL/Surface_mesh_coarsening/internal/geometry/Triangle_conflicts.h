@@ -386,8 +386,7 @@ inline std::vector<Triangle_box> triangle_boxes(const std::vector<Triangle>& tri
 
 // Returns all pairs of conflicting triangles, in order. Adds the number of tests to `tests`.
 inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>& triangles, const Triangle_conflict& conflict,
-                                                    Execution execution, const Cancellation_point& cancellation,
-                                                    std::size_t& tests)
+                                                    const Run_context& context, std::size_t& tests)
 {
   std::vector<Triangle_box> boxes = triangle_boxes(triangles, conflict);
   // Very many coincident points would be compared pairwise, so triangles that are points are left out.
@@ -396,10 +395,10 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
   std::vector<Triangle_pair> pairs;
   std::vector<Triangle_pair> waiting;
   const auto test_waiting = [&] {
-    cancellation.poll(waiting.size());
+    context.poll(waiting.size());
     tests += waiting.size();
     std::vector<char> is_conflict(waiting.size());
-    for_each_chunk(execution, waiting.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for_each_chunk(context.uninterrupted(), waiting.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         is_conflict[i] = conflict(triangles[waiting[i].first], triangles[waiting[i].second]);
     });

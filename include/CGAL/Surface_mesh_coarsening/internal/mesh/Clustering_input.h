@@ -109,11 +109,10 @@ inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
 }
 
 // Computes the unit normal of each face; zero for faces without area.
-inline std::vector<Vector> unit_normals(const Flat_mesh& m, const Cancellation_point& cancellation = Cancellation_point(),
-                                        Execution execution = Execution::SEQUENTIAL)
+inline std::vector<Vector> unit_normals(const Flat_mesh& m, const Run_context& context = Run_context())
 {
   std::vector<Vector> normals(m.number_of_faces());
-  for_each_number(execution, normals.size(), cancellation, [&](Index f) {
+  for_each_number(context, normals.size(), [&](Index f) {
     const Vector n = vector_area(m, f);
     const double size = length(n);
     normals[f] = size > 0 ? (1 / size) * n : Vector{{0, 0, 0}};
@@ -165,14 +164,12 @@ private:
   const std::vector<Vector>& normals_;
 };
 
-inline std::vector<double> mean_normal_deviations(const Flat_mesh& m,
-                                                  const Cancellation_point& cancellation = Cancellation_point(),
-                                                  Execution execution = Execution::SEQUENTIAL)
+inline std::vector<double> mean_normal_deviations(const Flat_mesh& m, const Run_context& context = Run_context())
 {
-  const std::vector<Vector> normals = unit_normals(m, cancellation, execution);
+  const std::vector<Vector> normals = unit_normals(m, context);
   const Normal_deviation deviation(m, normals);
   std::vector<double> deviations(m.number_of_faces());
-  for_each_number(execution, deviations.size(), cancellation, [&](Index f) { deviations[f] = deviation(f); });
+  for_each_number(context, deviations.size(), [&](Index f) { deviations[f] = deviation(f); });
   return deviations;
 }
 

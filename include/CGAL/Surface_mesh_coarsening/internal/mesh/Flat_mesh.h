@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_FLAT_MESH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_FLAT_MESH_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
@@ -142,12 +142,11 @@ struct Flat_mesh
 // face `g` if `enter(c, g)`, which marks `g`. Appends the faces to `reached` in the order of traversal.
 // `CGAL::Polygon_mesh_processing::connected_component()` stores visited faces in a tree and cannot be cancelled.
 template <class Enter>
-void flood_fill(const Flat_mesh& m, Index seed, std::vector<Index>& reached, const Cancellation_point& cancellation,
-                const Enter& enter)
+void flood_fill(const Flat_mesh& m, Index seed, std::vector<Index>& reached, const Run_context& context, const Enter& enter)
 {
   reached.assign(1, seed);
   for (std::size_t i = 0; i < reached.size(); ++i) {
-    cancellation.poll();
+    context.poll();
     for (const Index c : m.corners(reached[i])) {
       const Index g = m.face_across[c];
       if (g != NONE && enter(c, g))

@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_FLAT_MESH_BUILDER_H
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Numbering.h>
@@ -24,33 +24,30 @@ namespace internal {
 class Flat_mesh_topology
 {
 public:
-  static void complete(Flat_mesh& m, std::size_t number_of_vertices,
-                       const Cancellation_point& cancellation = Cancellation_point(), Execution execution = Execution::SEQUENTIAL)
+  static void complete(Flat_mesh& m, std::size_t number_of_vertices, const Run_context& context = Run_context())
   {
-    complete_stars(m, number_of_vertices, cancellation, execution);
-    number_components(m, cancellation);
+    complete_stars(m, number_of_vertices, context);
+    number_components(m, context);
     count_loops(m);
   }
 
   // Computes stars and loops, but no components.
-  static void complete_stars(Flat_mesh& m, std::size_t number_of_vertices, const Cancellation_point& cancellation,
-                             Execution execution)
+  static void complete_stars(Flat_mesh& m, std::size_t number_of_vertices, const Run_context& context)
   {
-    check_faces(m, cancellation, execution);
+    check_faces(m, context);
     count_stars(m, number_of_vertices);
-    std::vector<Index> start = first_corners_of_stars(m, number_of_vertices, cancellation);
-    const std::size_t wrong = first_of(execution, number_of_vertices, cancellation,
-                                       [&](Index v) { return !walk_star(m, v, start[v]); });
+    std::vector<Index> start = first_corners_of_stars(m, number_of_vertices, context);
+    const std::size_t wrong = first_of(context, number_of_vertices, [&](Index v) { return !walk_star(m, v, start[v]); });
     if (wrong < number_of_vertices)
       throw Invalid_input("vertex " + std::to_string(wrong) +
                           " is not a manifold vertex: the faces around it form more than one fan");
-    number_loops(m, cancellation);
+    number_loops(m, context);
   }
 
 private:
-  static void check_faces(const Flat_mesh& m, const Cancellation_point& cancellation, Execution execution)
+  static void check_faces(const Flat_mesh& m, const Run_context& context)
   {
-    const std::size_t wrong = first_of(execution, m.number_of_faces(), cancellation, [&](Index f) {
+    const std::size_t wrong = first_of(context, m.number_of_faces(), [&](Index f) {
       return m.degree(f) < 3 || is_own_neighbor(m, f) || vertex_visited_twice(m, f) != NONE;
     });
     if (wrong == m.number_of_faces())
@@ -101,13 +98,12 @@ private:
   }
 
   // Computes the face where each star begins: one face index per vertex, NONE for isolated vertices.
-  static std::vector<Index> first_corners_of_stars(Flat_mesh& m, std::size_t number_of_vertices,
-                                                   const Cancellation_point& cancellation)
+  static std::vector<Index> first_corners_of_stars(Flat_mesh& m, std::size_t number_of_vertices, const Run_context& context)
   {
     std::vector<Index> start(number_of_vertices, NONE);
     m.loop.assign(number_of_vertices, NONE);
     for (std::size_t f = m.number_of_faces(); f-- > 0;) {
-      cancellation.poll();
+      context.poll();
       for (const Index c : m.corners(f)) {
         const Index v = m.corner_vertex[c];
         if (m.face_across[c] == NONE) {
@@ -139,7 +135,7 @@ private:
     return i == end && (closed ? f == first : f == NONE);
   }
 
-  static void number_components(Flat_mesh& m, const Cancellation_point& cancellation)
+  static void number_components(Flat_mesh& m, const Run_context& context)
   {
     std::vector<Index> number(m.number_of_faces(), NONE), reached;
     m.components.clear();
@@ -148,7 +144,7 @@ private:
         continue;
       const Index id = Index(m.components.size());
       number[seed] = id;
-      flood_fill(m, Index(seed), reached, cancellation, [&](Index, Index g) {
+      flood_fill(m, Index(seed), reached, context, [&](Index, Index g) {
         const bool is_new = number[g] == NONE;
         number[g] = id;
         return is_new;
@@ -176,7 +172,7 @@ private:
     return component;
   }
 
-  static void number_loops(Flat_mesh& m, const Cancellation_point& cancellation)
+  static void number_loops(Flat_mesh& m, const Run_context& context)
   {
     std::vector<bool> done(m.number_of_vertices(), false);
     Index loops = 0;
@@ -184,7 +180,7 @@ private:
       if (m.loop[v] == NONE || done[v])
         continue;
       for (Index w = Index(v); !done[w]; w = m.next_on_border(w)) {
-        cancellation.poll();
+        context.poll();
         done[w] = true;
         m.loop[w] = loops;
       }
@@ -236,10 +232,10 @@ public:
   void end_face() { mesh_.first_corner.push_back(Index(mesh_.corner_vertex.size())); }
 
   // Throws if the faces do not form a 2-manifold.
-  Flat_mesh finish(const Cancellation_point& cancellation = Cancellation_point())
+  Flat_mesh finish(const Run_context& context = Run_context())
   {
     check_countable(mesh_.corner_vertex.size(), "face corners after faces were cut");
-    Flat_mesh_topology::complete(mesh_, mesh_.points.size(), cancellation);
+    Flat_mesh_topology::complete(mesh_, mesh_.points.size(), context);
     return std::move(mesh_);
   }
 

@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NUMBERING_H
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
@@ -111,14 +111,13 @@ inline void check_countable(std::size_t n, const char* what)
 }
 
 template <class FaceGraph, class FaceIndexMap>
-void number_faces_by_map(const FaceGraph&, const FaceIndexMap& index, Numbering<FaceGraph>& numbering,
-                         const Cancellation_point& cancellation)
+void number_faces_by_map(const FaceGraph&, const FaceIndexMap& index, Numbering<FaceGraph>& numbering, const Run_context& context)
 {
   const auto none = boost::graph_traits<FaceGraph>::null_face();
   std::vector<bool> taken(numbering.faces.size(), false);
   std::vector<typename Numbering<FaceGraph>::face_descriptor> ordered(numbering.faces.size(), none);
   for (const auto f : numbering.faces) {
-    cancellation.poll();
+    context.poll();
     const std::size_t i = std::size_t(get(index, f));
     if (i >= ordered.size() || taken[i])
       throw Invalid_input("the face index map gives " + std::to_string(i) + (i < ordered.size() ? " twice" : "") +
@@ -130,28 +129,26 @@ void number_faces_by_map(const FaceGraph&, const FaceIndexMap& index, Numbering<
 }
 
 template <class FaceGraph>
-void number_faces_by_map(const FaceGraph&, const CGAL::internal_np::Param_not_found&, Numbering<FaceGraph>&,
-                         const Cancellation_point&)
+void number_faces_by_map(const FaceGraph&, const CGAL::internal_np::Param_not_found&, Numbering<FaceGraph>&, const Run_context&)
 {}
 
 template <class FaceGraph, class FaceIndexMap>
-Numbering<FaceGraph> number_elements(const FaceGraph& mesh, const FaceIndexMap& index,
-                                     const Cancellation_point& cancellation)
+Numbering<FaceGraph> number_elements(const FaceGraph& mesh, const FaceIndexMap& index, const Run_context& context)
 {
   Numbering<FaceGraph> n;
   n.faces.assign(faces(mesh).begin(), faces(mesh).end());
   n.vertices.assign(vertices(mesh).begin(), vertices(mesh).end());
   check_countable(n.faces.size(), "faces");
   check_countable(n.vertices.size(), "vertices");
-  number_faces_by_map(mesh, index, n, cancellation);
+  number_faces_by_map(mesh, index, n, context);
   n.face_number = get(dynamic_face_property_t<Index>(), mesh);
   n.vertex_number = get(dynamic_vertex_property_t<Index>(), mesh);
   for (std::size_t i = 0; i < n.faces.size(); ++i) {
-    cancellation.poll();
+    context.poll();
     put(n.face_number, n.faces[i], Index(i));
   }
   for (std::size_t i = 0; i < n.vertices.size(); ++i) {
-    cancellation.poll();
+    context.poll();
     put(n.vertex_number, n.vertices[i], Index(i));
   }
   return n;
@@ -159,7 +156,7 @@ Numbering<FaceGraph> number_elements(const FaceGraph& mesh, const FaceIndexMap& 
 
 template <class Point, class FaceIndexMap>
 Numbering<CGAL::Surface_mesh<Point> > number_elements(const CGAL::Surface_mesh<Point>& mesh, const FaceIndexMap& index,
-                                                      const Cancellation_point& cancellation)
+                                                      const Run_context& context)
 {
   constexpr bool has_index = !std::is_same<FaceIndexMap, CGAL::internal_np::Param_not_found>::value;
   Numbering<CGAL::Surface_mesh<Point> > n;
@@ -167,10 +164,10 @@ Numbering<CGAL::Surface_mesh<Point> > number_elements(const CGAL::Surface_mesh<P
   check_countable(mesh.number_of_vertices(), "vertices");
   if (has_index || mesh.number_of_removed_faces() > 0) {
     n.faces.assign(mesh.faces_begin(), mesh.faces_end());
-    number_faces_by_map(mesh, index, n, cancellation);
+    number_faces_by_map(mesh, index, n, context);
     n.face_number.assign(mesh.number_of_faces() + mesh.number_of_removed_faces(), NONE);
     for (std::size_t i = 0; i < n.faces.size(); ++i) {
-      cancellation.poll();
+      context.poll();
       n.face_number[n.faces[i]] = Index(i);
     }
   } else {
@@ -180,7 +177,7 @@ Numbering<CGAL::Surface_mesh<Point> > number_elements(const CGAL::Surface_mesh<P
     n.vertices.assign(mesh.vertices_begin(), mesh.vertices_end());
     n.vertex_number.assign(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), NONE);
     for (std::size_t i = 0; i < n.vertices.size(); ++i) {
-      cancellation.poll();
+      context.poll();
       n.vertex_number[n.vertices[i]] = Index(i);
     }
   } else {
@@ -221,15 +218,14 @@ void list_faces(const FaceGraph& mesh, const Numbering<FaceGraph>& n, std::size_
 }
 
 template <class FaceGraph>
-void copy_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, Flat_mesh& m, const Cancellation_point& cancellation,
-                       Execution execution)
+void copy_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, Flat_mesh& m, const Run_context& context)
 {
   m.first_corner.reserve(n.faces.size() + 1);
   m.first_corner.push_back(0);
   m.corner_vertex.reserve(3 * n.faces.size());
   m.face_across.reserve(3 * n.faces.size());
   for_each_part<Face_list>(
-    execution, n.faces.size(), 1024, cancellation,
+    context, n.faces.size(), 1024,
     [&](Face_list& list, std::size_t begin, std::size_t end) { list_faces(mesh, n, begin, end, list); },
     [&](const Face_list& list) {
       std::size_t corners = m.corner_vertex.size();

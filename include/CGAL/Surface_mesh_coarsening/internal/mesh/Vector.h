@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_VECTOR_H
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
 #include <CGAL/Bbox_3.h>
@@ -154,13 +154,13 @@ struct Local_frame
 // origin. If the sixth power of the size would exceed the range of double, the points are scaled to a size of about 1 by a
 // power of two, which causes no rounding.
 inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector<Index>& first_in_star,
-                            const Cancellation_point& cancellation)
+                            const Run_context& context)
 {
   Local_frame frame;
   const double inf = std::numeric_limits<double>::infinity();
   Vector low{{inf, inf, inf}}, high{{-inf, -inf, -inf}};
   for (std::size_t v = 0; v < points.size(); ++v) {
-    cancellation.poll();
+    context.poll();
     for (std::size_t i = 0; i < 3; ++i) {
       if (first_in_star[v] == first_in_star[v + 1])
         continue;
@@ -181,7 +181,7 @@ inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector
   if (exponent > 128 || exponent < -128)
     frame.exponent = exponent;
   for (Vector& p : points) {
-    cancellation.poll();
+    context.poll();
     p = frame.to_local(p);
   }
   return frame;

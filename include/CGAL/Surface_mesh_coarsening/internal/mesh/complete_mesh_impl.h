@@ -29,8 +29,8 @@ namespace internal {
 class Border_deviations
 {
 public:
-  explicit Border_deviations(const Flat_mesh& m, const Cancellation_point& cancellation = Cancellation_point())
-    : mesh_(m), cancellation_(cancellation), radius_(m.number_of_vertices(), std::numeric_limits<double>::infinity()),
+  explicit Border_deviations(const Flat_mesh& m, const Run_context& context = Run_context())
+    : mesh_(m), context_(context), radius_(m.number_of_vertices(), std::numeric_limits<double>::infinity()),
       reach_(m.number_of_vertices(), 0)
   {}
 
@@ -40,7 +40,7 @@ public:
     spread();
     const double most = max_raised * largest_of(deviations);
     for (std::size_t f = 0; f < deviations.size(); ++f) {
-      cancellation_.poll();
+      context_.poll();
       double radius = std::numeric_limits<double>::infinity();
       for (const Index c : mesh_.corners(f))
         radius = (std::min)(radius, radius_[mesh_.corner_vertex[c]]);
@@ -77,7 +77,7 @@ private:
       std::vector<Index> loop;
       double perimeter = 0;
       for (Index w = Index(v); !done[w];) {
-        cancellation_.poll();
+        context_.poll();
         done[w] = true;
         loop.push_back(w);
         const Index next = mesh_.next_on_border(w);
@@ -120,7 +120,7 @@ private:
       const Index v = entry.second;
       if (entry.first > radius_[v])
         continue;
-      cancellation_.poll(mesh_.first_in_star[v + 1] - mesh_.first_in_star[v]);
+      context_.poll(mesh_.first_in_star[v + 1] - mesh_.first_in_star[v]);
       for (const Index f : mesh_.faces_around(v))
         for_each_neighbor(f, v, [&](Index w) {
           const double radius = entry.first + distance(v, w);
@@ -149,37 +149,36 @@ private:
 
   static constexpr double straight = 1e-6;
   const Flat_mesh& mesh_;
-  Cancellation_point cancellation_;
+  const Run_context context_;
   std::vector<double> radius_, reach_; // per vertex; the largest radius to propagate
 };
 
 CGAL_SURFACE_MESH_COARSENING_INLINE void complete_topology(Flat_mesh& mesh, std::size_t number_of_vertices,
-                                                           const Cancellation_point& cancellation, Execution execution)
+                                                           const Run_context& context)
 {
-  Flat_mesh_topology::complete(mesh, number_of_vertices, cancellation, execution);
+  Flat_mesh_topology::complete(mesh, number_of_vertices, context);
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE void complete_stars(Flat_mesh& mesh, std::size_t number_of_vertices,
-                                                        const Cancellation_point& cancellation, Execution execution)
+                                                        const Run_context& context)
 {
-  Flat_mesh_topology::complete_stars(mesh, number_of_vertices, cancellation, execution);
+  Flat_mesh_topology::complete_stars(mesh, number_of_vertices, context);
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<double> compute_densities(const Flat_mesh& mesh, double maximum, bool at_borders,
-                                                                          const Cancellation_point& cancellation,
-                                                                          Execution execution)
+                                                                          const Run_context& context)
 {
-  std::vector<double> densities = mean_normal_deviations(mesh, cancellation, execution);
+  std::vector<double> densities = mean_normal_deviations(mesh, context);
   const double largest = largest_of(densities);
   if (at_borders)
-    Border_deviations(mesh, cancellation).raise(densities);
+    Border_deviations(mesh, context).raise(densities);
   map_to_densities(densities, largest, maximum);
   return densities;
 }
 
 // Computes the centroids of the faces if one face has a large part of all corners. In other meshes, computing them takes less
 // time than reading.
-inline void store_centroids_if_slow(Clustering_input& input, const Cancellation_point& cancellation, Execution execution)
+inline void store_centroids_if_slow(Clustering_input& input, const Run_context& context)
 {
   constexpr std::size_t many_corners = 64, part = 64;
   const Flat_mesh& m = input.mesh;
@@ -189,22 +188,19 @@ inline void store_centroids_if_slow(Clustering_input& input, const Cancellation_
   if (most < many_corners || part * most < m.corner_vertex.size())
     return;
   std::vector<Vector> centroids(m.number_of_faces());
-  for_each_number(execution, centroids.size(), cancellation, [&](Index f) { centroids[f] = input.centroid(f); });
+  for_each_number(context, centroids.size(), [&](Index f) { centroids[f] = input.centroid(f); });
   input.item_centroid.swap(centroids);
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE void compute_areas_and_centroids(Clustering_input& input,
-                                                                     const Cancellation_point& cancellation,
-                                                                     Execution execution)
+CGAL_SURFACE_MESH_COARSENING_INLINE void compute_areas_and_centroids(Clustering_input& input, const Run_context& context)
 {
   input.area.resize(input.mesh.number_of_faces());
-  for_each_number(execution, input.area.size(), cancellation, [&](Index f) { input.area[f] = face_area(input.mesh, f); });
-  store_centroids_if_slow(input, cancellation, execution);
+  for_each_number(context, input.area.size(), [&](Index f) { input.area[f] = face_area(input.mesh, f); });
+  store_centroids_if_slow(input, context);
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE Clustering_input cut_input(const Clustering_input& whole, Flat_mesh pieces,
-                                                               const std::vector<Index>& whole_face,
-                                                               const Cancellation_point& cancellation)
+                                                               const std::vector<Index>& whole_face, const Run_context& context)
 {
   Clustering_input result;
   result.mesh = std::move(pieces);
@@ -214,7 +210,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Clustering_input cut_input(const Clustering_
     result.density.push_back(whole.density[f]);
     result.parent.push_back(whole.parent_of(f));
   }
-  compute_areas_and_centroids(result, cancellation);
+  compute_areas_and_centroids(result, context);
   return result;
 }
 

@@ -161,20 +161,17 @@ constexpr bool fits_maps_of_clusters()
 }
 
 template <class FaceGraph, class NamedParameters>
-Numbering<FaceGraph> numbering(const FaceGraph& mesh, const NamedParameters& np,
-                               const Cancellation_point& cancellation = Cancellation_point())
+Numbering<FaceGraph> numbering(const FaceGraph& mesh, const NamedParameters& np, const Run_context& context = Run_context())
 {
-  return number_elements(mesh, get_parameter(np, CGAL::internal_np::face_index), cancellation);
+  return number_elements(mesh, get_parameter(np, CGAL::internal_np::face_index), context);
 }
 
 template <class FaceGraph>
-Flat_mesh flat_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n,
-                            const Cancellation_point& cancellation = Cancellation_point(),
-                            Execution execution = Execution::SEQUENTIAL)
+Flat_mesh flat_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, const Run_context& context = Run_context())
 {
   Flat_mesh m;
-  copy_connectivity(mesh, n, m, cancellation, execution);
-  complete_topology(m, n.vertices.size(), cancellation, execution);
+  copy_connectivity(mesh, n, m, context);
+  complete_topology(m, n.vertices.size(), context);
   return m;
 }
 
@@ -210,15 +207,15 @@ private:
 
 template <class FaceGraph, class NamedParameters>
 Local_frame copy_points(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n, Flat_mesh& m,
-                  const Cancellation_point& cancellation = Cancellation_point())
+                  const Run_context& context = Run_context())
 {
   const Vertex_coordinates<FaceGraph, NamedParameters> coordinates(mesh, np);
   m.points.reserve(n.vertices.size());
   for (const auto v : n.vertices) {
-    cancellation.poll();
+    context.poll();
     m.points.push_back(coordinates(v));
   }
-  return to_local_frame(m.points, m.first_in_star, cancellation);
+  return to_local_frame(m.points, m.first_in_star, context);
 }
 
 struct Density_choice
@@ -239,13 +236,12 @@ Density_choice density_choice(const NamedParameters& np)
 // Checks and returns the caller's densities.
 template <class FaceGraph, class DensityMap>
 std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&, const Density_choice&,
-                                 const DensityMap& map, const Cancellation_point& cancellation = Cancellation_point(),
-                                 Execution = Execution::SEQUENTIAL)
+                                 const DensityMap& map, const Run_context& context = Run_context())
 {
   std::vector<double> densities;
   densities.reserve(n.faces.size());
   for (const auto f : n.faces) {
-    cancellation.poll();
+    context.poll();
     const double r = CGAL::to_double(get(map, f));
     if (!(r >= 1 / largest_density && r <= largest_density))
       throw Invalid_input("the density of face " + std::to_string(densities.size()) + " is " + number_text(r) +
@@ -258,26 +254,23 @@ std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&
 // Computes the densities of section 5.2, raised near borders.
 template <class FaceGraph>
 std::vector<double> densities_of(const Numbering<FaceGraph>&, const Flat_mesh& m, const Density_choice& choice,
-                                 const CGAL::internal_np::Param_not_found&,
-                                 const Cancellation_point& cancellation = Cancellation_point(),
-                                 Execution execution = Execution::SEQUENTIAL)
+                                 const CGAL::internal_np::Param_not_found&, const Run_context& context = Run_context())
 {
-  return compute_densities(m, choice.maximum, choice.at_borders, cancellation, execution);
+  return compute_densities(m, choice.maximum, choice.at_borders, context);
 }
 
 template <class FaceGraph, class NamedParameters>
 Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
-                                  Local_frame& frame, const Cancellation_point& cancellation,
-                                  Execution execution = Execution::SEQUENTIAL)
+                                  Local_frame& frame, const Run_context& context)
 {
   Clustering_input input;
   const Density_choice choice = density_choice(np);
-  input.mesh = flat_connectivity(mesh, n, cancellation, execution);
+  input.mesh = flat_connectivity(mesh, n, context);
   if (n.faces.empty())
     throw Invalid_input("the input has no faces");
-  frame = copy_points(mesh, np, n, input.mesh, cancellation);
-  input.density = densities_of(n, input.mesh, choice, get_parameter(np, internal_np::face_density), cancellation, execution);
-  compute_areas_and_centroids(input, cancellation, execution);
+  frame = copy_points(mesh, np, n, input.mesh, context);
+  input.density = densities_of(n, input.mesh, choice, get_parameter(np, internal_np::face_density), context);
+  compute_areas_and_centroids(input, context);
   return input;
 }
 

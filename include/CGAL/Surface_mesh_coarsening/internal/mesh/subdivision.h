@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_SUBDIVISION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_SUBDIVISION_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh_builder.h>
@@ -22,7 +22,7 @@ namespace internal {
 // triangles of a face are consecutive, in the order of its corners; vertices keep their numbers, and the centers
 // follow. `old_face` receives the original face of each new face.
 inline Flat_mesh star_subdivision(const Flat_mesh& m, const std::vector<char>& is_cut, std::vector<Index>& old_face,
-                               const Cancellation_point& cancellation)
+                               const Run_context& context)
 {
   std::vector<Index> first_piece;
   old_face.clear();
@@ -40,7 +40,7 @@ inline Flat_mesh star_subdivision(const Flat_mesh& m, const std::vector<char>& i
            (is_cut[g] ? m.corner_of(g, m.corner_vertex[m.next_corner(f, c)]) - m.first_corner[g] : 0);
   };
   for (Index f = 0; f < m.number_of_faces(); ++f) {
-    cancellation.poll();
+    context.poll();
     const Index middle = is_cut[f] ? builder.add_point(mean_of_corners(m, f)) : NONE;
     for (const Index c : m.corners(f)) {
       builder.add_corner(m.corner_vertex[c], across(f, c));
@@ -53,7 +53,7 @@ inline Flat_mesh star_subdivision(const Flat_mesh& m, const std::vector<char>& i
     if (!is_cut[f])
       builder.end_face();
   }
-  return builder.finish(cancellation);
+  return builder.finish(context);
 }
 
 // Subdivides chosen faces into one quadrilateral per corner, spanned by the corner, the midpoints of its two edges and
@@ -69,14 +69,14 @@ public:
   Quad_subdivision(const Flat_mesh& m, const std::vector<char>& is_cut)
     : m_(m), is_cut_(is_cut), builder_(m.points), middle_(m.corner_vertex.size(), NONE), center_(m.number_of_faces(), NONE) {}
 
-  Flat_mesh run(const Cancellation_point& cancellation)
+  Flat_mesh run(const Run_context& context)
   {
-    number_new_elements(cancellation);
+    number_new_elements(context);
     for (Index f = 0; f < m_.number_of_faces(); ++f) {
-      cancellation.poll();
+      context.poll();
       is_cut_[f] ? cut(f) : copy(f);
     }
-    return builder_.finish(cancellation);
+    return builder_.finish(context);
   }
 
   // The original face of each new face.
@@ -90,12 +90,12 @@ public:
   const std::vector<Index>& middle() const { return middle_; }
 
 private:
-  void number_new_elements(const Cancellation_point& cancellation)
+  void number_new_elements(const Run_context& context)
   {
     std::size_t corners = 0;
     first_piece_.reserve(m_.number_of_faces());
     for (Index f = 0; f < m_.number_of_faces(); ++f) {
-      cancellation.poll();
+      context.poll();
       first_piece_.push_back(Index(old_face_.size()));
       old_face_.insert(old_face_.end(), is_cut_[f] ? m_.degree(f) : 1, f);
       corners += is_cut_[f] ? 4 * m_.degree(f) : m_.degree(f) + number_of_cut_neighbors(f);
@@ -180,15 +180,15 @@ public:
 
   bool has_cut() const { return has_cut_; }
 
-  Flat_mesh run(const Cancellation_point& cancellation)
+  Flat_mesh run(const Run_context& context)
   {
     for (Index f = 0; f < m_.number_of_faces(); ++f)
       number_pieces(f);
     for (Index f = 0; f < m_.number_of_faces(); ++f) {
-      cancellation.poll();
+      context.poll();
       add_pieces(f);
     }
-    return builder_.finish(cancellation);
+    return builder_.finish(context);
   }
 
   // The original face of each new face, and the original corner before the edge that contains the edge after each new corner;
@@ -438,14 +438,14 @@ private:
 
 // Returns the input with the faces of the chosen components subdivided into one piece per corner.
 inline Clustering_input subdivided_input(const Clustering_input& input, const std::vector<bool>& chosen_component,
-                                         const Cancellation_point& cancellation)
+                                         const Run_context& context)
 {
   std::vector<char> is_cut(input.mesh.number_of_faces());
   for (std::size_t f = 0; f < is_cut.size(); ++f)
     is_cut[f] = chosen_component[input.mesh.component[f]];
   Quad_subdivision cutting(input.mesh, is_cut);
-  Flat_mesh pieces = cutting.run(cancellation);
-  return cut_input(input, std::move(pieces), cutting.old_face(), cancellation);
+  Flat_mesh pieces = cutting.run(context);
+  return cut_input(input, std::move(pieces), cutting.old_face(), context);
 }
 
 } // namespace internal

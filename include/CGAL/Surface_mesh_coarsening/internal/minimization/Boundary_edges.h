@@ -31,8 +31,8 @@ public:
   Cluster_blocks() {}
 
   // One point for each cluster.
-  Cluster_blocks(std::vector<Vector> points, std::size_t blocks, Execution execution)
-    : points_(std::move(points)), block_of_(points_.size(), 0), size_(blocks), execution_(execution)
+  Cluster_blocks(std::vector<Vector> points, std::size_t blocks, const Run_context& context)
+    : points_(std::move(points)), block_of_(points_.size(), 0), size_(blocks), context_(context.uninterrupted())
   {
     std::vector<Index> clusters(points_.size());
     std::iota(clusters.begin(), clusters.end(), Index(0));
@@ -56,7 +56,7 @@ private:
     std::nth_element(begin, middle, end, [&](Index a, Index b) {
       return std::make_pair(points_[a][axis], a) < std::make_pair(points_[b][axis], b);
     });
-    for_each_chunk(execution_, 2, 1, [&](std::size_t part, std::size_t, std::size_t) {
+    for_each_chunk(context_, 2, 1, [&](std::size_t part, std::size_t, std::size_t) {
       if (part == 0)
         bisect(begin, middle, first, half);
       else
@@ -80,7 +80,7 @@ private:
   std::vector<Vector> points_; // used only during the construction
   std::vector<Index> block_of_;
   std::size_t size_ = 1;
-  Execution execution_ = Execution::SEQUENTIAL;
+  Run_context context_; // without a visitor
 };
 
 // A count of moves.
@@ -139,13 +139,13 @@ private:
 
 // Lists all edges between clusters, face by face.
 inline void list_boundary_edges(const Cluster_labels& labels, Boundary_edges& all, Listed_edges& listed,
-                                const Cancellation_point& cancellation, Execution execution)
+                                const Run_context& context)
 {
   const Flat_mesh& m = labels.mesh();
   all.clear();
   listed.clear();
   for_each_part<Boundary_edges>(
-    execution, m.number_of_faces(), 4096, cancellation,
+    context, m.number_of_faces(), 4096,
     [&](Boundary_edges& edges, std::size_t begin, std::size_t end) {
       edges.clear();
       for (Index f = Index(begin); f != end; ++f)
@@ -174,11 +174,11 @@ struct Distributed_edges
   Boundary_edges between;
 };
 
-inline Distributed_edges distribute(const Boundary_edges& edges, const Cluster_blocks& blocks, Execution execution)
+inline Distributed_edges distribute(const Boundary_edges& edges, const Cluster_blocks& blocks, const Run_context& context)
 {
   const Index between = Index(blocks.size());
   std::vector<Index> block_of(edges.size());
-  for_each_chunk(execution, edges.size(), 4096, [&](std::size_t, std::size_t begin, std::size_t end) {
+  for_each_chunk(context.uninterrupted(), edges.size(), 4096, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::array<Index, 2>& x = edges[i].cluster;
       block_of[i] = blocks[x[0]] == blocks[x[1]] ? blocks[x[0]] : between;

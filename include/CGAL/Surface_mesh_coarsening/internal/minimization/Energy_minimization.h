@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_ENERGY_MINIMIZATION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_ENERGY_MINIMIZATION_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
@@ -43,9 +43,8 @@ class Energy_minimization : public Minimization
 
 public:
   Energy_minimization(const Featured_input& input, Cluster_labels& labels, std::size_t number_of_clusters,
-                      const Energy& energy, bool checks_boundary_counts, const Cancellation_point& cancellation,
-                      Execution execution)
-    : labels_(labels), cancellation_(cancellation), shared_cancellation_(cancellation), execution_(execution),
+                      const Energy& energy, bool checks_boundary_counts, const Run_context& context)
+    : labels_(labels), context_(context), shared_cancellation_(context),
       state_{input.items, labels, Energy_evaluation<Energy>(energy, input.items, number_of_clusters),
              std::vector<Sums>(number_of_clusters), {}, Listed_edges(input.items.mesh.corner_vertex.size()), nullptr, {}}
   {
@@ -55,7 +54,7 @@ public:
       rules_->count(number_of_clusters);
       state_.rules = &*rules_;
     }
-    add_up(cancellation_);
+    add_up(context_);
     if (number_of_clusters >= 2 * clusters_per_block && !checks_boundary_counts)
       divide(number_of_clusters / clusters_per_block);
   }
@@ -68,7 +67,7 @@ public:
     //! [recount]
     // Repeated updates accumulate rounding errors in the sums.
     if (rounds_since_sums_ >= 64)
-      add_up(Cancellation_point()); // must not be interrupted
+      add_up(context_.uninterrupted());
     //! [recount]
     Progress progress = run_rounds(end, false);
     // A round skips edges whose two clusters have not changed. Other clusters also determine whether a move is valid, so the
@@ -86,7 +85,7 @@ public:
     if (labels_.recounted() != labels_.boundary_counts())
       return false;
     std::vector<Sums> fresh(state_.clusters.size());
-    state_.energy.add_up(state_.input, labels_, fresh, Cancellation_point());
+    state_.energy.add_up(state_.input, labels_, fresh, Run_context());
     double mean = 0;
     for (const Sums& x : fresh)
       mean += x.energy / double(fresh.size());
@@ -103,7 +102,7 @@ public:
   {
     Boundary_edges all;
     Listed_edges listed(state_.input.mesh.corner_vertex.size());
-    list_boundary_edges(labels_, all, listed, Cancellation_point(), Execution::SEQUENTIAL);
+    list_boundary_edges(labels_, all, listed, Run_context());
     std::vector<Index> expected, corners;
     for (const Boundary_edge& e : all)
       expected.push_back(e.corner);
@@ -132,9 +131,9 @@ private:
 
   bool is_divided() const { return divisions_[0].size() > 1; }
 
-  void add_up(const Cancellation_point& cancellation)
+  void add_up(const Run_context& context)
   {
-    state_.energy.add_up(state_.input, labels_, state_.clusters, cancellation, execution_);
+    state_.energy.add_up(state_.input, labels_, state_.clusters, context);
     rounds_since_sums_ = 0;
   }
 
@@ -144,15 +143,14 @@ private:
   void divide(std::size_t blocks)
   {
     std::vector<Moments> clusters(state_.clusters.size());
-    add_up_centroids(state_.input, labels_, clusters, cancellation_, execution_);
+    add_up_centroids(state_.input, labels_, clusters, context_);
     std::vector<Vector> straight, oblique;
     for (const Moments& x : clusters) {
       const Vector p = without_last_digits(x.centroid);
       straight.push_back(p);
       oblique.push_back({p[0] + 2 * p[1] + 2 * p[2], 2 * p[0] + p[1] - 2 * p[2], 2 * p[0] - 2 * p[1] + p[2]});
     }
-    divisions_ = {
-      {Cluster_blocks(std::move(straight), blocks, execution_), Cluster_blocks(std::move(oblique), blocks, execution_)}};
+    divisions_ = {{Cluster_blocks(std::move(straight), blocks, context_), Cluster_blocks(std::move(oblique), blocks, context_)}};
   }
 
   Progress run_rounds(const Minimization_end& end, bool tests_all)
@@ -169,7 +167,7 @@ private:
   void list_edges()
   {
     whole_.reset();
-    list_boundary_edges(labels_, edges_, state_.listed, cancellation_, execution_);
+    list_boundary_edges(labels_, edges_, state_.listed, context_);
     begin_time();
   }
 
@@ -215,7 +213,7 @@ private:
   // Removes edges that now lie within a cluster, and begins a new time.
   void look_up_edges(bool tests_all)
   {
-    for_each_chunk(execution_, edges_.size(), 4096, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for_each_chunk(context_.uninterrupted(), edges_.size(), 4096, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         edges_[i].tested = tests_all || edges_[i].is_due(state_.last_change) ? 0 : 1;
         edges_[i].look_up(labels_);
@@ -242,11 +240,11 @@ private:
   Progress run_division(const Cluster_blocks& blocks, std::size_t max_rounds, double least_gain_per_edge, Boundary_edges& waiting,
                         Boundary_edges& done)
   {
-    Distributed_edges distributed = distribute(waiting, blocks, execution_);
+    Distributed_edges distributed = distribute(waiting, blocks, context_);
     waiting = std::move(distributed.between);
     share_vertices(blocks, waiting, done);
     std::vector<Part> parts(blocks.size());
-    for_each_chunk(execution_, parts.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+    for_each_chunk(context_.uninterrupted(), parts.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
       parts[i].edges.swap(distributed.of_block[i]);
       run_part(parts[i], max_rounds, least_gain_per_edge);
     });
@@ -317,9 +315,8 @@ private:
   }
 
   Cluster_labels& labels_;
-  Cancellation_point cancellation_;
+  const Run_context context_;
   Shared_cancellation_point shared_cancellation_;
-  Execution execution_;
   std::optional<Feature_rules> rules_;
   Minimization_state<Energy> state_;
   std::array<Cluster_blocks, 2> divisions_;

@@ -55,10 +55,8 @@ class Energy_model
 {
 public:
   virtual ~Energy_model() = default;
-  virtual std::unique_ptr<Minimization> minimization(const Featured_input& input, Cluster_labels& labels,
-                                                     std::size_t clusters, bool checks_boundary_counts,
-                                                     const Cancellation_point& cancellation,
-                                                     Execution execution) const = 0;
+  virtual std::unique_ptr<Minimization> minimization(const Featured_input& input, Cluster_labels& labels, std::size_t clusters,
+                                                     bool checks_boundary_counts, const Run_context& context) const = 0;
   // Computes the energies and weights of the clusters; the other members remain empty.
   virtual std::vector<Cluster_report> cluster_reports(const Clustering_input& input, const Cluster_labels& labels,
                                                       std::size_t clusters) const = 0;

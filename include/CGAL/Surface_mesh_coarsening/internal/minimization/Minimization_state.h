@@ -92,17 +92,17 @@ public:
 
   // Computes all sums of the clusters.
   void add_up(const Clustering_input& input, const Cluster_labels& labels, std::vector<Sums>& clusters,
-              const Cancellation_point& cancellation, Execution execution = Execution::SEQUENTIAL) const
+              const Run_context& context) const
   {
     std::fill(clusters.begin(), clusters.end(), Sums());
     const std::vector<Index>& cluster = labels.labels();
     if constexpr (has_two_passes<Energy>) {
-      for_each_in_groups(execution, cluster, clusters.size(), cancellation,
+      for_each_in_groups(context, cluster, clusters.size(),
                          [&](Index f) { energy_.add_to_center(clusters[cluster[f]], Clustered_face(input, f)); });
       for (Sums& x : clusters)
         energy_.set_center(x);
     }
-    for_each_in_groups(execution, cluster, clusters.size(), cancellation, [&](Index f) {
+    for_each_in_groups(context, cluster, clusters.size(), [&](Index f) {
       Sums& x = clusters[cluster[f]];
       ++x.faces;
       if constexpr (has_two_passes<Energy>)

@@ -31,7 +31,7 @@ std::vector<Cluster_sums<Energy> > cluster_sums(const Energy& energy, const Clus
                                                 const Cluster_labels& labels, std::size_t clusters)
 {
   std::vector<Cluster_sums<Energy> > sums(clusters);
-  Energy_evaluation<Energy>(energy, input, clusters).add_up(input, labels, sums, Cancellation_point());
+  Energy_evaluation<Energy>(energy, input, clusters).add_up(input, labels, sums, Run_context());
   return sums;
 }
 
@@ -58,11 +58,9 @@ public:
   explicit Typed_energy_model(const Energy& energy) : energy_(energy) {}
 
   std::unique_ptr<Minimization> minimization(const Featured_input& input, Cluster_labels& labels, std::size_t clusters,
-                                             bool checks_boundary_counts, const Cancellation_point& cancellation,
-                                             Execution execution) const override
+                                             bool checks_boundary_counts, const Run_context& context) const override
   {
-    return std::make_unique<Energy_minimization<Energy> >(input, labels, clusters, energy_, checks_boundary_counts, cancellation,
-                                                          execution);
+    return std::make_unique<Energy_minimization<Energy> >(input, labels, clusters, energy_, checks_boundary_counts, context);
   }
 
   std::vector<Cluster_report> cluster_reports(const Clustering_input& input, const Cluster_labels& labels,

@@ -55,12 +55,12 @@ struct Halfedges
   std::vector<Index> target, next, face; // per halfedge; `face` is NONE on the border
   std::vector<Index> of_vertex, of_face; // a halfedge that ends in the vertex, on the border if possible
 
-  Halfedges(const std::vector<Triangle>& triangles, std::size_t vertices, const Cancellation_point& cancellation)
+  Halfedges(const std::vector<Triangle>& triangles, std::size_t vertices, const Run_context& context)
     : of_vertex(vertices, NONE),
       of_face(triangles.size())
   {
     std::vector<Index> side_halfedge(3 * triangles.size(), NONE);
-    pair_sides(triangles, side_halfedge, cancellation);
+    pair_sides(triangles, side_halfedge, context);
     next.assign(target.size(), NONE);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       of_face[t] = side_halfedge[3 * t];
@@ -71,13 +71,12 @@ struct Halfedges
   }
 
 private:
-  void pair_sides(const std::vector<Triangle>& triangles, std::vector<Index>& side_halfedge,
-                  const Cancellation_point& cancellation)
+  void pair_sides(const std::vector<Triangle>& triangles, std::vector<Index>& side_halfedge, const Run_context& context)
   {
     const std::vector<Index> twin =
       opposite_sides(triangles.size(), of_vertex.size(), [&](Index s) { return triangles[s / 3][s % 3]; });
     for (Index s = 0; s < Index(twin.size()); ++s) {
-      cancellation.poll();
+      context.poll();
       if (side_halfedge[s] != NONE)
         continue;
       const Index h = Index(target.size()), t = s / 3;
@@ -133,14 +132,14 @@ class Face_graph_filler
 
 public:
   Face_graph_filler(const std::vector<Vector>& positions, const Local_frame& frame, const std::vector<Triangle>& triangles,
-                    Output& output, const NamedParameters& np, const Cancellation_point& cancellation = Cancellation_point())
+                    Output& output, const NamedParameters& np, const Run_context& context = Run_context())
     : output_(output),
       np_(np),
       points_(output_points<Output>(positions, frame, np))
   {
     polygons_.reserve(triangles.size());
     for (const Triangle& t : triangles) {
-      cancellation.poll();
+      context.poll();
       polygons_.push_back({{t[0], t[1], t[2]}});
     }
   }
@@ -186,11 +185,11 @@ class Face_graph_filler<Surface_mesh<Point>, NamedParameters>
 
 public:
   Face_graph_filler(const std::vector<Vector>& positions, const Local_frame& frame, const std::vector<Triangle>& triangles,
-                    Mesh& mesh, const NamedParameters& np, const Cancellation_point& cancellation = Cancellation_point())
+                    Mesh& mesh, const NamedParameters& np, const Run_context& context = Run_context())
     : mesh_(mesh),
       np_(np),
       points_(output_points<Mesh>(positions, frame, np)),
-      halfedges_(triangles, positions.size(), cancellation)
+      halfedges_(triangles, positions.size(), context)
   {
     if (!mesh_.has_garbage())
       reserve();

@@ -35,7 +35,7 @@ inline std::vector<long long> regions(const Flat_mesh& m, const Feature_edges& e
     if (region[seed] >= 0)
       continue;
     region[seed] = number;
-    flood_fill(m, Index(seed), reached, Cancellation_point(), [&](Index c, Index g) {
+    flood_fill(m, Index(seed), reached, Run_context(), [&](Index c, Index g) {
       if (edges.is_feature[c] || region[g] >= 0)
         return false;
       region[g] = number;
@@ -311,9 +311,9 @@ public:
   explicit Vertex_sources(const Map& map) : map_(map) {}
 
   void find(const FaceGraph& mesh, const Numbering<FaceGraph>& numbering, const Clustering_input& input,
-            const std::vector<Index>& clusters, const std::vector<Vector>& positions, const Cancellation_point& cancellation)
+            const std::vector<Index>& clusters, const std::vector<Vector>& positions, const Run_context& context)
   {
-    locations_ = surface_locations(mesh, numbering, input, clusters, positions, cancellation);
+    locations_ = surface_locations(mesh, numbering, input, clusters, positions, context);
   }
 
   template <class Output>
@@ -335,7 +335,7 @@ class Vertex_sources<FaceGraph, CGAL::internal_np::Param_not_found>
 public:
   explicit Vertex_sources(const CGAL::internal_np::Param_not_found&) {}
   void find(const FaceGraph&, const Numbering<FaceGraph>&, const Clustering_input&, const std::vector<Index>&,
-            const std::vector<Vector>&, const Cancellation_point&)
+            const std::vector<Vector>&, const Run_context&)
   {}
   template <class Output>
   void write(const Output&) {}

@@ -32,18 +32,17 @@ inline Vector checked_position(const Clustered_faces& surface, std::size_t clust
 // Places the vertices of the clusters. Vertices of clusters on the border lie on the border. A global placement may flip edges
 // of the triangles.
 inline std::vector<Vector> place_vertices(const Clustered_faces& surface, const Border_arcs& border,
-                                          const Placement_model& placement, std::vector<Triangle>& triangles,
-                                          const Cancellation_point& cancellation)
+                                          const Placement_model& placement, std::vector<Triangle>& triangles)
 {
-  cancellation.stage_begins(Coarsening_stage::PLACEMENT);
+  const Run_context context = placement.may_run_in_parallel ? surface.context() : surface.context().on_one_thread();
+  context.stage_begins(Coarsening_stage::PLACEMENT);
   std::vector<Vector> positions(surface.number_of_clusters());
   border.place(positions);
   if (placement.local) {
-    const Execution execution = placement.may_run_in_parallel ? surface.execution() : Execution::SEQUENTIAL;
-    for_each_chunk(execution, positions.size(), 16, cancellation, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for_each_chunk(context, positions.size(), 16, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t x = begin; x < end; ++x) {
-        if (execution == Execution::SEQUENTIAL)
-          cancellation.poll(surface.faces(x).size());
+        if (!context.is_parallel())
+          context.poll(surface.faces(x).size());
         if (!border.is_on_border(x))
           positions[x] = placement.local(surface, x);
       }
@@ -53,22 +52,21 @@ inline std::vector<Vector> place_vertices(const Clustered_faces& surface, const 
   }
   for (std::size_t x = 0; x < positions.size(); ++x)
     positions[x] = checked_position(surface, x, positions[x]);
-  cancellation.stage_ends(Coarsening_stage::PLACEMENT);
+  context.stage_ends(Coarsening_stage::PLACEMENT);
   return positions;
 }
 
 // Moves vertices and flips edges where triangles intersect that do not in the input, or face away from the surface.
 inline Repair_counts repair_placement(const Clustered_faces& surface, const Border_arcs& border,
                                       const Placement_model& placement, const Output_coordinates& output_coordinates,
-                                      std::vector<Triangle>& triangles, std::vector<Vector>& positions, Repair_budget& budget,
-                                      const Cancellation_point& cancellation)
+                                      std::vector<Triangle>& triangles, std::vector<Vector>& positions, Repair_budget& budget)
 {
-  cancellation.stage_begins(Coarsening_stage::REPAIR);
-  Placement_repair repair(surface, border, output_coordinates, triangles, positions, budget, cancellation);
+  surface.context().stage_begins(Coarsening_stage::REPAIR);
+  Placement_repair repair(surface, border, output_coordinates, triangles, positions, budget);
   if (placement.is_at_input_vertices)
     repair.stay_at_input_vertices();
   const Repair_counts counts = repair.run();
-  cancellation.stage_ends(Coarsening_stage::REPAIR);
+  surface.context().stage_ends(Coarsening_stage::REPAIR);
   return counts;
 }
 
@@ -76,13 +74,12 @@ inline Repair_counts repair_placement(const Clustered_faces& surface, const Bord
 inline std::vector<Vector> place_vertices(const Clustered_faces& surface, const Border_arcs& border,
                                           const Placement_model& placement, bool with_repair,
                                           const Output_coordinates& output_coordinates, std::vector<Triangle>& triangles,
-                                          Repair_counts& counts, const Cancellation_point& cancellation = Cancellation_point())
+                                          Repair_counts& counts)
 {
-  std::vector<Vector> positions = place_vertices(surface, border, placement, triangles, cancellation);
+  std::vector<Vector> positions = place_vertices(surface, border, placement, triangles);
   Repair_budget budget(surface.input().mesh.number_of_faces());
-  counts = with_repair
-             ? repair_placement(surface, border, placement, output_coordinates, triangles, positions, budget, cancellation)
-             : Repair_counts();
+  counts = with_repair ? repair_placement(surface, border, placement, output_coordinates, triangles, positions, budget)
+                       : Repair_counts();
   return positions;
 }
 

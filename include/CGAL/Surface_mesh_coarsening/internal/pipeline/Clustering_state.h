@@ -52,8 +52,7 @@ struct Clustering_state
   ~Clustering_state();
 
   // Set by the preparation:
-  Visitor_handle visitor;
-  Execution execution = Execution::SEQUENTIAL;
+  Run_context context;
   bool may_cluster_cells = false; // whether the weight is the default and densities are not given
   double share_for_cells = min_share_of_cells; // 0 if only the distance counts
   bool subdivides_input = false, repairs_output = true;
@@ -76,7 +75,6 @@ struct Clustering_state
 
   Coarsening_report report;
 
-  Cancellation_point cancellation() const { return Cancellation_point(visitor); }
   // The faces of the mesh.
   const Clustering_input& base_input() const;
   // The labelled faces: the faces of the input, or pieces of them.
@@ -86,14 +84,13 @@ struct Clustering_state
 };
 
 // Returns the same input with the cells of all vertices as items, or with faces as items, except at features.
-inline Featured_input with_items(const Featured_input& input, Feature_cells::Extent extent,
-                                 const Cancellation_point& cancellation)
+inline Featured_input with_items(const Featured_input& input, Feature_cells::Extent extent, const Run_context& context)
 {
   const Clustering_input& base = input.cells ? input.cells->base() : input.items;
   const Feature_edges edges = input.cells ? input.cells->edges() : Feature_edges(base.mesh);
   if (extent == Feature_cells::AT_FEATURES && edges.empty())
     return {base, nullptr};
-  return Feature_cells::run(base, edges, cancellation, extent);
+  return Feature_cells::run(base, edges, context, extent);
 }
 
 // Other placements than the fit do not return the vertices of single cells.

@@ -20,7 +20,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Cluster_report> cluster_reports(
   const Cluster_labels& current = labels(state);
   std::vector<Cluster_report> reports = state.energy->cluster_reports(state.working_input(), current, clusters);
   const Labelled_pieces pieces(state.featured_input(), current, clusters);
-  const Clustered_faces clustered(pieces, clusters, state.execution, state.cancellation());
+  const Clustered_faces clustered(pieces, clusters, state.context);
   for (std::size_t x = 0; x < clusters; ++x)
     reports[x].centroid = to_point(state.frame.to_mesh(clustered.cluster_centroid(x)));
   for (std::size_t f = 0; f < faces; ++f)

@@ -52,7 +52,7 @@ Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& outp
                               has_parameter<internal_np::vertex_to_cluster_t, NPIn>;
       const Clustering_state& state = clustering.state();
       const std::vector<Index> clusters = are_wanted ? clusters_of_base_faces(state) : std::vector<Index>();
-      sources.find(input, clustering.numbering(), state.base_input(), clusters, positions, state.cancellation());
+      sources.find(input, clustering.numbering(), state.base_input(), clusters, positions, state.context);
       write_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
       write_boundary_counts(clustering, get_parameter(np_in, internal_np::vertex_boundary_count));
       write_vertex_clusters(clustering.numbering(), state.base_input(), clusters, state.number_of_clusters(),

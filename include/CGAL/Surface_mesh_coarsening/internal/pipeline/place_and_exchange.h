@@ -29,7 +29,7 @@ constexpr std::size_t placement_tests = 1000;
 inline std::unique_ptr<Clustered_faces> clustered_faces(const Clustering_state& state, Placed_dual& dual)
 {
   dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
-  return std::make_unique<Clustered_faces>(*dual.pieces, state.number_of_clusters(), state.execution, state.cancellation());
+  return std::make_unique<Clustered_faces>(*dual.pieces, state.number_of_clusters(), state.context);
 }
 
 // The surface with its current clusters, and the positions of vertices on its border and features.
@@ -75,8 +75,8 @@ inline Vertex_relocation vertex_relocation(const Clustering_state& state, const 
   Vertex_relocation relocation;
   relocation.rounds = state.exchange_rounds;
   relocation.begins = [&state] {
-    state.visitor.stage_ends(Coarsening_stage::PLACEMENT);
-    state.visitor.stage_begins(Coarsening_stage::FEEDBACK);
+    state.context.stage_ends(Coarsening_stage::PLACEMENT);
+    state.context.stage_begins(Coarsening_stage::FEEDBACK);
   };
   relocation.relocate = [&](Index x, Index into, const std::vector<Index>& faces) { return clusters.relocate(x, into, faces); };
   relocation.undo = [&] { clusters.undo(); };
@@ -92,22 +92,21 @@ inline Repair_counts repaired(const Clustering_state& state, const Bordered_surf
 {
   if (!state.repairs_output)
     return Repair_counts();
-  return repair_placement(*surface.faces, surface.border, placement, output_coordinates, dual.triangles, dual.positions, budget,
-                          state.cancellation());
+  return repair_placement(*surface.faces, surface.border, placement, output_coordinates, dual.triangles, dual.positions, budget);
 }
 
 // Places the vertices and repairs the placement.
 inline Placed_dual place(const Clustering_state& state, const Placement_model& placement,
                          const Output_coordinates& output_coordinates, Repair_budget& budget)
 {
-  state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
+  state.context.stage_begins(Coarsening_stage::TRIANGULATION);
   Placed_dual dual;
   const std::unique_ptr<Bordered_surface> surface = bordered_surface(state, dual);
-  dual.triangles = dual_triangles(labels(state), state.cancellation(), state.execution);
-  state.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
-  dual.positions = place_vertices(*surface->faces, surface->border, placement, dual.triangles, state.cancellation());
+  dual.triangles = dual_triangles(labels(state), state.context);
+  state.context.stage_ends(Coarsening_stage::TRIANGULATION);
+  dual.positions = place_vertices(*surface->faces, surface->border, placement, dual.triangles);
   dual.counts = repaired(state, *surface, placement, output_coordinates, dual, budget);
-  state.visitor.throw_if_cancelled();
+  state.context.throw_if_cancelled();
   return dual;
 }
 
@@ -132,9 +131,9 @@ inline Placed_dual with_vertices_at(const std::vector<Index>& triangles, Cluster
   next.positions = dual.positions;
   Vertex_relocation relocation = vertex_relocation(state, *surface->faces, clusters);
   relocation.destinations = triangles;
-  state.visitor.stage_begins(Coarsening_stage::FEEDBACK);
+  state.context.stage_begins(Coarsening_stage::FEEDBACK);
   placement.exchanging(*surface->faces, surface->border, next.triangles, next.positions, relocation);
-  state.visitor.stage_ends(Coarsening_stage::FEEDBACK);
+  state.context.stage_ends(Coarsening_stage::FEEDBACK);
   surface = bordered_surface(state, next);
   next.counts = repair_exchanged(state, *surface, placement, output_coordinates, next, budget);
   next.counts.intersections_found = dual.counts.intersections_found;
@@ -192,17 +191,17 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
                                       const Output_coordinates& output_coordinates, Cluster_relocation& clusters,
                                       Repair_budget& budget, Plain_fit& plain)
 {
-  state.visitor.stage_begins(Coarsening_stage::TRIANGULATION);
+  state.context.stage_begins(Coarsening_stage::TRIANGULATION);
   Placed_dual dual;
   std::unique_ptr<Bordered_surface> surface = bordered_surface(state, dual);
-  dual.triangles = dual_triangles(labels(state), state.cancellation(), state.execution);
-  state.visitor.stage_ends(Coarsening_stage::TRIANGULATION);
-  state.visitor.stage_begins(Coarsening_stage::PLACEMENT);
+  dual.triangles = dual_triangles(labels(state), state.context);
+  state.context.stage_ends(Coarsening_stage::TRIANGULATION);
+  state.context.stage_begins(Coarsening_stage::PLACEMENT);
   dual.positions.resize(state.number_of_clusters());
   surface->border.place(dual.positions);
   plain = placement.exchanging(*surface->faces, surface->border, dual.triangles, dual.positions,
                                vertex_relocation(state, *surface->faces, clusters));
-  state.visitor.stage_ends(Coarsening_stage::FEEDBACK);
+  state.context.stage_ends(Coarsening_stage::FEEDBACK);
   if (clusters.number() > 0)
     surface = bordered_surface(state, dual);
   CGAL_assertion(stay_on_components(*surface->faces, dual.triangles));
@@ -212,7 +211,7 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
   for (std::size_t i = 0; i < max_repairs_by_exchange && is_better && is_worth_repairing(state, dual, budget); ++i)
     is_better = repair_by_exchange(state, placement, output_coordinates, clusters, surface, dual, budget);
   dual.movement_by_repair = mean_movement(fitted, dual.positions);
-  state.visitor.throw_if_cancelled();
+  state.context.throw_if_cancelled();
   return dual;
 }
 

@@ -107,24 +107,21 @@ void report_placement(Coarsening_report& report, const std::vector<Triangle>& tr
                       const Repair_counts& counts, std::size_t clusterings = 1);
 
 // The first stage: checks the mesh, copies it to arrays, and computes or reads densities and features (section 5.2).
-template <class FaceGraph, class NamedParameters>
-void prepare(const FaceGraph& mesh, const NamedParameters& np, Execution execution, Numbering<FaceGraph>& elements,
-             Clustering_state& state)
+template <class ConcurrencyTag, class FaceGraph, class NamedParameters>
+void prepare(const FaceGraph& mesh, const NamedParameters& np, Numbering<FaceGraph>& elements, Clustering_state& state)
 {
-  state.visitor = Visitor_handle(get_parameter(np, CGAL::internal_np::visitor));
-  state.execution = execution;
-  state.visitor.stage_begins(Coarsening_stage::PREPARATION);
-  const Cancellation_point cancellation = state.cancellation();
-  elements = numbering(mesh, np, cancellation);
-  state.input.items = clustering_input(mesh, np, elements, state.frame, cancellation, execution);
+  state.context = Run_context(ConcurrencyTag(), get_parameter(np, CGAL::internal_np::visitor));
+  state.context.stage_begins(Coarsening_stage::PREPARATION);
+  elements = numbering(mesh, np, state.context);
+  state.input.items = clustering_input(mesh, np, elements, state.frame, state.context);
   state.subdivides_input = choose_parameter(get_parameter(np, internal_np::subdivide_input_p), false);
   state.follows_paper = choose_parameter(get_parameter(np, internal_np::paper_rules_p), false);
   state.repairs_output = choose_parameter(get_parameter(np, internal_np::repair_output_p), true);
   constexpr bool has_densities = has_parameter<internal_np::face_density_t, NamedParameters>;
   const std::size_t default_feedback = has_densities ? 0 : Coarsening_defaults::error_feedback;
   state.exchange_rounds = choose_parameter(get_parameter(np, internal_np::error_feedback_p), default_feedback);
-  read_features(mesh, np, elements, state.input, state.frame, state.patches, cancellation);
-  state.visitor.stage_ends(Coarsening_stage::PREPARATION);
+  read_features(mesh, np, elements, state.input, state.frame, state.patches, state.context);
+  state.context.stage_ends(Coarsening_stage::PREPARATION);
 }
 
 // The last stage: fills the output. Calls `before` after all steps that can fail, while the output is still unchanged.
@@ -132,9 +129,8 @@ template <class Output, class NamedParameters, class Before>
 void emit(Clustering_state& state, const Placed_dual& dual, Output& output, const NamedParameters& np, const Before& before)
 {
   report_placement(state.report, dual.triangles, dual.positions, dual.counts, dual.clusterings);
-  Face_graph_filler<Output, NamedParameters> filler(dual.positions, state.frame, dual.triangles, output, np,
-                                                    state.cancellation());
-  state.visitor.throw_if_cancelled();
+  Face_graph_filler<Output, NamedParameters> filler(dual.positions, state.frame, dual.triangles, output, np, state.context);
+  state.context.throw_if_cancelled();
   before(dual.positions);
   filler.commit();
   write_features(output, np, dual.triangles, dual.pieces->features(), state.featured_input(), labels(state), state.patches);

@@ -75,7 +75,7 @@ inline void begin_minimization(Clustering_state& state)
   if (state.minimization)
     return;
   state.minimization = state.energy->minimization(state.featured_input(), *state.labels, state.number_of_clusters(),
-                                                  state.follows_paper, state.cancellation(), state.execution);
+                                                  state.follows_paper, state.context);
   state.report.initial_energy = state.report.final_energy = state.minimization->energy();
 }
 
@@ -84,7 +84,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void cluster_faces(Clustering_state& state)
   if (!has_vertex_cells(state.input))
     return;
   forget_clusters(state);
-  state.input = with_items(state.input, Feature_cells::AT_FEATURES, state.cancellation());
+  state.input = with_items(state.input, Feature_cells::AT_FEATURES, state.context);
 }
 
 inline void choose_items(Clustering_state& state, const Seeding& seeding)
@@ -92,7 +92,7 @@ inline void choose_items(Clustering_state& state, const Seeding& seeding)
   if (!needs_vertex_cells(state, seeding))
     cluster_faces(state);
   else if (!has_vertex_cells(state.input))
-    state.input = with_items(state.input, Feature_cells::AT_ALL_VERTICES, state.cancellation());
+    state.input = with_items(state.input, Feature_cells::AT_ALL_VERTICES, state.context);
 }
 
 inline void seed_items(Clustering_state& state, const Seeding& seeding)
@@ -101,8 +101,7 @@ inline void seed_items(Clustering_state& state, const Seeding& seeding)
   reset_report(state);
   state.seeding = seeding;
   state.minimization_end = Minimization_end();
-  state.initial = std::make_unique<Initial_clustering>(state.input, state.follows_paper, state.report, state.cancellation(),
-                                                       state.execution);
+  state.initial = std::make_unique<Initial_clustering>(state.input, state.follows_paper, state.report, state.context);
   all_or_nothing(state, [&] {
     if (seeding.kind == Seeding::AT_LEVEL) {
       const Index level = Index((std::min)(seeding.value, std::size_t(NONE / 4)));
@@ -137,19 +136,19 @@ void run_with_any_items(Clustering_state& state, const Step& step, const Step_wi
 
 CGAL_SURFACE_MESH_COARSENING_INLINE void seed(Clustering_state& state, const Seeding& seeding)
 {
-  state.visitor.stage_begins(Coarsening_stage::SEEDING);
+  state.context.stage_begins(Coarsening_stage::SEEDING);
   forget_clusters(state);
   choose_items(state, seeding);
   state.seeding = seeding;
   run_with_any_items(state, [&] { seed_items(state, seeding); }, [] {});
-  state.visitor.stage_ends(Coarsening_stage::SEEDING);
+  state.context.stage_ends(Coarsening_stage::SEEDING);
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE void grow(Clustering_state& state)
 {
   if (!state.initial)
     throw std::logic_error("grow() was called before seed()");
-  state.visitor.stage_begins(Coarsening_stage::GROWTH);
+  state.context.stage_begins(Coarsening_stage::GROWTH);
   state.editing.reset();
   state.minimization.reset();
   state.labels.reset();
@@ -158,7 +157,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void grow(Clustering_state& state)
   };
   run_with_any_items(state, grow_items, grow_items);
   all_or_nothing(state, [&] { begin_minimization(state); });
-  state.visitor.stage_ends(Coarsening_stage::GROWTH);
+  state.context.stage_ends(Coarsening_stage::GROWTH);
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE void set_clusters(Clustering_state& state, std::unique_ptr<Cluster_labels> labels,
@@ -192,7 +191,7 @@ inline bool run_rounds(Clustering_state& state, const Minimization_end& end)
   report.refused_by_guarantee += state.minimization->refusals().by_guarantee - refusals_before.by_guarantee;
   report.final_energy = state.minimization->energy();
   report.converged = progress.moves == 0;
-  state.visitor.round_done(report.rounds, progress.moves, report.final_energy);
+  state.context.round_done(report.rounds, progress.moves, report.final_energy);
   return progress.moves != 0;
 }
 
@@ -208,7 +207,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void minimize(Clustering_state& state, const
 {
   begin_minimization(state);
   state.minimization_end = end;
-  state.visitor.stage_begins(Coarsening_stage::MINIMIZATION);
+  state.context.stage_begins(Coarsening_stage::MINIMIZATION);
   Coarsening_report& report = state.report;
   double energy = state.minimization->energy();
   // Cells have been merged by the residuals of their quadrics, which moves that lower another energy would increase.
@@ -221,7 +220,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void minimize(Clustering_state& state, const
     energy = report.final_energy;
     report.converged = has_ended;
   }
-  state.visitor.stage_ends(Coarsening_stage::MINIMIZATION);
+  state.context.stage_ends(Coarsening_stage::MINIMIZATION);
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE double energy(const Clustering_state& state)
@@ -345,8 +344,7 @@ inline void recluster(Clustering_state& state, const std::vector<double>& densit
   if (state.input.cells) {
     Clustering_input base = state.input.cells->base();
     base.density = densities;
-    state.input =
-      Feature_cells::run(base, state.input.cells->edges(), state.cancellation(), state.input.cells->extent());
+    state.input = Feature_cells::run(base, state.input.cells->edges(), state.context, state.input.cells->extent());
   } else {
     state.input.items.density = densities;
   }

@@ -43,12 +43,9 @@ auto with_attainable_numbers(const Clustering_state& state, const Use& use)
 {
   Coarsening_report unused;
   const std::optional<Featured_input> faces =
-    has_vertex_cells(state.input)
-      ? std::make_optional(with_items(state.input, Feature_cells::AT_FEATURES, state.cancellation()))
-      : std::nullopt;
-  return use([&] {
-    return Initial_clustering(faces ? *faces : state.input, state.follows_paper, unused, state.cancellation(), state.execution);
-  });
+    has_vertex_cells(state.input) ? std::make_optional(with_items(state.input, Feature_cells::AT_FEATURES, state.context))
+                                  : std::nullopt;
+  return use([&] { return Initial_clustering(faces ? *faces : state.input, state.follows_paper, unused, state.context); });
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE std::pair<std::size_t, std::size_t> vertex_number_range(const Clustering_state& state)
@@ -109,7 +106,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::size_t keep_small_components(Clustering
         edges.is_feature[c] = base.mesh.face_across[c] != NONE;
         edges.is_corner[base.mesh.corner_vertex[c]] = true;
       }
-  state.input = Feature_cells::run(Clustering_input(base), edges, state.cancellation());
+  state.input = Feature_cells::run(Clustering_input(base), edges, state.context);
   return kept + part_of(reduced, ratio);
 }
 
@@ -150,7 +147,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::size_t vertices_for_faces(Clustering_st
     seed(state, {Seeding::FOR_NUMBER, n, true});
     grow(state);
     minimize(state, end);
-    const double deviation = wanted - double(dual_triangles(labels(state), state.cancellation(), state.execution).size());
+    const double deviation = wanted - double(dual_triangles(labels(state), state.context).size());
     deviations[n] = deviation;
     number_by_deviation.emplace(std::abs(deviation), n);
     n = to_number(double(n) + (std::abs(deviation) == 1 ? deviation : std::trunc(deviation / 2)));

@@ -25,10 +25,9 @@ class Angle_improvement
 public:
   // `within_bounds` returns the nearest admissible position of a vertex.
   Angle_improvement(const Border_arcs& border, const Flippable_triangulation& coarse, std::vector<Vector>& positions,
-                    Fit_samples& samples, std::function<Vector(Index, const Vector&)> within_bounds,
-                    const Cancellation_point& cancellation, Execution execution)
+                    Fit_samples& samples, std::function<Vector(Index, const Vector&)> within_bounds, const Run_context& context)
     : border_(border), coarse_(coarse), positions_(positions), samples_(samples), within_bounds_(std::move(within_bounds)),
-      cancellation_(cancellation), execution_(execution)
+      context_(context)
   {}
 
   // Processes the narrowest triangle first.
@@ -39,7 +38,7 @@ public:
     tries_.assign(positions_.size(), 0);
     std::vector<std::pair<double, Index> > narrow;
     for (std::size_t t = 0; t < coarse_.triangles().size(); ++t) {
-      cancellation_.poll();
+      context_.poll();
       const double angle = angle_of(Index(t));
       if (angle < narrow_angle)
         narrow.emplace_back(angle, Index(t));
@@ -79,9 +78,9 @@ private:
   // Improves the marked triangles and clears the marks. Their moves do not depend on each other and are computed in parallel.
   void improve(std::vector<Index>& triangles)
   {
-    cancellation_.poll(steps_of_triangle * triangles.size());
+    context_.poll(steps_of_triangle * triangles.size());
     std::vector<Move> moves(triangles.size());
-    for_each_chunk(execution_, triangles.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+    for_each_chunk(context_.uninterrupted(), triangles.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
       if (angle_of(triangles[i]) < narrow_angle)
         moves[i] = best_move(triangles[i]);
     });
@@ -235,8 +234,7 @@ private:
   std::vector<Vector>& positions_;
   Fit_samples& samples_;
   const std::function<Vector(Index, const Vector&)> within_bounds_;
-  const Cancellation_point cancellation_;
-  const Execution execution_;
+  const Run_context context_;
   Angle_worth worth_;
   std::vector<char> is_marked_; // of each vertex
   std::vector<std::size_t> tries_;

@@ -28,9 +28,8 @@ public:
   // rate of angles has a larger minimum. Otherwise vertices remain at their clusters, and only flips across sharp edges would
   // avoid narrow triangles.
   Edge_flips(Flippable_triangulation& coarse, const std::vector<Vector>& positions, Fit_samples& samples, bool avoids_narrowness,
-             const Cancellation_point& cancellation, Execution execution)
-    : coarse_(coarse), positions_(positions), samples_(samples), avoids_narrowness_(avoids_narrowness),
-      cancellation_(cancellation), execution_(execution)
+             const Run_context& context)
+    : coarse_(coarse), positions_(positions), samples_(samples), avoids_narrowness_(avoids_narrowness), context_(context)
   {}
 
   // The angle is in radians. A steady run changes the exchange rate of the previous run only slightly.
@@ -50,10 +49,10 @@ public:
     worth_ = {is_bounded ? before / max_change : rate(lowest_exponent(), mean), narrow_part * mean};
     std::vector<Flip> flips;
     for_each_part<std::vector<Flip> >(
-      execution_, triangles.size(), triangles_of_part, cancellation_,
+      context_, triangles.size(), triangles_of_part,
       [this](std::vector<Flip>& trials, std::size_t begin, std::size_t end) { try_flips(begin, end, trials); },
       [&](const std::vector<Flip>& trials) {
-        cancellation_.poll(steps_of_flip * triangles_of_part);
+        context_.poll(steps_of_flip * triangles_of_part);
         flips.insert(flips.end(), trials.begin(), trials.end());
       });
     const double wanted = rate_for(flips, budget, mean);
@@ -84,7 +83,7 @@ private:
   void measure_triangles()
   {
     measures_.resize(coarse_.triangles().size());
-    for_each_number(execution_, measures_.size(), cancellation_, [this](Index t) {
+    for_each_number(context_, measures_.size(), [this](Index t) {
       const double sharpest = sharpest_of(positions_, coarse_.triangles()[t]);
       measures_[t] = {sharpest, angle(sharpest), samples_.cost(t)};
     });
@@ -183,8 +182,8 @@ private:
       is_done[t] = is_done[u] = true;
       flipped.emplace_back(t, u);
     }
-    cancellation_.poll(steps_of_flip * flipped.size());
-    for_each_chunk(execution_, flipped.size(), 4, cancellation_, [&](std::size_t, std::size_t begin, std::size_t end) {
+    context_.poll(steps_of_flip * flipped.size());
+    for_each_chunk(context_, flipped.size(), 4, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         samples_.redistribute(flipped[i].first, flipped[i].second);
     });
@@ -203,8 +202,7 @@ private:
   const std::vector<Vector>& positions_;
   Fit_samples& samples_;
   const bool avoids_narrowness_;
-  const Cancellation_point cancellation_;
-  const Execution execution_;
+  const Run_context context_;
   const double sharpest_allowed_ = std::cos(avoids_narrowness_ ? min_angle : min_angle_otherwise);
   Angle_worth worth_;
   std::vector<Measures> measures_; // of each triangle

@@ -65,9 +65,8 @@ class Exchange_candidates
 {
 public:
   Exchange_candidates(const Border_arcs& border, const Flippable_triangulation& coarse, const std::vector<Vector>& positions,
-                      const Fit_samples& samples, const Cancellation_point& cancellation, Execution execution)
-    : border_(border), coarse_(coarse), positions_(positions), samples_(samples), cancellation_(cancellation),
-      execution_(execution) {}
+                      const Fit_samples& samples, const Run_context& context)
+    : border_(border), coarse_(coarse), positions_(positions), samples_(samples), context_(context) {}
 
   // Measures the current triangles.
   void measure_triangles(const Angle_worth& worth)
@@ -76,7 +75,7 @@ public:
     const std::size_t n = coarse_.triangles().size();
     cost_.resize(n);
     angle_.resize(n);
-    for_each_number(execution_, n, cancellation_, [this](Index t) {
+    for_each_number(context_, n, [this](Index t) {
       cost_[t] = 2 * samples_.cost_of_input(t);
       angle_[t] = smallest_angle(positions_, triangle(t));
     });
@@ -87,7 +86,7 @@ public:
   void for_each_removal(const Visit& visit) const
   {
     for_each_part<std::vector<Vertex_removal> >(
-      execution_, positions_.size(), vertices_of_part, cancellation_,
+      context_, positions_.size(), vertices_of_part,
       [this](std::vector<Vertex_removal>& removals, std::size_t begin, std::size_t end) {
         removals.clear();
         for (std::size_t v = begin; v != end; ++v)
@@ -95,7 +94,7 @@ public:
             removals.push_back(estimated_removal(Index(v)));
       },
       [&](const std::vector<Vertex_removal>& removals) {
-        cancellation_.poll(steps_of_removal * vertices_of_part);
+        context_.poll(steps_of_removal * vertices_of_part);
         for (const Vertex_removal& r : removals)
           if (r.into != NONE)
             visit(r);
@@ -107,7 +106,7 @@ public:
   void for_each_insertion(const Visit& visit) const
   {
     for (std::size_t t = 0; t < coarse_.triangles().size(); ++t) {
-      cancellation_.poll();
+      context_.poll();
       for (int i = 0; i < 3; ++i) {
         const Index u = coarse_.across(Index(t), i);
         if (u != NONE && u > t)
@@ -129,7 +128,7 @@ public:
   template <class Candidate>
   void measure(std::vector<Candidate>& candidates) const
   {
-    for_each_chunk(execution_, candidates.size(), 1,
+    for_each_chunk(context_.uninterrupted(), candidates.size(), 1,
                    [&](std::size_t i, std::size_t, std::size_t) { measure(candidates[i]); });
   }
 
@@ -301,8 +300,7 @@ private:
   const Flippable_triangulation& coarse_;
   const std::vector<Vector>& positions_;
   const Fit_samples& samples_;
-  Cancellation_point cancellation_;
-  const Execution execution_;
+  const Run_context context_;
   Angle_worth worth_;
   std::vector<double> cost_, angle_; // of each triangle
 };

@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_EQUATIONS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_EQUATIONS_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
@@ -73,10 +73,9 @@ struct Symmetric_block
 class Fit_equations
 {
 public:
-  Fit_equations(const std::vector<Triangle>& triangles, std::size_t vertices, const Cancellation_point& cancellation,
-                Execution execution)
+  Fit_equations(const std::vector<Triangle>& triangles, std::size_t vertices, const Run_context& context)
     : triangles_(triangles), of_triangle_(triangles.size()), of_vertex_(vertices), right_(vertices, Vector{{0, 0, 0}}),
-      is_fixed_(vertices, false), cancellation_(cancellation), execution_(execution) {}
+      is_fixed_(vertices, false), context_(context) {}
 
   // Adds terms for the movement of points of triangle `t`; `metric` weights the directions. `products` are sums over the points:
   // the weight of a point times the products of its barycentric coordinates.
@@ -112,7 +111,7 @@ public:
     const double goal = product(r, r) * tolerance * tolerance;
     double rz = 0;
     for (std::size_t step = 0; step < max_steps && product(r, r) > goal; ++step) {
-      cancellation_.poll(n);
+      context_.poll(n);
       for (std::size_t v = 0; v < n; ++v)
         z[v] = inverse[v] * r[v];
       const double now = product(r, z), beta = step == 0 ? 0 : now / rz;
@@ -142,7 +141,8 @@ private:
   std::vector<Symmetric_block> inverse_blocks(const Corners& corners) const
   {
     std::vector<Symmetric_block> blocks = of_vertex_;
-    for_each_chunk(execution_, blocks.size(), vertices_of_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    const Run_context context = context_.uninterrupted();
+    for_each_chunk(context, blocks.size(), vertices_of_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v) {
         for (const Index c : corners[v])
           blocks[v].add(1, of_triangle_[c / 3][c % 3]);
@@ -155,7 +155,7 @@ private:
 
   void multiply(const Corners& corners, const std::vector<Vector>& p, std::vector<Vector>& q) const
   {
-    for_each_chunk(execution_, p.size(), vertices_of_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for_each_chunk(context_.uninterrupted(), p.size(), vertices_of_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v)
         q[v] = row_product(Index(v), corners[v], p);
     });
@@ -197,8 +197,7 @@ private:
   std::vector<Symmetric_block> of_vertex_;
   std::vector<Vector> right_;
   std::vector<char> is_fixed_; // bytes, which several threads may write
-  const Cancellation_point cancellation_;
-  const Execution execution_;
+  const Run_context context_;
 };
 
 } // namespace internal

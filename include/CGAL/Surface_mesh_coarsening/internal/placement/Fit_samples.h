@@ -51,7 +51,7 @@ public:
 
   Fit_samples(const Clustered_faces& surface, const Flippable_triangulation& coarse, const std::vector<Vector>& positions)
     : surface_(surface), input_(surface.input().mesh), coarse_(coarse), positions_(positions),
-      area_(input_.area(surface.cancellation())), prepared_(coarse.triangles().size()), back_(coarse.triangles().size())
+      area_(input_.area(surface.context())), prepared_(coarse.triangles().size()), back_(coarse.triangles().size())
   {
     if (input_.has_hubs())
       search_.emplace(surface.input().mesh, surface.labels().labels(), surface.number_of_clusters());
@@ -59,7 +59,7 @@ public:
     if (surface.has_cells())
       number = (std::min)(number, surface.input().mesh.number_of_faces());
     samples_.reserve(number);
-    input_.for_each_sample(number, area_, surface.cancellation(), [this](const Input_point& p) {
+    input_.for_each_sample(number, area_, surface.context(), [this](const Input_point& p) {
       samples_.push_back({p.position, p.face, NONE, {}});
     });
     next_on_.assign(samples_.size(), NONE);
@@ -75,14 +75,12 @@ public:
   {
     step_ = step;
     const std::vector<Triangle>& triangles = coarse_.triangles();
-    const Cancellation_point& cancellation = surface_.cancellation();
-    for_each_number(surface_.execution(), triangles.size(), cancellation,
-                    [&](Index t) { prepared_[t] = Prepared_triangle(positions_, triangles[t]); });
-    for_each_chunk(surface_.execution(), number_of_used(), 64, cancellation,
-                   [this](std::size_t, std::size_t begin, std::size_t end) {
-                     for (std::size_t i = begin; i < end; ++i)
-                       find_foot(samples_[i * step_]);
-                   });
+    const Run_context& context = surface_.context();
+    for_each_number(context, triangles.size(), [&](Index t) { prepared_[t] = Prepared_triangle(positions_, triangles[t]); });
+    for_each_chunk(context, number_of_used(), 64, [this](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        find_foot(samples_[i * step_]);
+    });
     correct_feet_at_hubs();
     if (surface_.has_cells())
       correct_far_feet();
@@ -91,8 +89,8 @@ public:
       link(Index(i * step_));
     constexpr std::size_t at_a_time = 1024, steps_of_triangle = 16;
     for (std::size_t first = 0; first < back_.size(); first += at_a_time) {
-      cancellation.poll(steps_of_triangle * at_a_time);
-      for_each_chunk(surface_.execution(), (std::min)(at_a_time, back_.size() - first), 16,
+      context.poll(steps_of_triangle * at_a_time);
+      for_each_chunk(context.uninterrupted(), (std::min)(at_a_time, back_.size() - first), 16,
                      [&](std::size_t, std::size_t begin, std::size_t end) {
                        for (std::size_t t = first + begin; t < first + end; ++t)
                          back_[t] = feet_of(triangles[t], starts_around(Index(t)));
@@ -290,7 +288,7 @@ private:
   // Replaces the feet of some samples by their nearest points on the side of the surface on which the samples lie.
   void search_all_triangles(const std::vector<Index>& samples, const Coarse_mesh_search& search)
   {
-    for_each_number(surface_.execution(), samples.size(), surface_.cancellation(), [&](Index i) {
+    for_each_number(surface_.context(), samples.size(), [&](Index i) {
       Sample& s = samples_[samples[i]];
       const Nearest_point p = search(s.position, surface_.labels()[s.face]);
       if (!is_on_side_of(s, coarse_.triangles()[p.face]))

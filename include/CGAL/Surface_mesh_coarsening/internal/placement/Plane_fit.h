@@ -40,7 +40,7 @@ public:
     std::vector<Vector> moves(positions_.size());
     bool has_moved = true;
     for (int i = 0; i < max_repetitions && has_moved; ++i) {
-      for_each_number(surface_.execution(), positions_.size(), surface_.cancellation(),
+      for_each_number(surface_.context(), positions_.size(),
                       [&](Index v) { moves[v] = may_move_(v) ? move_onto_planes(v) : Vector{{0, 0, 0}}; });
       has_moved = false;
       for (std::size_t v = 0; v < positions_.size(); ++v)

@@ -66,7 +66,7 @@ public:
   {
     const std::vector<Triangle>& triangles = coarse_.triangles();
     const double area = samples_.area();
-    Fit_equations equations(triangles, positions_.size(), surface_.cancellation(), surface_.execution());
+    Fit_equations equations(triangles, positions_.size(), surface_.context());
     std::vector<Hold> holds(positions_.size());
     add_triangles(equations, holds);
     lines_.add_to(equations, coarse_, line_width * std::sqrt(area / double(positions_.size())), damping);
@@ -74,7 +74,7 @@ public:
     const double shape = area > 0 ? shape_part * samples_.sum_of_squared_distances() / area / mean_size : 0;
     const double inertia = min_inertia * area / double(positions_.size());
     const std::vector<Vector> along = lines_.directions();
-    for_each_number(surface_.execution(), positions_.size(), surface_.cancellation(), [&](Index v) {
+    for_each_number(surface_.context(), positions_.size(), [&](Index v) {
       equations.add_vertex(v, {{0, 0, 0}}, inertia);
       const bool is_on_line = lines_.is_on_line(v);
       if (border_.is_on_border(v) && !is_on_line) {
@@ -138,7 +138,7 @@ private:
     const std::vector<Triangle>& triangles = coarse_.triangles();
     std::size_t next = 0;
     for_each_part<Terms>(
-      surface_.execution(), triangles.size(), triangles_of_part, surface_.cancellation(),
+      surface_.context(), triangles.size(), triangles_of_part,
       [&](Terms& terms, std::size_t begin, std::size_t end) {
         terms.forces.clear();
         terms.weights.clear();
@@ -147,7 +147,7 @@ private:
           add_triangle(Index(t), equations, terms);
       },
       [&](const Terms& terms) {
-        surface_.cancellation().poll(steps_of_triangle * terms.forces.size());
+        surface_.context().poll(steps_of_triangle * terms.forces.size());
         for (std::size_t i = 0; i < terms.forces.size(); ++i, ++next)
           for (std::size_t k = 0; k < 3; ++k) {
             equations.add_force(triangles[next][k], terms.forces[i][k], 1);

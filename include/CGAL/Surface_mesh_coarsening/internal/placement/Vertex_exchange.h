@@ -25,14 +25,13 @@ class Vertex_exchange
 {
 public:
   Vertex_exchange(const Border_arcs& border, Flippable_triangulation& coarse, std::vector<Vector>& positions,
-                  Fit_samples& samples, const Vertex_relocation& relocation, const Cancellation_point& cancellation,
-                  Execution execution)
+                  Fit_samples& samples, const Vertex_relocation& relocation, const Run_context& context)
     : coarse_(coarse),
       positions_(positions),
       samples_(samples),
       relocation_(relocation),
-      cancellation_(cancellation),
-      candidates_(border, coarse, positions, samples, cancellation, execution)
+      context_(context),
+      candidates_(border, coarse, positions, samples, context)
   {}
 
   // Exchanges vertices as long as an exchange between two untouched regions is profitable, and while this does not take long.
@@ -168,7 +167,7 @@ private:
         (candidates.top().measured ? measured : best).push_back(candidates.top());
       candidates.pop();
     }
-    cancellation_.poll(steps_of_candidate * best.size());
+    context_.poll(steps_of_candidate * best.size());
     candidates_.measure(best);
     for (const std::vector<Candidate>& some : {best, measured})
       for (const Candidate& c : some)
@@ -277,7 +276,7 @@ private:
   std::vector<Vector>& positions_;
   Fit_samples& samples_;
   const Vertex_relocation& relocation_;
-  Cancellation_point cancellation_;
+  const Run_context context_;
   Exchange_candidates candidates_;
   Angle_worth worth_;
   std::size_t compared_ = 0; // samples with triangles, in this run

@@ -56,18 +56,16 @@ private:
   template <class Search, class Group>
   double mean(const Flat_mesh& from, const Search& to, const Group& group) const
   {
-    const Cancellation_point& cancellation = surface_.cancellation();
+    const Run_context& context = surface_.context();
     const Input_surface samples(from);
     std::vector<Input_point> points;
     points.reserve(number_);
-    samples.for_each_sample(number_, samples.area(cancellation), cancellation,
-                            [&](const Input_point& p) { points.push_back(p); });
+    samples.for_each_sample(number_, samples.area(context), context, [&](const Input_point& p) { points.push_back(p); });
     std::vector<double> squares(points.size());
-    for_each_chunk(surface_.execution(), points.size(), 64, cancellation,
-                   [&](std::size_t, std::size_t begin, std::size_t end) {
-                     for (std::size_t i = begin; i < end; ++i)
-                       squares[i] = to(points[i].position, group(points[i].face)).squared_distance;
-                   });
+    for_each_chunk(context, points.size(), 64, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        squares[i] = to(points[i].position, group(points[i].face)).squared_distance;
+    });
     double sum = 0;
     for (const double square : squares)
       sum += square;
@@ -97,10 +95,10 @@ public:
     : surface_(surface), mean_angle_(mean_angle), judges_movements_(mean_angle < min_angle_of_exchange), positions_(positions),
       relocation_(relocation), keeps_vertices_(has_all_vertices(surface)),
       coarse_(triangles, positions.size(), surface.features()), fit_(surface, border, coarse_, positions),
-      flips_(coarse_, positions, fit_.samples(), relocation.rounds > 0, surface.cancellation(), surface.execution()),
-      exchange_(border, coarse_, positions, fit_.samples(), relocation, surface.cancellation(), surface.execution()),
+      flips_(coarse_, positions, fit_.samples(), relocation.rounds > 0, surface.context()),
+      exchange_(border, coarse_, positions, fit_.samples(), relocation, surface.context()),
       angles_(border, coarse_, positions, fit_.samples(), [this](Index x, const Vector& p) { return within_bounds(x, p); },
-              surface.cancellation(), surface.execution()),
+              surface.context()),
       planes_(surface, coarse_, positions, fit_.samples(),
               [this, &border](Index x) { return !border.is_on_border(x) || fit_.is_on_line(x); },
               [this](Index x, const Vector& p) { return within_bounds(x, p); })
@@ -190,8 +188,7 @@ private:
   std::vector<double> costs_of_triangles() const
   {
     std::vector<double> costs(triangles().size());
-    for_each_number(surface_.execution(), costs.size(), surface_.cancellation(),
-                    [&](Index t) { costs[t] = fit_.samples().cost(t); });
+    for_each_number(surface_.context(), costs.size(), [&](Index t) { costs[t] = fit_.samples().cost(t); });
     return costs;
   }
 
@@ -241,11 +238,10 @@ inline void place_by_quadrics(const Clustered_faces& surface, const Border_arcs&
   // Fandisk: with the default pull, the RMS distance is a third larger.
   constexpr double pull_in_cells = 1e-5;
   const double pull = surface.has_cells() ? pull_in_cells : Quadric_placement::default_pull;
-  for_each_chunk(surface.execution(), positions.size(), 16, surface.cancellation(), [&](std::size_t, std::size_t begin,
-                                                                                       std::size_t end) {
+  for_each_chunk(surface.context(), positions.size(), 16, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t x = begin; x < end; ++x) {
-      if (surface.execution() == Execution::SEQUENTIAL)
-        surface.cancellation().poll(surface.faces(x).size());
+      if (!surface.context().is_parallel())
+        surface.context().poll(surface.faces(x).size());
       if (const Index v = surface.single_vertex(x); v != NONE)
         positions[x] = surface.point(v);
       else if (!border.is_on_border(x))
@@ -257,7 +253,7 @@ inline void place_by_quadrics(const Clustered_faces& surface, const Border_arcs&
 // Continues a fit with rounds that exchange vertices, and some rounds without exchange. Returns the mesh after these rounds, or
 // nothing if it does not improve on the plain fit.
 inline std::optional<Fitted_mesh> fit_after_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, std::size_t rounds,
-                                                      double mean_angle, const Cancellation_point& cancellation)
+                                                      double mean_angle, const Run_context& context)
 {
   // The number of rounds after the last exchange, and of further rounds while only the angles are not good enough.
   constexpr std::size_t last_rounds = 2, max_corrections = 3;
@@ -266,13 +262,13 @@ inline std::optional<Fitted_mesh> fit_after_exchanges(Vertex_fit& fit, const Fit
   for (std::size_t i = 0; i < rounds && exchanged > 0; ++i) {
     exchanged = fit.advance(true);
     fit.find_feet();
-    cancellation.step_done(Coarsening_stage::FEEDBACK, i + 1, rounds + last_rounds);
+    context.step_done(Coarsening_stage::FEEDBACK, i + 1, rounds + last_rounds);
   }
   for (std::size_t i = 0; i < last_rounds; ++i) {
     fit.advance(false);
     if (i + 1 < last_rounds)
       fit.find_feet();
-    cancellation.step_done(Coarsening_stage::FEEDBACK, rounds + i + 1, rounds + last_rounds);
+    context.step_done(Coarsening_stage::FEEDBACK, rounds + i + 1, rounds + last_rounds);
   }
   fit.settle();
   Fitted_mesh mesh = fit.mesh();
@@ -287,14 +283,14 @@ inline std::optional<Fitted_mesh> fit_after_exchanges(Vertex_fit& fit, const Fit
 }
 
 // The rounds without exchange.
-inline void run_plain_rounds(Vertex_fit& fit, std::size_t rounds, const Cancellation_point& cancellation)
+inline void run_plain_rounds(Vertex_fit& fit, std::size_t rounds, const Run_context& context)
 {
   // Before the last rounds, every `step_before`-th sample is sufficient.
   constexpr std::size_t rounds_with_all = 3, step_before = 4;
   for (std::size_t left = rounds; left > 0; --left) {
     fit.find_feet(left > rounds_with_all ? step_before : 1);
     fit.advance(false);
-    cancellation.step_done(Coarsening_stage::PLACEMENT, rounds + 1 - left, rounds);
+    context.step_done(Coarsening_stage::PLACEMENT, rounds + 1 - left, rounds);
   }
   fit.settle();
 }
@@ -315,7 +311,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices_from(const Clustered_faces
 {
   const Vertex_relocation none;
   Vertex_fit fit(surface, border, mean_angle, triangles, positions, none);
-  run_plain_rounds(fit, rounds, surface.cancellation());
+  run_plain_rounds(fit, rounds, surface.context());
   triangles = fit.triangles();
 }
 
@@ -341,7 +337,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Plain_fit fit_vertices(const Clustered_faces
     triangles = fit->triangles();
     return Plain_fit();
   }
-  run_plain_rounds(*fit, rounds, surface.cancellation());
+  run_plain_rounds(*fit, rounds, surface.context());
   triangles = fit->triangles();
   if (relocation.rounds == 0)
     return Plain_fit();
@@ -349,8 +345,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Plain_fit fit_vertices(const Clustered_faces
   // The errors at the samples of the fit decide only if they differ much, because the vertices have been fitted to these samples.
   constexpr double much_less = 0.9;
   Plain_fit plain{fit->mesh()};
-  std::optional<Fitted_mesh> after =
-    fit_after_exchanges(*fit, plain, relocation.rounds, mean_angle, surface.cancellation());
+  std::optional<Fitted_mesh> after = fit_after_exchanges(*fit, plain, relocation.rounds, mean_angle, surface.context());
   fit.reset(); // frees the memory of its samples
   if (after && (after->error < much_less * plain.error ||
                 is_closer(surface, after->triangles, after->positions, plain.triangles, plain.positions))) {

@@ -30,15 +30,14 @@ namespace internal {
 class Merge_history
 {
 public:
-  Merge_history(const Clustering_input& input, const Cluster_labels& labels, Index clusters,
-                const Cancellation_point& cancellation)
-    : cancellation_(cancellation),
+  Merge_history(const Clustering_input& input, const Cluster_labels& labels, Index clusters, const Run_context& context)
+    : context_(context),
       dual_(labels, all_faces(input), clusters),
       finest_(clusters),
       sums_(clusters),
       version_(clusters, 0)
   {
-    add_up_moments(input, labels, sums_, cancellation, Execution::SEQUENTIAL);
+    add_up_moments(input, labels, sums_, context);
     merge_all();
     number_clusters();
     list_triangles();
@@ -121,7 +120,7 @@ private:
             if (dual_.source(e) < dual_.target(e))
               enqueue(e);
       while (!queue_.empty()) {
-        cancellation_.poll();
+        context_.poll();
         const Candidate c = queue_.top();
         queue_.pop();
         if (is_up_to_date(c) && dual_.may_contract(c.edge))
@@ -208,7 +207,7 @@ private:
     removed_ = std::vector<Triangle>();
   }
 
-  Cancellation_point cancellation_;
+  const Run_context context_;
   Dual_surface dual_;
   std::size_t finest_;
   std::vector<Moments> sums_;      // per cluster

@@ -51,7 +51,8 @@ public:
     }
     block_.resize(first_block_.back());
     group_.resize(first_group_.back());
-    for_each_chunk(surface.execution(), surface.number_of_clusters(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
+    const Run_context context = surface.context().uninterrupted();
+    for_each_chunk(context, surface.number_of_clusters(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t x = begin; x < end; ++x)
         for (std::size_t i = first_block_[x]; i < first_block_[x + 1]; ++i) {
           block_[i] = box_of_faces(surface_, faces(x, i));
@@ -122,7 +123,8 @@ public:
     : surface_(surface), input_(surface.input().mesh), boxes_(surface), normals_(surface.number_of_clusters()),
       budget_(budget)
   {
-    for_each_chunk(surface.execution(), normals_.size(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
+    const Run_context context = surface.context().uninterrupted();
+    for_each_chunk(context, normals_.size(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t x = begin; x < end; ++x)
         normals_[x] = mean_normal(x);
     });

@@ -30,11 +30,9 @@ public:
   typedef std::function<Vector(const Vector&)> Output_coordinates;
 
   Placement_faults(const Clustered_faces& surface, Input_oracle& reference, const Flippable_triangulation& coarse,
-                   const std::vector<Vector>& positions, const Output_coordinates& output, Repair_budget& budget,
-                   const Cancellation_point& cancellation)
-    : budget_(budget), cancellation_(cancellation), execution_(surface.execution()), surface_(surface), reference_(reference),
-      coarse_(coarse), positions_(positions), output_(output), exponent_(exponent_of_unit()),
-      points_(positions.size())
+                   const std::vector<Vector>& positions, const Output_coordinates& output, Repair_budget& budget)
+    : budget_(budget), surface_(surface), reference_(reference), coarse_(coarse), positions_(positions), output_(output),
+      exponent_(exponent_of_unit()), points_(positions.size())
   {}
 
   // Finds all faults of the current positions.
@@ -53,7 +51,7 @@ public:
     conflicts_.assign(coarse_.triangles().size(), {});
     number_of_pairs_ = 0;
     std::size_t tests = 0;
-    for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), conflict, execution_, cancellation_, tests))
+    for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), conflict, surface_.context(), tests))
       if (!is_in_input(pair))
         add_pair(pair.first, pair.second);
     budget_.spend(tests * work_of_test());
@@ -109,7 +107,7 @@ public:
       remove_pairs_of(t);
     }
     for (const Index t : triangles) {
-      cancellation_.poll();
+      surface_.context().poll();
       boxes_.for_each_overlapping(conflict.box(coarse_.triangles()[t]), [&](Index u) {
         if (u == t || (u < t && std::binary_search(triangles.begin(), triangles.end(), u)))
           return;
@@ -136,7 +134,7 @@ public:
     region = grown(region, 0.25 * (std::max)({region.x_span(), region.y_span(), region.z_span()}));
     near_.clear();
     boxes_.for_each_overlapping(region, [this](Index t) { near_.push_back(t); });
-    cancellation_.poll(near_.size());
+    surface_.context().poll(near_.size());
     std::sort(near_.begin(), near_.end());
     near_boxes_.resize(near_.size());
     for (std::size_t i = 0; i < near_.size(); ++i)
@@ -259,7 +257,7 @@ private:
     long faults = 0;
     for (std::size_t i = 0; i < altered.size() && faults < limit; ++i) {
       const Index t = altered[i];
-      cancellation_.poll(near_.size());
+      surface_.context().poll(near_.size());
       budget_.spend(near_.size() / 16); // a comparison of boxes takes a fraction of the time of an exact test
       near_boxes_.for_each_overlapping(conflict.box(coarse_.triangles()[t]), [&](std::size_t n) {
         const Index u = near_[n];
@@ -303,7 +301,8 @@ private:
   void find_reversed()
   {
     is_reversed_.assign(coarse_.triangles().size(), false);
-    for_each_chunk(execution_, is_reversed_.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
+    const Run_context context = surface_.context().uninterrupted();
+    for_each_chunk(context, is_reversed_.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
       std::size_t visited = 0;
       for (std::size_t t = begin; t < end; ++t)
         is_reversed_[t] = is_reversed_now(Index(t), visited);
@@ -317,8 +316,6 @@ private:
   }
 
   Repair_budget& budget_;
-  const Cancellation_point cancellation_;
-  const Execution execution_;
   const Clustered_faces& surface_;
   Input_oracle& reference_;
   const Flippable_triangulation& coarse_;

@@ -37,12 +37,10 @@ public:
   typedef Placement_faults::Output_coordinates Output_coordinates;
 
   Placement_repair(const Clustered_faces& surface, const Border_arcs& border, const Output_coordinates& output,
-                   std::vector<Triangle>& triangles, std::vector<Vector>& positions, Repair_budget& budget,
-                   const Cancellation_point& cancellation)
+                   std::vector<Triangle>& triangles, std::vector<Vector>& positions, Repair_budget& budget)
     : surface_(surface), border_(border), result_(triangles), positions_(positions),
       coarse_(triangles, positions.size(), surface.features()), reference_(surface, budget),
-      faults_(surface, reference_, coarse_, positions, output, budget, cancellation),
-      distance_(surface, coarse_, positions), budget_(budget), cancellation_(cancellation)
+      faults_(surface, reference_, coarse_, positions, output, budget), distance_(surface, coarse_, positions), budget_(budget)
   {}
 
   // Restricts the positions of vertices to input vertices of their clusters.
@@ -103,7 +101,7 @@ private:
         best_positions = positions_;
         rounds_without_gain = 0;
       }
-      cancellation_.step_done(Coarsening_stage::REPAIR, found - least, found);
+      surface_.context().step_done(Coarsening_stage::REPAIR, found - least, found);
     }
     coarse_ = Flippable_triangulation(best_triangles, positions_.size(), surface_.features());
     positions_ = best_positions;
@@ -340,7 +338,6 @@ private:
   Placement_faults faults_;
   Trial_distance distance_; // around the current fault
   Repair_budget& budget_;
-  Cancellation_point cancellation_;
   std::vector<Index> last_altered_; // the triangles whose faults were counted last before a change
   long last_faults_ = 0;
   double last_narrowness_ = 0;

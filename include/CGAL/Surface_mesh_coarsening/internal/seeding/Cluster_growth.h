@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_CLUSTER_GROWTH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_CLUSTER_GROWTH_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
@@ -27,8 +27,7 @@ namespace internal {
 class Seed_walk
 {
 public:
-  explicit Seed_walk(const Flat_mesh& mesh, const Cancellation_point& cancellation = Cancellation_point())
-    : mesh_(mesh), cancellation_(cancellation) {}
+  explicit Seed_walk(const Flat_mesh& mesh, const Run_context& context = Run_context()) : mesh_(mesh), context_(context) {}
 
   // Appends the seeds among the faces `candidates` to `seeds`.
   template <class FaceRange>
@@ -36,7 +35,7 @@ public:
   {
     steps_.resize(mesh_.number_of_faces(), NONE);
     for (const Index f : candidates) {
-      cancellation_.poll();
+      context_.poll();
       if (steps_[f] == NONE) {
         seeds.push_back(f);
         mark(f, level);
@@ -74,7 +73,7 @@ private:
       const Index f = queue_[i], next = steps_[f] + 1;
       if (next > reach)
         break;
-      cancellation_.poll();
+      context_.poll();
       for (const Index c : mesh_.corners(f)) {
         const Index g = mesh_.face_across[c];
         if (g != NONE && next < steps_[g]) {
@@ -86,7 +85,7 @@ private:
   }
 
   const Flat_mesh& mesh_;
-  Cancellation_point cancellation_;
+  const Run_context context_;
   std::vector<Index> steps_; // the number of steps to the nearest seed found; NONE: none within reach
   std::vector<Index> queue_;
 };
@@ -98,11 +97,10 @@ class Cluster_growth
 {
 public:
   // `rules`: the rules for features, if any.
-  explicit Cluster_growth(Cluster_labels& labels, const Cancellation_point& cancellation = Cancellation_point(),
-                          Feature_rules* rules = nullptr)
+  explicit Cluster_growth(Cluster_labels& labels, const Run_context& context = Run_context(), Feature_rules* rules = nullptr)
     : labels_(labels),
       mesh_(labels.mesh()),
-      cancellation_(cancellation),
+      context_(context),
       rules_(rules)
   {}
 
@@ -115,7 +113,7 @@ public:
       layer_.swap(next_layer_);
       next_layer_.clear();
       for (const Index f : layer_) {
-        cancellation_.poll();
+        context_.poll();
         for (const Index c : mesh_.corners(f)) {
           const Index g = mesh_.face_across[c];
           if (g != NONE && labels_[g] == NONE && labels_.stays_disc_with(g, labels_[f]) &&
@@ -150,7 +148,7 @@ private:
 
   Cluster_labels& labels_;
   const Flat_mesh& mesh_;
-  Cancellation_point cancellation_;
+  const Run_context context_;
   Feature_rules* rules_;
   std::vector<Index> layer_, next_layer_; // the faces of a layer whose neighbors are not visited yet
 };
@@ -164,12 +162,10 @@ template <class FaceRange>
 class Cluster_splitting
 {
 public:
-  Cluster_splitting(Cluster_labels& labels, const FaceRange& faces, Index number_of_clusters,
-                    const Cancellation_point& cancellation, Execution execution, Feature_rules* rules,
-                    Index foreign_clusters = 0)
-    : labels_(labels), mesh_(labels.mesh()), walk_(labels), growth_(labels, cancellation, rules), cancellation_(cancellation),
-      execution_(execution), rules_(rules), faces_(faces),
-      foreign_(foreign_clusters), clusters_(number_of_clusters) {}
+  Cluster_splitting(Cluster_labels& labels, const FaceRange& faces, Index number_of_clusters, const Run_context& context,
+                    Feature_rules* rules, Index foreign_clusters = 0)
+    : labels_(labels), mesh_(labels.mesh()), walk_(labels), growth_(labels, context, rules), context_(context), rules_(rules),
+      faces_(faces), foreign_(foreign_clusters), clusters_(number_of_clusters) {}
 
   // Returns whether the clusters are valid. They are invalid if single faces remain faulty. With foreign clusters, faulty single
   // faces are ignored.
@@ -198,7 +194,7 @@ private:
     face_.assign(clusters_, NONE);
     edge_.assign(clusters_, Directed_edge());
     for (const Index f : faces_) {
-      cancellation_.poll();
+      context_.poll();
       const Index x = labels_[f];
       ++size_[x];
       if (face_[x] == NONE)
@@ -234,7 +230,7 @@ private:
     typedef std::vector<std::pair<Index, Index> > Part;
     std::vector<std::pair<Index, Index> > all;
     for_each_part<Part>(
-      execution_, clusters_ - foreign_, 1024, cancellation_,
+      context_, clusters_ - foreign_, 1024,
       [this](Part& part, std::size_t begin, std::size_t end) {
         Dual_walk walk(labels_);
         part.clear();
@@ -285,8 +281,7 @@ private:
   const Flat_mesh& mesh_;
   Dual_walk walk_;
   Cluster_growth growth_;
-  Cancellation_point cancellation_;
-  Execution execution_;
+  const Run_context context_;
   Feature_rules* rules_;
   FaceRange faces_;
   const Index foreign_;

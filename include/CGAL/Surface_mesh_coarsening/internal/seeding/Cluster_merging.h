@@ -7,7 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_rules.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <boost/iterator/counting_iterator.hpp>
@@ -46,10 +46,9 @@ public:
   // turn them into discs.
   template <class FaceRange>
   Cluster_merging(const Clustering_input& input, const Cluster_labels& labels, const FaceRange& faces, Index clusters,
-                  bool by_threes, bool by_area, bool may_join_at_vertices, const Cancellation_point& cancellation,
-                  Execution execution)
-    : cancellation_(cancellation),
-      dual_(labels, faces, clusters, cancellation, execution),
+                  bool by_threes, bool by_area, bool may_join_at_vertices, const Run_context& context)
+    : context_(context),
+      dual_(labels, faces, clusters, context),
       by_threes_(by_threes),
       by_area_(by_area || !by_threes),
       may_join_at_vertices_(may_join_at_vertices),
@@ -250,7 +249,7 @@ private:
   void work_off()
   {
     while (!queue_.empty() && excess() > 0) {
-      cancellation_.poll();
+      context_.poll();
       const Candidate candidate = queue_.top();
       queue_.pop();
       is_queued_[candidate.second] = false;
@@ -360,7 +359,7 @@ private:
 
   typedef std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > Queue;
 
-  Cancellation_point cancellation_;
+  const Run_context context_;
   Dual_surface dual_;
   std::optional<Feature_merging> features_;
   bool by_threes_, by_area_, may_join_at_vertices_, joins_at_vertices_ = false;

@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_COMPONENT_CLUSTERING_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_COMPONENT_CLUSTERING_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Visitor_handle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
@@ -25,7 +25,7 @@ namespace internal {
 
 // Returns a face of each cluster: the first one among the seeds, or otherwise the first of all.
 inline std::vector<Index> faces_of_clusters(const Cluster_labels& labels, std::size_t clusters, const std::vector<Index>& seeds,
-                                            const Cancellation_point& cancellation)
+                                            const Run_context& context)
 {
   std::vector<Index> result(clusters, NONE);
   const auto offer = [&](Index f) {
@@ -35,7 +35,7 @@ inline std::vector<Index> faces_of_clusters(const Cluster_labels& labels, std::s
   };
   std::for_each(seeds.begin(), seeds.end(), offer);
   for (std::size_t f = 0; f < labels.labels().size(); ++f) {
-    cancellation.poll();
+    context.poll();
     offer(Index(f));
   }
   return result;
@@ -55,10 +55,9 @@ class Component_clustering
 {
 public:
   // `merges_by_area`: whether the area of clusters determines which clusters are merged.
-  Component_clustering(const Featured_input& input, bool merges_by_area, const Cancellation_point& cancellation,
-                       Execution execution)
-    : input_(input.items), cells_(input.cells.get()), merges_by_area_(merges_by_area), cancellation_(cancellation),
-      execution_(execution), walk_(input.items.mesh, cancellation) {}
+  Component_clustering(const Featured_input& input, bool merges_by_area, const Run_context& context)
+    : input_(input.items), cells_(input.cells.get()), merges_by_area_(merges_by_area), context_(context),
+      walk_(input.items.mesh, context) {}
 
   Component_seeds seeds(const Face_range& faces, const Component_plan& plan)
   {
@@ -88,14 +87,14 @@ public:
     Feature_rules* const rules_or_none = rules ? &*rules : nullptr;
     Index clusters = 0;
     {
-      Cluster_growth growth(labels, cancellation_, rules_or_none);
+      Cluster_growth growth(labels, context_, rules_or_none);
       for (const Index f : seeds.faces)
         growth.plant(f, clusters++);
       growth.run();
       clusters = growth.cover(faces, clusters);
     }
 
-    Cluster_splitting<Face_range> splitting(labels, faces, clusters, cancellation_, execution_, rules_or_none);
+    Cluster_splitting<Face_range> splitting(labels, faces, clusters, context_, rules_or_none);
     if (!splitting.run() || !plan.may_begin_with(splitting.number_of_clusters()))
       return 0;
     splits_ = splitting.number_of_splits();
@@ -106,7 +105,7 @@ public:
       return splitting.number_of_clusters();
     const bool by_threes = !plan.is_on_schedule() && !merges_by_quadrics();
     Cluster_merging merging(input_, labels, faces, splitting.number_of_clusters(), by_threes, merges_by_area_,
-                            plan.from_pieces() && plan.is_on_schedule() && !cells_, cancellation_, execution_);
+                            plan.from_pieces() && plan.is_on_schedule() && !cells_, context_);
     if (cells_)
       merging.keep_features(*cells_, labels, faces);
     if (merges_by_quadrics())
@@ -229,8 +228,7 @@ private:
   const Clustering_input& input_;
   const Feature_cells* cells_; // null without features
   bool merges_by_area_;
-  Cancellation_point cancellation_;
-  Execution execution_;
+  const Run_context context_;
   Seed_walk walk_;
   std::size_t splits_ = 0, merges_ = 0;
   std::vector<Index> new_seeds_;

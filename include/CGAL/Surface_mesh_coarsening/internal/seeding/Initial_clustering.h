@@ -29,14 +29,12 @@ class Initial_clustering
 {
 public:
   // `merges_by_area`: whether the area of clusters determines which clusters are merged.
-  Initial_clustering(const Featured_input& input, bool merges_by_area, Coarsening_report& report,
-                     const Cancellation_point& cancellation, Execution execution)
+  Initial_clustering(const Featured_input& input, bool merges_by_area, Coarsening_report& report, const Run_context& context)
     : uncut_input_(&input),
       input_(&input),
       merges_by_area_(merges_by_area),
       report_(report),
-      cancellation_(cancellation),
-      execution_(execution)
+      context_(context)
   {
     const std::vector<Component>& components = input.items.mesh.components;
     for (const Component& c : components)
@@ -44,7 +42,7 @@ public:
     bound_by_vertices();
     share_.assign(components.size(), 0);
     for (std::size_t f = 0; f < input.items.mesh.number_of_faces(); ++f) {
-      cancellation_.poll();
+      context_.poll();
       share_[input.items.mesh.component[f]] += input.items.mass(Index(f));
     }
     cut_.assign(components.size(), false);
@@ -67,7 +65,7 @@ public:
     while (uncut_input_->items.mesh.number_of_faces() < faces) {
       std::optional<Featured_input> halved;
       if (uncut_input_->cells)
-        halved = uncut_input_->cells->with_long_edges_halved(cancellation_);
+        halved = uncut_input_->cells->with_long_edges_halved(context_);
       subdivided_input_ = halved ? std::move(*halved) : subdivided(*uncut_input_, std::vector<bool>(cut_.size(), true));
       input_ = uncut_input_ = &*subdivided_input_;
     }
@@ -161,7 +159,7 @@ public:
       resolve_pinches();
     labels_->recount();
     face_of_cluster_ = faces_of_clusters(*labels_, report_.clusters, resolved_input_ ? std::vector<Index>() : final_seeds(),
-                                         cancellation_);
+                                         context_);
     Cluster_labels labels = std::move(*labels_);
     labels_.reset();
     release();
@@ -203,8 +201,8 @@ private:
   Featured_input subdivided(const Featured_input& input, const std::vector<bool>& chosen_component) const
   {
     if (input.cells)
-      return input.cells->subdivided(chosen_component, cancellation_);
-    return {subdivided_input(input.items, chosen_component, cancellation_), nullptr};
+      return input.cells->subdivided(chosen_component, context_);
+    return {subdivided_input(input.items, chosen_component, context_), nullptr};
   }
 
   void grow_again()
@@ -305,9 +303,9 @@ private:
     const Flat_mesh& m = input_->items.mesh;
     faces_.reset();
     faces_.emplace(numbers_below(Index(m.number_of_faces())), m.components.size(), [&](Index f) { return m.component[f]; },
-                   cancellation_);
+                   context_);
     labels_.emplace(m);
-    clustering_.emplace(*input_, merges_by_area_, cancellation_, execution_);
+    clustering_.emplace(*input_, merges_by_area_, context_);
     std::fill(state_.begin(), state_.end(), State::NEW);
   }
 
@@ -416,8 +414,7 @@ private:
   std::optional<Featured_input> subdivided_input_, cut_input_;
   std::optional<Featured_input> resolved_input_; // after growth, if clusters are joined at vertices
   Coarsening_report& report_;
-  Cancellation_point cancellation_;
-  Execution execution_;
+  const Run_context context_;
   std::size_t number_ = 0;
   Index merge_level_ = NONE;       // the level of the seeds that are merged to the number, if given
   bool may_exceed_number_ = false; // if the topology needs more
