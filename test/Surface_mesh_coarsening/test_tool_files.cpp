@@ -519,7 +519,7 @@ BOOST_AUTO_TEST_CASE(no_memory)
     return;
   const Tool_directory shop;
   shop.write("in.off", mesh_files::off(generated::triangle_sphere(7)));
-  check_refused(shop, "in.off out.off -n 1000 --report r.json", {"in.off: there is not enough memory"}, "ulimit -v 30000");
+  check_refused(shop, "in.off out.off -n 1000 --threads 1 --report r.json", {"in.off: there is not enough memory"}, "ulimit -v 30000");
 }
 
 // ---- signals ----
