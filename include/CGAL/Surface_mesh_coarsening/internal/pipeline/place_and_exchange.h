@@ -110,59 +110,6 @@ inline Placed_dual place(const Clustering_state& state, const Placement_model& p
   return dual;
 }
 
-// Moves the vertices into their bounds and repairs the placement.
-inline Repair_counts repair_exchanged(const Clustering_state& state, const Bordered_surface& surface,
-                                      const Placement_model& placement, const Output_coordinates& output_coordinates,
-                                      Placed_dual& dual, Repair_budget& budget)
-{
-  for (std::size_t x = 0; x < dual.positions.size(); ++x)
-    dual.positions[x] = surface.faces->within_bounds(x, dual.positions[x]);
-  return repaired(state, surface, placement, output_coordinates, dual, budget);
-}
-
-// Relocates a vertex from elsewhere to each of some triangles, and repeats the repair of the placement.
-inline Placed_dual with_vertices_at(const std::vector<Index>& triangles, Clustering_state& state,
-                                    const Placement_model& placement, const Output_coordinates& output_coordinates,
-                                    Cluster_relocation& clusters, std::unique_ptr<Bordered_surface>& surface,
-                                    const Placed_dual& dual, Repair_budget& budget)
-{
-  Placed_dual next;
-  next.triangles = dual.triangles;
-  next.positions = dual.positions;
-  Vertex_relocation relocation = vertex_relocation(state, *surface->faces, clusters);
-  relocation.destinations = triangles;
-  state.context.stage_begins(Coarsening_stage::FEEDBACK);
-  placement.exchanging(*surface->faces, surface->border, next.triangles, next.positions, relocation);
-  state.context.stage_ends(Coarsening_stage::FEEDBACK);
-  surface = bordered_surface(state, next);
-  next.counts = repair_exchanged(state, *surface, placement, output_coordinates, next, budget);
-  next.counts.intersections_found = dual.counts.intersections_found;
-  next.counts.reversals_found = dual.counts.reversals_found;
-  return next;
-}
-
-// Relocates vertices to the triangles that still intersect. Returns whether fewer pairs remain; otherwise nothing changes.
-inline bool repair_by_exchange(Clustering_state& state, const Placement_model& placement,
-                               const Output_coordinates& output_coordinates, Cluster_relocation& clusters,
-                               std::unique_ptr<Bordered_surface>& surface, Placed_dual& dual, Repair_budget& budget)
-{
-  budget.spend(placement_tests * dual.triangles.size());
-  const std::vector<Index> old_labels = labels(state).labels();
-  std::vector<Index> triangles;
-  for (const auto& pair : dual.counts.intersections_left)
-    triangles.insert(triangles.end(), {pair.first, pair.second});
-  sort_unique(triangles);
-  Placed_dual next = with_vertices_at(triangles, state, placement, output_coordinates, clusters, surface, dual, budget);
-  const bool is_better = next.number_left() < dual.number_left();
-  if (is_better) {
-    dual = std::move(next);
-  } else {
-    clusters.take_labels(old_labels);
-    surface = bordered_surface(state, dual);
-  }
-  return is_better;
-}
-
 // Returns the root mean square of the movements of vertices.
 inline double mean_movement(const std::vector<Vector>& from, const std::vector<Vector>& to)
 {
@@ -183,37 +130,153 @@ inline bool stay_on_components(const Clustered_faces& surface, const std::vector
   });
 }
 
-constexpr std::size_t max_repairs_by_exchange = 5;
-
-// Places the vertices, exchanges some of them together with their clusters, and repairs the placement. `plain` receives the fit
-// without exchange, before the repair.
-inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
-                                      const Output_coordinates& output_coordinates, Cluster_relocation& clusters,
-                                      Repair_budget& budget, Plain_fit& plain)
+// Places the vertices, exchanges some of them together with their clusters, and repairs the placement.
+class Exchanging_placement
 {
-  state.context.stage_begins(Coarsening_stage::TRIANGULATION);
-  Placed_dual dual;
-  std::unique_ptr<Bordered_surface> surface = bordered_surface(state, dual);
-  dual.triangles = dual_triangles(labels(state), state.context);
-  state.context.stage_ends(Coarsening_stage::TRIANGULATION);
-  state.context.stage_begins(Coarsening_stage::PLACEMENT);
-  dual.positions.resize(state.number_of_clusters());
-  surface->border.place(dual.positions);
-  plain = placement.exchanging(*surface->faces, surface->border, dual.triangles, dual.positions,
-                               vertex_relocation(state, *surface->faces, clusters));
-  state.context.stage_ends(Coarsening_stage::FEEDBACK);
-  if (clusters.number() > 0)
-    surface = bordered_surface(state, dual);
-  CGAL_assertion(stay_on_components(*surface->faces, dual.triangles));
-  const std::vector<Vector> fitted = dual.positions;
-  dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual, budget);
-  bool is_better = true;
-  for (std::size_t i = 0; i < max_repairs_by_exchange && is_better && is_worth_repairing(state, dual, budget); ++i)
-    is_better = repair_by_exchange(state, placement, output_coordinates, clusters, surface, dual, budget);
-  dual.movement_by_repair = mean_movement(fitted, dual.positions);
-  state.context.throw_if_cancelled();
-  return dual;
-}
+public:
+  Exchanging_placement(Clustering_state& state, const Placement_model& placement, const Output_coordinates& output_coordinates,
+                       Repair_budget& budget)
+    : state_(state), placement_(placement), output_coordinates_(output_coordinates), budget_(budget),
+      clusters_(state.featured_input(), *state.labels, Index(state.number_of_clusters()))
+  {}
+
+  // Selects the better placement, with or without exchange.
+  Placed_dual run()
+  {
+    try {
+      place_and_exchange();
+      const std::size_t exchanged = clusters_.number();
+      const bool keeps_exchanges = exchanged > 0 && !restore_plain_placement_if_better();
+      if (keeps_exchanges) {
+        state_.minimization.reset();
+        state_.editing.reset();
+      }
+      state_.report.exchanged_vertices = keeps_exchanges ? exchanged : 0;
+      return std::move(dual_);
+    } catch (...) {
+      clusters_.undo();
+      throw;
+    }
+  }
+
+private:
+  static constexpr std::size_t max_repairs_by_exchange = 5;
+
+  void place_and_exchange()
+  {
+    const Run_context& context = state_.context;
+    context.stage_begins(Coarsening_stage::TRIANGULATION);
+    surface_ = bordered_surface(state_, dual_);
+    dual_.triangles = dual_triangles(labels(state_), context);
+    context.stage_ends(Coarsening_stage::TRIANGULATION);
+    context.stage_begins(Coarsening_stage::PLACEMENT);
+    dual_.positions.resize(state_.number_of_clusters());
+    surface_->border.place(dual_.positions);
+    plain_ = placement_.exchanging(*surface_->faces, surface_->border, dual_.triangles, dual_.positions, relocation());
+    context.stage_ends(Coarsening_stage::FEEDBACK);
+    if (clusters_.number() > 0)
+      surface_ = bordered_surface(state_, dual_);
+    CGAL_assertion(stay_on_components(*surface_->faces, dual_.triangles));
+    const std::vector<Vector> fitted = dual_.positions;
+    repair(dual_);
+    for (std::size_t i = 0; i < max_repairs_by_exchange && is_worth_repairing(state_, dual_, budget_); ++i)
+      if (!repair_by_exchange())
+        break;
+    movement_by_repair_ = mean_movement(fitted, dual_.positions);
+    context.throw_if_cancelled();
+  }
+
+  Vertex_relocation relocation() { return vertex_relocation(state_, *surface_->faces, clusters_); }
+
+  // Moves the vertices into their bounds and repairs the placement.
+  void repair(Placed_dual& dual) const
+  {
+    for (std::size_t x = 0; x < dual.positions.size(); ++x)
+      dual.positions[x] = surface_->faces->within_bounds(x, dual.positions[x]);
+    dual.counts = repaired(state_, *surface_, placement_, output_coordinates_, dual, budget_);
+  }
+
+  // Relocates vertices to the triangles that still intersect. Returns whether fewer pairs remain; otherwise nothing changes.
+  bool repair_by_exchange()
+  {
+    budget_.spend(placement_tests * dual_.triangles.size());
+    const std::vector<Index> old_labels = labels(state_).labels();
+    std::vector<Index> triangles;
+    for (const auto& pair : dual_.counts.intersections_left)
+      triangles.insert(triangles.end(), {pair.first, pair.second});
+    sort_unique(triangles);
+    Placed_dual next = with_vertices_at(triangles);
+    if (next.number_left() < dual_.number_left()) {
+      dual_ = std::move(next);
+      return true;
+    }
+    clusters_.take_labels(old_labels);
+    surface_ = bordered_surface(state_, dual_);
+    return false;
+  }
+
+  // Relocates a vertex from elsewhere to each of some triangles, and repeats the repair of the placement.
+  Placed_dual with_vertices_at(const std::vector<Index>& triangles)
+  {
+    Placed_dual next;
+    next.triangles = dual_.triangles;
+    next.positions = dual_.positions;
+    Vertex_relocation to_triangles = relocation();
+    to_triangles.destinations = triangles;
+    state_.context.stage_begins(Coarsening_stage::FEEDBACK);
+    placement_.exchanging(*surface_->faces, surface_->border, next.triangles, next.positions, to_triangles);
+    state_.context.stage_ends(Coarsening_stage::FEEDBACK);
+    surface_ = bordered_surface(state_, next);
+    repair(next);
+    next.counts.intersections_found = dual_.counts.intersections_found;
+    next.counts.reversals_found = dual_.counts.reversals_found;
+    return next;
+  }
+
+  // Replaces the placement by the placement without exchange in two cases: many intersections remain and the other placement has
+  // fewer, or it has no more intersections and a smaller distance. Returns whether the placement was replaced.
+  bool restore_plain_placement_if_better()
+  {
+    const bool has_many = has_many_intersections(state_, dual_);
+    if (!has_many &&
+        (budget_.is_spent() || !plain_may_be_closer() ||
+         is_closer(*clustered_faces(state_, dual_), dual_.triangles, dual_.positions, plain_.triangles, plain_.positions)))
+      return false;
+    const std::vector<Index> labels_of_dual = labels(state_).labels();
+    clusters_.undo();
+    budget_.spend(placement_tests * dual_.triangles.size());
+    Placed_dual plain = place(state_, placement_, output_coordinates_, budget_);
+    const std::size_t left = plain.number_left();
+    if ((has_many && left < dual_.number_left()) ||
+        (left <= dual_.number_left() && is_closer(*clustered_faces(state_, plain), plain.triangles, plain.positions,
+                                                  dual_.triangles, dual_.positions))) {
+      dual_ = std::move(plain);
+      return true;
+    }
+    clusters_.take_labels(labels_of_dual);
+    return false;
+  }
+
+  // Returns whether the placement without exchange may be closer than the repaired placement. Except for its flips, the repair
+  // increases the root mean square distance by no more than the vertices move.
+  bool plain_may_be_closer() const
+  {
+    constexpr double max_part = 0.1; // of the vertices
+    const std::size_t found = dual_.counts.intersections_found + dual_.counts.reversals_found;
+    const bool is_small = double(found) < max_part * double(state_.number_of_clusters());
+    return found > 0 && !(is_small && std::sqrt(plain_.error_after_exchange) + movement_by_repair_ < std::sqrt(plain_.error));
+  }
+
+  Clustering_state& state_;
+  const Placement_model& placement_;
+  const Output_coordinates& output_coordinates_;
+  Repair_budget& budget_;
+  Cluster_relocation clusters_;
+  std::unique_ptr<Bordered_surface> surface_; // with the current clusters
+  Placed_dual dual_;
+  Plain_fit plain_;               // without exchange, before the repair
+  double movement_by_repair_ = 0; // the root mean square over the vertices
+};
 
 // Returns whether the clusters of cells are so many that only the distance counts.
 inline bool has_dense_cells(const Clustering_state& state)
@@ -228,68 +291,12 @@ inline bool may_exchange_vertices(const Clustering_state& state, const Placement
          state.seeding.kind != Seeding::BY_CALLER && !has_dense_cells(state);
 }
 
-// Returns whether the placement without exchange may be closer than a repaired placement. Except for its flips, the repair
-// increases the root mean square distance by no more than the vertices move.
-inline bool may_be_closer_without(const Clustering_state& state, const Placed_dual& dual, const Plain_fit& plain)
-{
-  constexpr double max_part = 0.1; // of the vertices
-  const std::size_t found = dual.counts.intersections_found + dual.counts.reversals_found;
-  const bool is_small = double(found) < max_part * double(state.number_of_clusters());
-  return found > 0 && !(is_small && std::sqrt(plain.error_after_exchange) + dual.movement_by_repair < std::sqrt(plain.error));
-}
-
-// Replaces a repaired placement by the placement without exchange in two cases: many intersections remain and the other
-// placement has fewer, or it has no more intersections and a smaller distance. `unrepaired` is the placement without exchange
-// before its repair. Returns whether the placement was replaced.
-inline bool is_better_plain(Clustering_state& state, const Placement_model& placement,
-                            const Output_coordinates& output_coordinates, Cluster_relocation& clusters, Repair_budget& budget,
-                            const Plain_fit& unrepaired, Placed_dual& dual)
-{
-  if (clusters.number() == 0)
-    return false;
-  const bool has_many = has_many_intersections(state, dual);
-  if (!has_many && (budget.is_spent() || !may_be_closer_without(state, dual, unrepaired) ||
-                    is_closer(*clustered_faces(state, dual), dual.triangles, dual.positions, unrepaired.triangles,
-                              unrepaired.positions)))
-    return false;
-  const std::vector<Index> labels_of_dual = labels(state).labels();
-  clusters.undo();
-  budget.spend(placement_tests * dual.triangles.size());
-  Placed_dual plain = place(state, placement, output_coordinates, budget);
-  const std::size_t left = plain.number_left();
-  if ((has_many && left < dual.number_left()) ||
-      (left <= dual.number_left() && is_closer(*clustered_faces(state, plain), plain.triangles, plain.positions,
-                                               dual.triangles, dual.positions))) {
-    dual = std::move(plain);
-    return true;
-  }
-  clusters.take_labels(labels_of_dual);
-  return false;
-}
-
-// Selects the better placement, with or without exchange.
+// Places the vertices, with exchanges if possible, and repairs the placement.
 inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
                                       const Output_coordinates& output_coordinates, Repair_budget& budget)
 {
-  if (!may_exchange_vertices(state, placement))
-    return place(state, placement, output_coordinates, budget);
-  Cluster_relocation clusters(state.featured_input(), *state.labels, Index(state.number_of_clusters()));
-  try {
-    Plain_fit plain;
-    Placed_dual dual = place_and_exchange(state, placement, output_coordinates, clusters, budget, plain);
-    std::size_t exchanged = clusters.number();
-    if (is_better_plain(state, placement, output_coordinates, clusters, budget, plain, dual))
-      exchanged = 0;
-    if (exchanged > 0) {
-      state.minimization.reset();
-      state.editing.reset();
-    }
-    state.report.exchanged_vertices = exchanged;
-    return dual;
-  } catch (...) {
-    clusters.undo();
-    throw;
-  }
+  return may_exchange_vertices(state, placement) ? Exchanging_placement(state, placement, output_coordinates, budget).run()
+                                                 : place(state, placement, output_coordinates, budget);
 }
 
 } // namespace internal

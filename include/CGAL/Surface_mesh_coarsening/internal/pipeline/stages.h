@@ -90,7 +90,6 @@ struct Placed_dual
   std::vector<Vector> positions;
   Repair_counts counts;
   std::size_t clusterings = 1;
-  double movement_by_repair = 0; // the root mean square over the vertices
 
   std::size_t number_left() const { return counts.intersections_left.size(); }
 };

@@ -30,7 +30,7 @@ inline bool needs_vertex_cells(const Clustering_state& state, const Seeding& see
   std::size_t vertices = 0, enough = 0;
   for (const Component& c : state.base_input().mesh.components) {
     vertices += c.max_clusters();
-    enough += Component_plan::always_enough(c);
+    enough += Component_plan::sufficient_clusters(c);
   }
   const double share = double(seeding.value) / double(vertices);
   return state.may_cluster_cells && seeding.may_use_cells && seeding.kind == Seeding::FOR_NUMBER && !state.subdivides_input &&

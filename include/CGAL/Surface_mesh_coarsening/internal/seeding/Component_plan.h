@@ -103,11 +103,11 @@ inline std::vector<std::size_t> apportion(std::size_t total, std::vector<double>
 //
 // The standard method is the method of the paper: seeds of the largest level that gives twice the number, growth, and merging of
 // three clusters at a time. It may end with too many clusters if the faces or the topology leave little freedom. In this case,
-// and always below `always_enough()` clusters, a schedule of levels applies, which is the same for all smaller numbers.
+// and always below `sufficient_clusters()` clusters, a schedule of levels applies, which is the same for all smaller numbers.
 //
 // From the seeds of a level, clusters are merged in pairs, in an order that does not depend on the required number. So a
 // level gives every number between the start and the end of its merging. The schedule begins with the highest level
-// whose merging starts with always_enough() clusters or more, or with the lowest level. The levels above follow, as
+// whose merging starts with sufficient_clusters() clusters or more, or with the lowest level. The levels above follow, as
 // long as their merging starts no lower than the end of the merging of earlier levels; then the levels below; then the
 // same levels with subdivided faces, which can form any clusters. Hence all numbers from the smallest end of a level
 // are attainable. The number of consecutive levels without a smaller end is limited, so the work on large components is
@@ -119,7 +119,7 @@ public:
   // g have irreducible triangulations of at most 26 g - 4 vertices (Joret and Wood: Irreducible triangulations are small, 2010).
   // With b border loops the number is also linear in g and b (Boulch, Colin de Verdiere, Nakamoto: Irreducible triangulations of
   // surfaces with boundary, 2013). Features keep clusters apart; these results do not bound the additional clusters.
-  static std::size_t always_enough(const Component& c)
+  static std::size_t sufficient_clusters(const Component& c)
   {
     return 8 + 26 * c.genus() + 8 * c.loops + 4 * c.feature_clusters;
   }
@@ -229,7 +229,7 @@ private:
 
   void aim_at(const Component& component, std::size_t wanted)
   {
-    enough_ = always_enough(component);
+    enough_ = sufficient_clusters(component);
     faces_ = component.faces;
     wanted_ = wanted;
     lowest_end_ = (std::numeric_limits<std::size_t>::max)();

@@ -252,7 +252,7 @@ private:
   {
     const std::vector<Component>& components = uncut_input_->items.mesh.components;
     return std::any_of(components.begin(), components.end(), [](const Component& c) {
-      return c.max_clusters() < Component_plan::always_enough(c);
+      return c.max_clusters() < Component_plan::sufficient_clusters(c);
     });
   }
 
