@@ -93,16 +93,20 @@ inline Vector point_in(const std::vector<Vector>& positions, const Triangle& t, 
 }
 
 // Returns the cosine of the smallest angle of a triangle; 1 if two corners coincide.
-inline double sharpest_of(const std::vector<Vector>& positions, const Triangle& t)
+inline double sharpest_of(const std::array<Vector, 3>& corner)
 {
   double largest = -1;
-  for (int i = 0; i < 3; ++i) {
-    const Vector& p = positions[t[i]];
-    const Vector e = positions[t[(i + 1) % 3]] - p, f = positions[t[(i + 2) % 3]] - p;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector e = corner[(i + 1) % 3] - corner[i], f = corner[(i + 2) % 3] - corner[i];
     const double product = std::sqrt(dot(e, e) * dot(f, f));
     largest = (std::max)(largest, product > 0 ? dot(e, f) / product : 1);
   }
   return largest;
+}
+
+inline double sharpest_of(const std::vector<Vector>& positions, const Triangle& t)
+{
+  return sharpest_of({{positions[t[0]], positions[t[1]], positions[t[2]]}});
 }
 
 inline double smallest_angle(const std::vector<Vector>& positions, const Triangle& t)

@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_INPUT_SURFACE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_INPUT_SURFACE_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -331,6 +333,38 @@ private:
 
   const Flat_mesh& mesh_;
   std::vector<Large_face> large_faces_; // by face
+};
+
+// At most 32 points of the input with their faces. A search for a closest point begins at one of them. Refers to the points.
+class Search_starts
+{
+public:
+  void add(const Vector& p, Index face) { points_[number_++] = {&p, face}; }
+
+  // Returns NONE if there are no points.
+  Index face_of_nearest(const Vector& p) const
+  {
+    Index face = NONE;
+    double nearest = 0;
+    for (std::size_t i = 0; i < number_; ++i) {
+      const Vector d = *points_[i].position - p;
+      if (face == NONE || dot(d, d) < nearest) {
+        nearest = dot(d, d);
+        face = points_[i].face;
+      }
+    }
+    return face;
+  }
+
+private:
+  struct Start
+  {
+    const Vector* position;
+    Index face;
+  };
+
+  std::array<Start, 32> points_;
+  std::size_t number_ = 0;
 };
 
 } // namespace internal

@@ -3,15 +3,13 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_ANGLE_IMPROVEMENT_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_ANGLE_IMPROVEMENT_H
 
-#include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -23,23 +21,18 @@ namespace internal {
 class Angle_improvement
 {
 public:
-  // `within_bounds` returns the nearest admissible position of a vertex.
-  Angle_improvement(const Border_arcs& border, const Flippable_triangulation& coarse, std::vector<Vector>& positions,
-                    Fit_samples& samples, std::function<Vector(Index, const Vector&)> within_bounds, const Run_context& context)
-    : border_(border), coarse_(coarse), positions_(positions), samples_(samples), within_bounds_(std::move(within_bounds)),
-      context_(context)
-  {}
+  explicit Angle_improvement(Coarse_mesh& mesh) : mesh_(mesh) {}
 
   // Processes the narrowest triangle first.
   void run(const Angle_worth& worth)
   {
     worth_ = worth;
-    is_marked_.assign(positions_.size(), false);
-    tries_.assign(positions_.size(), 0);
+    is_marked_.assign(mesh_.positions().size(), false);
+    tries_.assign(mesh_.positions().size(), 0);
     std::vector<std::pair<double, Index> > narrow;
-    for (std::size_t t = 0; t < coarse_.triangles().size(); ++t) {
-      context_.poll();
-      const double angle = angle_of(Index(t));
+    for (std::size_t t = 0; t < mesh_.triangles().size(); ++t) {
+      mesh_.context().poll();
+      const double angle = mesh_.angle(Index(t));
       if (angle < narrow_angle)
         narrow.emplace_back(angle, Index(t));
     }
@@ -73,15 +66,13 @@ private:
     double cost = 0, worth = 0, max_cosine = 1;
   };
 
-  double angle_of(Index t) const { return smallest_angle(positions_, coarse_.triangles()[t]); }
-
   // Improves the marked triangles and clears the marks. Their moves do not depend on each other and are computed in parallel.
   void improve(std::vector<Index>& triangles)
   {
-    context_.poll(steps_of_triangle * triangles.size());
+    mesh_.context().poll(steps_of_triangle * triangles.size());
     std::vector<Move> moves(triangles.size());
-    for_each_chunk(context_.uninterrupted(), triangles.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
-      if (angle_of(triangles[i]) < narrow_angle)
+    for_each_chunk(mesh_.context().uninterrupted(), triangles.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+      if (mesh_.angle(triangles[i]) < narrow_angle)
         moves[i] = best_move(triangles[i]);
     });
     for (const Move& move : moves)
@@ -89,7 +80,7 @@ private:
         make(move);
     for (const Index t : triangles) {
       mark(t, false);
-      for (const Index v : coarse_.triangles()[t])
+      for (const Index v : mesh_.triangle(t))
         ++tries_[v];
     }
     triangles.clear();
@@ -98,13 +89,13 @@ private:
   // A vertex of many narrow triangles is tried for the narrowest ones.
   bool may_move(Index v) const
   {
-    return !border_.is_on_border(v) && coarse_.around(v).size() <= max_valence && tries_[v] < max_tries;
+    return !mesh_.is_on_border(v) && mesh_.around(v).size() <= max_valence && tries_[v] < max_tries;
   }
 
   // Marks the corners that may move.
   void mark(Index t, bool is_marked)
   {
-    for (const Index v : coarse_.triangles()[t])
+    for (const Index v : mesh_.triangle(t))
       if (may_move(v))
         is_marked_[v] = is_marked;
   }
@@ -113,13 +104,13 @@ private:
   bool depends_on_marked(Index t) const
   {
     const auto has_marked_corner = [this](Index u) {
-      const Triangle& c = coarse_.triangles()[u];
+      const Triangle& c = mesh_.triangle(u);
       return std::any_of(c.begin(), c.end(), [this](Index v) { return is_marked_[v]; });
     };
     if (has_marked_corner(t))
       return true;
-    for (const Index v : coarse_.triangles()[t])
-      if (may_move(v) && std::any_of(coarse_.around(v).begin(), coarse_.around(v).end(), has_marked_corner))
+    for (const Index v : mesh_.triangle(t))
+      if (may_move(v) && std::any_of(mesh_.around(v).begin(), mesh_.around(v).end(), has_marked_corner))
         return true;
     return false;
   }
@@ -129,7 +120,7 @@ private:
   {
     Move best;
     for (int i = 0; i < 3; ++i) {
-      const Index v = coarse_.triangles()[t][std::size_t(i)];
+      const Index v = mesh_.triangle(t)[std::size_t(i)];
       if (may_move(v))
         try_moves(t, i, best);
     }
@@ -139,27 +130,14 @@ private:
   // Undoes the move if it is not profitable when the distances of the triangles from the input are also counted.
   void make(const Move& move)
   {
-    const std::vector<Index>& around = coarse_.around(move.vertex);
-    const double before = cost_of(around);
-    const Vector from = std::exchange(positions_[move.vertex], move.to);
-    samples_.redistribute(around, around);
-    if (cost_of(around) < before)
-      return;
-    positions_[move.vertex] = from;
-    samples_.redistribute(around, around);
-  }
-
-  double cost_of(const std::vector<Index>& triangles) const
-  {
-    double sum = 0;
-    for (const Index t : triangles)
-      sum += samples_.cost(t) - worth_(angle_of(t));
-    return sum;
+    const std::vector<Index>& around = mesh_.around(move.vertex);
+    const double before = mesh_.cost_of(around, worth_);
+    mesh_.move_if(move.vertex, move.to, [&]() { return mesh_.cost_of(around, worth_) < before; });
   }
 
   void try_moves(Index t, int i, Move& best) const
   {
-    const Index v = coarse_.triangles()[t][std::size_t(i)];
+    const Index v = mesh_.triangle(t)[std::size_t(i)];
     Star star = star_of(v);
     for (const Vector& place : places(t, i, star.normal)) {
       star.fan.move_to(place);
@@ -168,19 +146,15 @@ private:
         continue;
       Vector better;
       star.fan.squared_distances(place, better);
-      const Vector to = within_bounds_(v, place + dot(better - place, star.normal) * star.normal);
+      const Vector to = mesh_.within_bounds(v, place + dot(better - place, star.normal) * star.normal);
       star.fan.move_to(to);
       if (!star.fan.is_sound(star.max_cosine, min_turn_cosine))
         continue;
       // Distances are summed until the gain is less than the best gain so far.
-      const double worth = star.fan.worth(worth_), weight = 2 * samples_.weight();
-      const double gain =
-        star.cost - (weight * star.fan.squared_distances((star.cost + worth - best.gain) / weight) - worth);
-      if (gain > best.gain) {
-        best.gain = gain;
-        best.vertex = v;
-        best.to = to;
-      }
+      const double worth = star.fan.worth(worth_), weight = 2 * mesh_.samples().weight();
+      const double gain = star.cost - (weight * star.fan.squared_distances((star.cost + worth - best.gain) / weight) - worth);
+      if (gain > best.gain)
+        best = {gain, v, to};
     }
   }
 
@@ -188,16 +162,16 @@ private:
   {
     Star star;
     double distances = 0, least = min_angle;
-    for (const Index t : coarse_.around(v)) {
-      const Triangle& c = coarse_.triangles()[t];
-      const Vector n = normal_of(positions_, c);
-      star.fan.add_triangle(positions_[c[0]], positions_[c[1]], positions_[c[2]], coarse_.corner(t, v), n);
-      samples_.for_each_on(t, [&](const Fit_samples::Sample& s) { star.fan.add_sample(s.position); });
+    for (const Index t : mesh_.around(v)) {
+      const Triangle& c = mesh_.triangle(t);
+      const Vector n = mesh_.normal(t);
+      star.fan.add_triangle(mesh_.point(c[0]), mesh_.point(c[1]), mesh_.point(c[2]), mesh_.corner(t, v), n);
+      mesh_.samples().for_each_on(t, [&](const Fit_samples::Sample& s) { star.fan.add_sample(s.position); });
       star.normal = star.normal + n;
-      const double angle = angle_of(t);
+      const double angle = mesh_.angle(t);
       least = (std::min)(least, angle);
       star.worth += worth_(angle);
-      distances += 2 * samples_.cost_of_input(t);
+      distances += 2 * mesh_.samples().cost_of_input(t);
     }
     const double length = std::sqrt(dot(star.normal, star.normal));
     star.normal = length > 0 ? (1 / length) * star.normal : star.normal;
@@ -210,10 +184,10 @@ private:
   // the nearest corner.
   std::vector<Vector> places(Index t, int i, const Vector& normal) const
   {
-    const Triangle& c = coarse_.triangles()[t];
+    const Triangle& c = mesh_.triangle(t);
     const Index v = c[std::size_t(i)];
-    const Vector &p = positions_[v], &a = positions_[c[std::size_t(i + 1) % 3]], &b = positions_[c[std::size_t(i + 2) % 3]];
-    const Vector ab = b - a, pa = p - a, pb = p - b, to_mean = coarse_.mean_of_neighbors(v, positions_) - p;
+    const Vector &p = mesh_.point(v), &a = mesh_.point(c[std::size_t(i + 1) % 3]), &b = mesh_.point(c[std::size_t(i + 2) % 3]);
+    const Vector ab = b - a, pa = p - a, pb = p - b, to_mean = mesh_.mean_of_neighbors(v, mesh_.positions()) - p;
     const double square = dot(ab, ab);
     const Vector height = square > 0 ? pa - (dot(pa, ab) / square) * ab : pa;
     const double size = std::sqrt((std::max)({square, dot(pa, pa), dot(pb, pb)}));
@@ -229,12 +203,7 @@ private:
     return found;
   }
 
-  const Border_arcs& border_;
-  const Flippable_triangulation& coarse_;
-  std::vector<Vector>& positions_;
-  Fit_samples& samples_;
-  const std::function<Vector(Index, const Vector&)> within_bounds_;
-  const Run_context context_;
+  Coarse_mesh& mesh_;
   Angle_worth worth_;
   std::vector<char> is_marked_; // of each vertex
   std::vector<std::size_t> tries_;

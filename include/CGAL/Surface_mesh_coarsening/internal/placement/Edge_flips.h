@@ -3,8 +3,10 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EDGE_FLIPS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EDGE_FLIPS_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -24,18 +26,14 @@ namespace internal {
 class Edge_flips
 {
 public:
-  // If `avoids_narrowness`, the costs of flips include narrow triangles, flips create no angle below 10 degrees, and the exchange
-  // rate of angles has a larger minimum. Otherwise vertices remain at their clusters, and only flips across sharp edges would
-  // avoid narrow triangles.
-  Edge_flips(Flippable_triangulation& coarse, const std::vector<Vector>& positions, Fit_samples& samples, bool avoids_narrowness,
-             const Run_context& context)
-    : coarse_(coarse), positions_(positions), samples_(samples), avoids_narrowness_(avoids_narrowness), context_(context)
-  {}
+  // If vertices may leave their clusters, the costs of flips include narrow triangles, flips create no angle below 10 degrees, and the
+  // exchange rate of angles has a larger minimum. Otherwise only flips across sharp edges would avoid narrow triangles.
+  explicit Edge_flips(Coarse_mesh& mesh) : mesh_(mesh) {}
 
   // The angle is in radians. A steady run changes the exchange rate of the previous run only slightly.
   void run(double mean_angle, bool is_steady)
   {
-    const std::vector<Triangle>& triangles = coarse_.triangles();
+    const std::vector<Triangle>& triangles = mesh_.triangles();
     measure_triangles();
     double budget = 0, total = 0;
     for (const Measures& m : measures_) {
@@ -49,10 +47,10 @@ public:
     worth_ = {is_bounded ? before / max_change : rate(lowest_exponent(), mean), narrow_part * mean};
     std::vector<Flip> flips;
     for_each_part<std::vector<Flip> >(
-      context_, triangles.size(), triangles_of_part,
+      mesh_.context(), triangles.size(), triangles_of_part,
       [this](std::vector<Flip>& trials, std::size_t begin, std::size_t end) { try_flips(begin, end, trials); },
       [&](const std::vector<Flip>& trials) {
-        context_.poll(steps_of_flip * triangles_of_part);
+        mesh_.context().poll(steps_of_flip * triangles_of_part);
         flips.insert(flips.end(), trials.begin(), trials.end());
       });
     const double wanted = rate_for(flips, budget, mean);
@@ -66,8 +64,8 @@ public:
 private:
   struct Flip
   {
-    Index triangle = NONE;
-    int corner = 0;
+    Index triangle;
+    int corner;
     bool may_pay = false;
     double gain = 0; // in squared distance
     double loss = 0; // of angle
@@ -82,10 +80,10 @@ private:
 
   void measure_triangles()
   {
-    measures_.resize(coarse_.triangles().size());
-    for_each_number(context_, measures_.size(), [this](Index t) {
-      const double sharpest = sharpest_of(positions_, coarse_.triangles()[t]);
-      measures_[t] = {sharpest, angle(sharpest), samples_.cost(t)};
+    measures_.resize(mesh_.triangles().size());
+    for_each_number(mesh_.context(), measures_.size(), [this](Index t) {
+      const double sharpest = sharpest_of(mesh_.positions(), mesh_.triangle(t));
+      measures_[t] = {sharpest, angle(sharpest), mesh_.samples().cost(t)};
     });
   }
 
@@ -105,23 +103,21 @@ private:
 
   Flip flip_at(Index t, int i) const
   {
-    Flip flip;
-    flip.triangle = t;
-    flip.corner = i;
-    const Index u = coarse_.across(t, i);
+    Flip flip{t, i};
+    const Index u = mesh_.across(t, i);
     if (u == NONE || u < t)
       return flip;
-    const Triangle &old_t = coarse_.triangles()[t], &old_u = coarse_.triangles()[u];
+    const Triangle &old_t = mesh_.triangle(t), &old_u = mesh_.triangle(u);
     const Measures &of_t = measures_[t], &of_u = measures_[u];
-    const Index a = old_t[i], b = old_t[(i + 1) % 3], c = coarse_.opposite(t, i), d = coarse_.opposite(u, coarse_.corner(u, b));
+    const Index a = old_t[i], b = old_t[(i + 1) % 3], c = mesh_.opposite(t, i), d = mesh_.opposite(u, mesh_.corner(u, b));
     const Triangle new_t{c, a, d}, new_u{c, d, b};
-    const double sharpest_t = sharpest_of(positions_, new_t), sharpest_u = sharpest_of(positions_, new_u);
+    const double sharpest_t = sharpest_of(mesh_.positions(), new_t), sharpest_u = sharpest_of(mesh_.positions(), new_u);
     if ((std::max)(sharpest_t, sharpest_u) > (std::max)({sharpest_allowed_, of_t.sharpest, of_u.sharpest}) ||
-        !coarse_.may_flip(t, i, u) || folds_over(old_t, old_u, new_t, new_u))
+        !mesh_.may_flip(t, i, u) || folds_over(old_t, old_u, new_t, new_u))
       return flip;
     const double angle_t = angle(sharpest_t), angle_u = angle(sharpest_u);
     flip.loss = of_t.angle + of_u.angle - angle_t - angle_u;
-    if (avoids_narrowness_)
+    if (mesh_.may_relocate())
       flip.narrowing = narrowness(angle_t) + narrowness(angle_u) - narrowness(of_t.angle) - narrowness(of_u.angle);
     const double now = of_t.cost + of_u.cost;
     // If the angles get worse, the flip is profitable only if the distance decreases by their worth.
@@ -129,7 +125,7 @@ private:
     const double limit = is_closer ? now + flip.profit(worth_) : max_growth * now;
     if (limit < 0)
       return flip;
-    flip.gain = now - samples_.cost_instead(t, u, new_t, new_u, limit, is_closer);
+    flip.gain = now - mesh_.samples().cost_instead(t, u, new_t, new_u, limit, is_closer);
     flip.may_pay = !is_closer || flip.profit(worth_) > 0;
     return flip;
   }
@@ -137,8 +133,9 @@ private:
   // Returns whether the new triangles face away from each other or from the old triangles.
   bool folds_over(const Triangle& old_t, const Triangle& old_u, const Triangle& new_t, const Triangle& new_u) const
   {
-    const Vector old_normal = normal_of(positions_, old_t) + normal_of(positions_, old_u);
-    const Vector n = normal_of(positions_, new_t), m = normal_of(positions_, new_u);
+    const std::vector<Vector>& positions = mesh_.positions();
+    const Vector old_normal = normal_of(positions, old_t) + normal_of(positions, old_u);
+    const Vector n = normal_of(positions, new_t), m = normal_of(positions, new_u);
     return !(dot(n, old_normal) > 0 && dot(m, old_normal) > 0 && dot(n, m) > 0);
   }
 
@@ -160,7 +157,7 @@ private:
   }
 
   // The rates that are tried are between the ones with this exponent and with 0.
-  double lowest_exponent() const { return avoids_narrowness_ ? -6 : -30; }
+  double lowest_exponent() const { return mesh_.may_relocate() ? -6 : -30; }
 
   static double rate(double exponent, double unit) { return unit * std::exp(exponent) * (180 / CGAL_PI); }
 
@@ -172,20 +169,20 @@ private:
                 flips.end());
     std::stable_sort(flips.begin(), flips.end(),
                      [this](const Flip& f, const Flip& g) { return f.profit(worth_) > g.profit(worth_); });
-    std::vector<bool> is_done(coarse_.triangles().size(), false);
+    std::vector<bool> is_done(mesh_.triangles().size(), false);
     std::vector<std::pair<Index, Index> > flipped;
     for (const Flip& flip : flips) {
-      const Index t = flip.triangle, u = coarse_.across(t, flip.corner);
-      if (is_done[t] || is_done[u] || !coarse_.may_flip(t, flip.corner, u))
+      const Index t = flip.triangle, u = mesh_.across(t, flip.corner);
+      if (is_done[t] || is_done[u] || !mesh_.may_flip(t, flip.corner, u))
         continue;
-      coarse_.flip(t, flip.corner, u);
+      mesh_.flip(t, flip.corner, u);
       is_done[t] = is_done[u] = true;
       flipped.emplace_back(t, u);
     }
-    context_.poll(steps_of_flip * flipped.size());
-    for_each_chunk(context_, flipped.size(), 4, [&](std::size_t, std::size_t begin, std::size_t end) {
+    mesh_.context().poll(steps_of_flip * flipped.size());
+    for_each_chunk(mesh_.context(), flipped.size(), 4, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        samples_.redistribute(flipped[i].first, flipped[i].second);
+        mesh_.samples().redistribute(flipped[i].first, flipped[i].second);
     });
   }
 
@@ -198,12 +195,8 @@ private:
   // A flip for better angles that increases the distance by a larger factor is not evaluated exactly.
   static constexpr double max_growth = 1.2;
 
-  Flippable_triangulation& coarse_;
-  const std::vector<Vector>& positions_;
-  Fit_samples& samples_;
-  const bool avoids_narrowness_;
-  const Run_context context_;
-  const double sharpest_allowed_ = std::cos(avoids_narrowness_ ? min_angle : min_angle_otherwise);
+  Coarse_mesh& mesh_;
+  const double sharpest_allowed_ = std::cos(mesh_.may_relocate() ? min_angle : min_angle_otherwise);
   Angle_worth worth_;
   std::vector<Measures> measures_; // of each triangle
 };

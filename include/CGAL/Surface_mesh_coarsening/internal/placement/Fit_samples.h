@@ -9,8 +9,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Input_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Prepared_triangle.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Search_starts.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
 
 #include <algorithm>
 #include <array>
@@ -139,10 +137,7 @@ public:
   }
 
   // Returns the contribution of a triangle to the sums of both directions.
-  double cost(Index t) const
-  {
-    return cost_of_input(t) + cost_of(back_[t]);
-  }
+  double cost(Index t) const { return cost_of_input(t) + cost_of(back_[t]); }
 
   // Returns the contribution of two other triangles that replace `t` and `u`. Returns a value above `limit` as soon as the
   // contribution is known to exceed it: after a triangle, or with `at_once` after each sample.
@@ -431,11 +426,7 @@ private:
     return sum;
   }
 
-  double area_of(const Triangle& t) const
-  {
-    const Vector n = normal_of(positions_, t);
-    return 0.5 * length(n);
-  }
+  double area_of(const Triangle& t) const { return 0.5 * length(normal_of(positions_, t)); }
 
   Back_sample back_sample(const Triangle& t, double area, std::size_t i, const Search_starts& starts) const
   {

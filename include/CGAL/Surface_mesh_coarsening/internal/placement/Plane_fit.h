@@ -3,17 +3,16 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLANE_FIT_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLANE_FIT_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_equations.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Surface_fit.h>
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -25,25 +24,20 @@ namespace internal {
 class Plane_fit
 {
 public:
-  // `may_move` returns whether a vertex may move, `within_bounds` the nearest admissible position of a vertex.
-  Plane_fit(const Clustered_faces& surface, const Flippable_triangulation& coarse, std::vector<Vector>& positions,
-            Fit_samples& samples, std::function<bool(Index)> may_move,
-            std::function<Vector(Index, const Vector&)> within_bounds)
-    : surface_(surface), coarse_(coarse), positions_(positions), samples_(samples), may_move_(std::move(may_move)),
-      within_bounds_(std::move(within_bounds))
-  {}
+  // Moves the vertices that `fit` may move.
+  Plane_fit(Coarse_mesh& mesh, const Surface_fit& fit) : mesh_(mesh), fit_(fit) {}
 
   // Movements bring samples to other triangles, hence the repetitions.
   void run()
   {
     constexpr int max_repetitions = 3;
-    std::vector<Vector> moves(positions_.size());
+    std::vector<Vector> moves(mesh_.positions().size());
     bool has_moved = true;
     for (int i = 0; i < max_repetitions && has_moved; ++i) {
-      for_each_number(surface_.context(), positions_.size(),
-                      [&](Index v) { moves[v] = may_move_(v) ? move_onto_planes(v) : Vector{{0, 0, 0}}; });
+      for_each_number(mesh_.context(), moves.size(),
+                      [&](Index v) { moves[v] = fit_.may_move(v) ? move_onto_planes(v) : Vector{{0, 0, 0}}; });
       has_moved = false;
-      for (std::size_t v = 0; v < positions_.size(); ++v)
+      for (std::size_t v = 0; v < moves.size(); ++v)
         if (dot(moves[v], moves[v]) > 0 && make(Index(v), moves[v]))
           has_moved = true;
     }
@@ -62,20 +56,20 @@ private:
   // Returns the shortest movement to the planes of the samples around a vertex; zero if they have no common point.
   Vector move_onto_planes(Index v) const
   {
-    const Vector none{{0, 0, 0}};
+    const Vector none{{0, 0, 0}}, &p = mesh_.point(v);
     Symmetric_block squares;
     Vector right = none;
     double number = 0, sum = 0, longest = 0; // sum and longest are squares
-    for (const Index t : coarse_.around(v)) {
-      for (const Index w : coarse_.triangles()[t])
-        longest = (std::max)(longest, dot(positions_[w] - positions_[v], positions_[w] - positions_[v]));
-      samples_.for_each_on(t, [&](const Fit_samples::Sample& s) {
-        const Vector area = vector_area(surface_.input().mesh, s.face);
+    for (const Index t : mesh_.around(v)) {
+      for (const Index w : mesh_.triangle(t))
+        longest = (std::max)(longest, dot(mesh_.point(w) - p, mesh_.point(w) - p));
+      mesh_.samples().for_each_on(t, [&](const Fit_samples::Sample& s) {
+        const Vector area = vector_area(mesh_.surface().input().mesh, s.face);
         const double size = length(area);
         if (!(size > 0))
           return;
         const Vector n = (1 / size) * area;
-        const double height = dot(n, s.position - positions_[v]);
+        const double height = dot(n, s.position - p);
         squares.add(1, Symmetric_block::square(n));
         right = right + height * n;
         sum += height * height;
@@ -103,33 +97,30 @@ private:
   // small increase is permitted, because neighbors may still be off their planes.
   bool make(Index v, const Vector& move)
   {
-    const std::vector<Index>& around = coarse_.around(v);
-    const double before = cost_of(around), angle = smallest_angle_of(around);
+    const std::vector<Index>& around = mesh_.around(v);
+    const double before = mesh_.cost_of(around), angle = smallest_angle_of(around);
     const bool is_exact = is_nearly_zero(before, around);
     std::vector<Vector> normals;
     for (const Index t : around)
-      normals.push_back(normal_of(positions_, coarse_.triangles()[t]));
-    const Vector from = std::exchange(positions_[v], within_bounds_(v, positions_[v] + move));
+      normals.push_back(mesh_.normal(t));
+    Vector& p = mesh_.positions()[v];
+    const Vector from = p, to = mesh_.within_bounds(v, p + move);
+    p = to;
     bool is_sound = smallest_angle_of(around) >= (std::min)(is_exact ? min_part_of_angle * angle : angle, min_angle);
     for (std::size_t i = 0; i < around.size(); ++i)
-      is_sound = is_sound && dot(normals[i], normal_of(positions_, coarse_.triangles()[around[i]])) > 0;
-    if (!is_sound) {
-      positions_[v] = from;
-      return false;
-    }
-    samples_.redistribute(around, around);
-    if (is_exact ? cost_of(around) <= max_growth * before : cost_of(around) < before)
-      return true;
-    positions_[v] = from;
-    samples_.redistribute(around, around);
-    return false;
+      is_sound = is_sound && dot(normals[i], mesh_.normal(around[i])) > 0;
+    p = from;
+    return is_sound && mesh_.move_if(v, to, [&]() {
+      const double after = mesh_.cost_of(around);
+      return is_exact ? after <= max_growth * before : after < before;
+    });
   }
 
   double smallest_angle_of(const std::vector<Index>& triangles) const
   {
     double least = min_angle;
     for (const Index t : triangles)
-      least = (std::min)(least, smallest_angle(positions_, coarse_.triangles()[t]));
+      least = (std::min)(least, mesh_.angle(t));
     return least;
   }
 
@@ -138,24 +129,12 @@ private:
   {
     double area = 0;
     for (const Index t : triangles)
-      area += 0.5 * length(normal_of(positions_, coarse_.triangles()[t]));
+      area += 0.5 * length(mesh_.normal(t));
     return cost <= nearly_zero * area * area;
   }
 
-  double cost_of(const std::vector<Index>& triangles) const
-  {
-    double sum = 0;
-    for (const Index t : triangles)
-      sum += samples_.cost(t);
-    return sum;
-  }
-
-  const Clustered_faces& surface_;
-  const Flippable_triangulation& coarse_;
-  std::vector<Vector>& positions_;
-  Fit_samples& samples_;
-  const std::function<bool(Index)> may_move_;
-  const std::function<Vector(Index, const Vector&)> within_bounds_;
+  Coarse_mesh& mesh_;
+  const Surface_fit& fit_;
 };
 
 } // namespace internal

@@ -3,10 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_SURFACE_FIT_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_SURFACE_FIT_H
 
-#include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_equations.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Line_fits.h>
@@ -31,16 +29,13 @@ class Surface_fit
 {
 public:
   // Fits the lines, each alone, as far as no triangle turns by more than a right angle.
-  Surface_fit(const Clustered_faces& surface, const Border_arcs& border, const Flippable_triangulation& coarse,
-              std::vector<Vector>& positions)
-    : surface_(surface), border_(border), coarse_(coarse), positions_(positions), samples_(surface, coarse, positions),
-      lines_(surface, coarse, positions)
+  explicit Surface_fit(Coarse_mesh& mesh) : mesh_(mesh), lines_(mesh.surface(), mesh, mesh.positions())
   {
     if (lines_.empty())
       return;
-    const std::vector<Vector> before = positions_;
+    const std::vector<Vector> before = mesh_.positions();
     lines_.run();
-    std::vector<Vector> moves = std::exchange(positions_, before);
+    std::vector<Vector> moves = std::exchange(mesh_.positions(), before);
     for (std::size_t v = 0; v < moves.size(); ++v)
       moves[v] = moves[v] - before[v];
     move_by(std::move(moves));
@@ -49,43 +44,39 @@ public:
   // Finds the closest points of the samples; uses every `step`-th sample of the input.
   void find_feet(std::size_t step)
   {
-    samples_.find_feet(step);
+    mesh_.samples().find_feet(step);
     lines_.find_feet();
   }
 
-  // Returns whether a vertex lies on a feature line, but not at a corner.
-  bool is_on_line(Index v) const { return lines_.is_on_line(v); }
-
-  Fit_samples& samples() { return samples_; }
-  const Fit_samples& samples() const { return samples_; }
+  // Vertices on the border and at corners of feature lines remain at their places.
+  bool may_move(Index v) const { return !mesh_.is_on_border(v) || lines_.is_on_line(v); }
 
   // Moves the vertices, except on the border and at corners, to the minimum of the sum of squared distances as estimated from
   // the closest points. A vertex that is free to slide moves towards the mean of its neighbors; on a line, along the line.
   // `tolerance` is the part of the residual at which the solution is accepted.
   void move_vertices(double tolerance)
   {
-    const std::vector<Triangle>& triangles = coarse_.triangles();
-    const double area = samples_.area();
-    Fit_equations equations(triangles, positions_.size(), surface_.context());
-    std::vector<Hold> holds(positions_.size());
-    add_triangles(equations, holds);
-    lines_.add_to(equations, coarse_, line_width * std::sqrt(area / double(positions_.size())), damping);
+    const std::vector<Triangle>& triangles = mesh_.triangles();
+    const double area = mesh_.samples().area();
+    Fit_equations equations(triangles, mesh_.positions().size(), mesh_.context());
+    std::vector<Normal_constraint> constraints(mesh_.positions().size());
+    add_triangles(equations, constraints);
+    lines_.add_to(equations, mesh_, line_width * std::sqrt(area / double(mesh_.positions().size())), damping);
     const double mean_size = 2 * area / double(triangles.size());
-    const double shape = area > 0 ? shape_part * samples_.sum_of_squared_distances() / area / mean_size : 0;
-    const double inertia = min_inertia * area / double(positions_.size());
+    const double shape = area > 0 ? shape_part * mesh_.samples().sum_of_squared_distances() / area / mean_size : 0;
+    const double inertia = min_inertia * area / double(mesh_.positions().size());
     const std::vector<Vector> along = lines_.directions();
-    for_each_number(surface_.context(), positions_.size(), [&](Index v) {
+    for_each_number(mesh_.context(), mesh_.positions().size(), [&](Index v) {
       equations.add_vertex(v, {{0, 0, 0}}, inertia);
-      const bool is_on_line = lines_.is_on_line(v);
-      if (border_.is_on_border(v) && !is_on_line) {
+      if (!may_move(v)) {
         equations.fix(v);
         return;
       }
-      const Vector to_middle = vector_to_middle(v),
-                   d = is_on_line ? dot(to_middle, along[v]) * along[v] : to_middle;
-      equations.add_vertex(v, d, shape * holds[v].weight);
+      const bool is_on_line = lines_.is_on_line(v);
+      const Vector to_middle = vector_to_middle(v), d = is_on_line ? dot(to_middle, along[v]) * along[v] : to_middle;
+      equations.add_vertex(v, d, shape * constraints[v].weight);
       const double below = is_on_line ? free_part_on_lines : free_part_below;
-      equations.add_force(v, free_part(holds[v].normals.matrix(), below, d), damping * holds[v].squared_weight);
+      equations.add_force(v, free_part(constraints[v].normals.matrix(), below, d), damping * constraints[v].squared_weight);
     });
     std::vector<Vector> moves = equations.solve(100, tolerance);
     for (Vector& move : moves)
@@ -110,15 +101,15 @@ private:
   // Lines count as strips of this width, in units of about the length of an edge.
   static constexpr double line_width = 1;
 
-  // The constraint of a vertex: the weights of the samples around it, and the sum of the squares of their normals.
-  struct Hold
+  // The constraint of the movements of a vertex: the weights of the samples around it, and the sum of the squares of their normals.
+  struct Normal_constraint
   {
     double weight = 0, squared_weight = 0;
     Symmetric_block normals;
   };
 
   // A term of a constraint.
-  struct Hold_term
+  struct Constraint_term
   {
     Index vertex;
     double square;
@@ -130,32 +121,32 @@ private:
   {
     std::vector<std::array<Vector, 3> > forces;
     std::vector<Vector> weights;
-    std::vector<Hold_term> holds;
+    std::vector<Constraint_term> constraints;
   };
 
-  void add_triangles(Fit_equations& equations, std::vector<Hold>& holds) const
+  void add_triangles(Fit_equations& equations, std::vector<Normal_constraint>& constraints) const
   {
-    const std::vector<Triangle>& triangles = coarse_.triangles();
+    const std::vector<Triangle>& triangles = mesh_.triangles();
     std::size_t next = 0;
     for_each_part<Terms>(
-      surface_.context(), triangles.size(), triangles_of_part,
+      mesh_.context(), triangles.size(), triangles_of_part,
       [&](Terms& terms, std::size_t begin, std::size_t end) {
         terms.forces.clear();
         terms.weights.clear();
-        terms.holds.clear();
+        terms.constraints.clear();
         for (std::size_t t = begin; t != end; ++t)
           add_triangle(Index(t), equations, terms);
       },
       [&](const Terms& terms) {
-        surface_.context().poll(steps_of_triangle * terms.forces.size());
+        mesh_.context().poll(steps_of_triangle * terms.forces.size());
         for (std::size_t i = 0; i < terms.forces.size(); ++i, ++next)
           for (std::size_t k = 0; k < 3; ++k) {
             equations.add_force(triangles[next][k], terms.forces[i][k], 1);
-            holds[triangles[next][k]].weight += terms.weights[i][k];
+            constraints[triangles[next][k]].weight += terms.weights[i][k];
           }
-        for (const Hold_term& h : terms.holds) {
-          holds[h.vertex].squared_weight += h.square;
-          holds[h.vertex].normals.add(h.square, Symmetric_block::square(h.normal));
+        for (const Constraint_term& c : terms.constraints) {
+          constraints[c.vertex].squared_weight += c.square;
+          constraints[c.vertex].normals.add(c.square, Symmetric_block::square(c.normal));
         }
       });
   }
@@ -165,33 +156,34 @@ private:
   // are halved.
   void move_by(std::vector<Vector> moves)
   {
-    const std::vector<Vector> before = positions_;
-    for (std::size_t v = 0; v < positions_.size(); ++v)
-      positions_[v] = before[v] + moves[v];
+    std::vector<Vector>& positions = mesh_.positions();
+    const std::vector<Vector> before = positions;
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      positions[v] = before[v] + moves[v];
     lines_.keep_apart();
-    for (std::size_t v = 0; v < positions_.size(); ++v)
+    for (std::size_t v = 0; v < positions.size(); ++v)
       if (lines_.is_on_line(Index(v)))
-        moves[v] = positions_[v] - before[v];
-    std::vector<bool> goes_too_far(positions_.size());
+        moves[v] = positions[v] - before[v];
+    std::vector<bool> goes_too_far(positions.size());
     for (int i = 0; i < max_halvings; ++i) {
-      for (std::size_t v = 0; v < positions_.size(); ++v)
-        positions_[v] = before[v] + moves[v];
-      goes_too_far.assign(positions_.size(), false);
-      for (const Triangle& t : coarse_.triangles())
-        if (dot(normal_of(before, t), normal_of(positions_, t)) < 0)
+      for (std::size_t v = 0; v < positions.size(); ++v)
+        positions[v] = before[v] + moves[v];
+      goes_too_far.assign(positions.size(), false);
+      for (const Triangle& t : mesh_.triangles())
+        if (dot(normal_of(before, t), normal_of(positions, t)) < 0)
           for (const Index v : t)
             goes_too_far[v] = true;
       lines_.for_each_side([&](Index x, Index y) {
         const Vector d = before[y] - before[x];
-        if (dot(positions_[y] - positions_[x], d) < min_part_of_side * dot(d, d))
+        if (dot(positions[y] - positions[x], d) < min_part_of_side * dot(d, d))
           goes_too_far[x] = goes_too_far[y] = true;
       });
-      for (std::size_t v = 0; v < positions_.size(); ++v)
+      for (std::size_t v = 0; v < positions.size(); ++v)
         if (goes_too_far[v])
           moves[v] = 0.5 * moves[v];
     }
-    for (std::size_t v = 0; v < positions_.size(); ++v)
-      positions_[v] = before[v] + moves[v];
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      positions[v] = before[v] + moves[v];
   }
 
   // Samples whose foot is inside the triangle constrain movements along its normal; other samples constrain movements along the
@@ -199,8 +191,8 @@ private:
   // edges to the input have other directions.
   void add_triangle(Index t, Fit_equations& equations, Terms& terms) const
   {
-    const Triangle& corner = coarse_.triangles()[t];
-    const Vector doubled = normal_of(positions_, corner);
+    const Triangle& corner = mesh_.triangle(t);
+    const Vector doubled = mesh_.normal(t);
     const double length = std::sqrt(dot(doubled, doubled)), tiny = 1e-9 * std::sqrt(length);
     const Vector normal = length > 0 ? (1 / length) * doubled : doubled;
     std::array<Vector, 3> forces{};
@@ -210,7 +202,7 @@ private:
         forces[k] = forces[k] + weight * b[k] * d;
       weights = weights + weight * b;
     };
-    const auto hold_across = [&](const Vector& b, const Vector& d, double weight) {
+    const auto constrain_along = [&](const Vector& b, const Vector& d, double weight) {
       const double distance = std::sqrt(dot(d, d));
       const Vector n = distance > tiny ? (1 / distance) * d : normal;
       Symmetric_block products;
@@ -219,40 +211,40 @@ private:
       return n;
     };
     Symmetric_block inside;
-    const double sample_weight = samples_.weight();
-    samples_.for_each_on(t, [&](const Fit_samples::Sample& s) {
-      const Vector &b = s.foot.barycentric, d = s.position - point_in(positions_, corner, b);
+    const double sample_weight = mesh_.samples().weight();
+    mesh_.samples().for_each_on(t, [&](const Fit_samples::Sample& s) {
+      const Vector &b = s.foot.barycentric, d = s.position - point_in(mesh_.positions(), corner, b);
       add(b, d, sample_weight);
       if (b[0] > 0 && b[1] > 0 && b[2] > 0) {
         inside.add(sample_weight, Symmetric_block::square(b));
         return;
       }
-      const Vector n = hold_across(b, d, sample_weight);
+      const Vector n = constrain_along(b, d, sample_weight);
       for (std::size_t k = 0; k < 3; ++k)
         if (b[k] > 0)
-          terms.holds.push_back({corner[k], sample_weight * b[k] * b[k], n});
+          terms.constraints.push_back({corner[k], sample_weight * b[k] * b[k], n});
     });
-    for (const Fit_samples::Back_sample& s : samples_.of_triangle(t))
+    for (const Fit_samples::Back_sample& s : mesh_.samples().of_triangle(t))
       if (s.weight > 0) {
-        const Vector d = s.foot.position - point_in(positions_, corner, s.barycentric);
+        const Vector d = s.foot.position - point_in(mesh_.positions(), corner, s.barycentric);
         add(s.barycentric, d, s.weight);
-        hold_across(s.barycentric, d, s.weight);
+        constrain_along(s.barycentric, d, s.weight);
       }
     equations.add_stiffness(t, inside, Symmetric_block::metric(normal, damping));
     const Vector squares{{inside.xx, inside.yy, inside.zz}};
     terms.forces.push_back(forces);
     terms.weights.push_back(weights);
     for (std::size_t k = 0; k < 3; ++k)
-      terms.holds.push_back({corner[k], squares[k], normal});
+      terms.constraints.push_back({corner[k], squares[k], normal});
   }
 
   // Returns the tangential component of the vector from a vertex to the mean of its neighbors.
   Vector vector_to_middle(Index v) const
   {
     Vector normal{{0, 0, 0}};
-    for (const Index t : coarse_.around(v))
-      normal = normal + normal_of(positions_, coarse_.triangles()[t]);
-    const Vector d = coarse_.mean_of_neighbors(v, positions_) - positions_[v];
+    for (const Index t : mesh_.around(v))
+      normal = normal + mesh_.normal(t);
+    const Vector d = mesh_.mean_of_neighbors(v, mesh_.positions()) - mesh_.point(v);
     const double square = dot(normal, normal);
     return square > 0 ? d - (dot(d, normal) / square) * normal : d;
   }
@@ -274,11 +266,7 @@ private:
     return part;
   }
 
-  const Clustered_faces& surface_;
-  const Border_arcs& border_;
-  const Flippable_triangulation& coarse_;
-  std::vector<Vector>& positions_;
-  Fit_samples samples_;
+  Coarse_mesh& mesh_;
   Line_fits lines_;
 };
 

@@ -58,12 +58,6 @@ public:
   // The cosine of the largest angle between the normals of a triangle before and after the change.
   static constexpr double max_turn = 0.2;
 
-  void clear()
-  {
-    triangles_.clear();
-    samples_.clear();
-  }
-
   // `free_corner` is the corner of the vertex that may move. The triangle must not turn away from the normal `reference`.
   void add_triangle(const Vector& a, const Vector& b, const Vector& c, int free_corner, const Vector& reference)
   {
@@ -88,7 +82,7 @@ public:
     for (const Local_triangle& t : triangles_) {
       const Vector n = cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]);
       if (!(dot(n, t.reference) > min_turn_cosine * std::sqrt(dot(n, n) * dot(t.reference, t.reference))) ||
-          sharpest(t) > max_cosine)
+          sharpest_of(t.corner) > max_cosine)
         return false;
     }
     return true;
@@ -99,7 +93,7 @@ public:
   {
     double sum = 0;
     for (const Local_triangle& t : triangles_)
-      sum += worth(std::acos((std::min)(1., sharpest(t))));
+      sum += worth(std::acos((std::min)(1., sharpest_of(t.corner))));
     return sum;
   }
 
@@ -172,17 +166,6 @@ private:
     for (Local_triangle& t : triangles_)
       t.prepared = Prepared_triangle(t.corner[0], t.corner[1], t.corner[2]);
     is_prepared_ = true;
-  }
-
-  static double sharpest(const Local_triangle& t)
-  {
-    double largest = -1;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vector e = t.corner[(i + 1) % 3] - t.corner[i], f = t.corner[(i + 2) % 3] - t.corner[i];
-      const double product = std::sqrt(dot(e, e) * dot(f, f));
-      largest = (std::max)(largest, product > 0 ? dot(e, f) / product : 1);
-    }
-    return largest;
   }
 
   // Begins with the triangle that was nearest in the previous search.

@@ -4,8 +4,9 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_VERTEX_EXCHANGE_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Exchange_candidates.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Relocation.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,15 +25,7 @@ namespace internal {
 class Vertex_exchange
 {
 public:
-  Vertex_exchange(const Border_arcs& border, Flippable_triangulation& coarse, std::vector<Vector>& positions,
-                  Fit_samples& samples, const Vertex_relocation& relocation, const Run_context& context)
-    : coarse_(coarse),
-      positions_(positions),
-      samples_(samples),
-      relocation_(relocation),
-      context_(context),
-      candidates_(border, coarse, positions, samples, context)
-  {}
+  explicit Vertex_exchange(Coarse_mesh& mesh) : mesh_(mesh), candidates_(mesh) {}
 
   // Exchanges vertices as long as an exchange between two untouched regions is profitable, and while this does not take long.
   // Returns the number of exchanged vertices.
@@ -41,7 +34,7 @@ public:
     begin(worth);
     candidates_.for_each_insertion([this](const Vertex_insertion& x) { insertions_.push(x); });
     std::size_t exchanged = 0;
-    const std::size_t max_compared = comparisons_of_vertex * positions_.size();
+    const std::size_t max_compared = comparisons_of_vertex * mesh_.positions().size();
     while (compared_ < max_compared && find_best(removals_) && find_best(insertions_)) {
       const Vertex_removal removal = removals_.top();
       const Vertex_insertion insertion = insertions_.top();
@@ -77,13 +70,11 @@ private:
   static constexpr std::size_t comparisons_of_vertex = 500;
   static constexpr std::size_t at_a_time = 16, steps_of_candidate = 64;
 
-  const Triangle& triangle(Index t) const { return coarse_.triangles()[t]; }
-
   void begin(const Angle_worth& worth)
   {
     worth_ = worth;
     compared_ = 0;
-    is_touched_.assign(positions_.size(), false);
+    is_touched_.assign(mesh_.positions().size(), false);
     candidates_.measure_triangles(worth);
     removals_ = std::priority_queue<Vertex_removal>();
     insertions_ = std::priority_queue<Vertex_insertion>();
@@ -94,7 +85,7 @@ private:
   {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3; ++i)
-      if (coarse_.across(t, i) != NONE)
+      if (mesh_.across(t, i) != NONE)
         insertions_.push(candidates_.insertion_at(t, i));
     while (find_best(insertions_) && find_best(removals_)) {
       const Vertex_removal removal = removals_.top();
@@ -116,8 +107,8 @@ private:
   template <class Visit>
   bool any_around(Index v, const Visit& visit) const
   {
-    for (const Index t : coarse_.around(v))
-      for (const Index x : triangle(t))
+    for (const Index t : mesh_.around(v))
+      for (const Index x : mesh_.triangle(t))
         if (visit(x))
           return true;
     return false;
@@ -167,7 +158,7 @@ private:
         (candidates.top().measured ? measured : best).push_back(candidates.top());
       candidates.pop();
     }
-    context_.poll(steps_of_candidate * best.size());
+    mesh_.context().poll(steps_of_candidate * best.size());
     candidates_.measure(best);
     for (const std::vector<Candidate>& some : {best, measured})
       for (const Candidate& c : some)
@@ -186,12 +177,12 @@ private:
     std::vector<Index> triangles{x.t, x.u};
     for (const Index t : {x.t, x.u})
       for (int i = 0; i < 3; ++i)
-        if (coarse_.across(t, i) != NONE)
-          triangles.push_back(coarse_.across(t, i));
+        if (mesh_.across(t, i) != NONE)
+          triangles.push_back(mesh_.across(t, i));
     sort_unique(triangles);
     std::vector<std::pair<double, Index> > near;
     for (const Index t : triangles)
-      samples_.for_each_on(t, [&](const Fit_samples::Sample& s) {
+      mesh_.samples().for_each_on(t, [&](const Fit_samples::Sample& s) {
         const Vector d = s.position - x.place;
         near.emplace_back(dot(d, d), s.face);
       });
@@ -207,56 +198,51 @@ private:
   {
     const Index v = r.vertex;
     const std::vector<Index> faces = faces_around(x);
-    std::vector<Index> around = coarse_.around(v), changed, split{x.t, x.u};
+    std::vector<Index> around = mesh_.around(v), changed, split{x.t, x.u};
     std::vector<Triangle> now, before;
-    for (const Index t : coarse_.around(v))
-      if (coarse_.corner(t, r.into) >= 0) {
+    for (const Index t : mesh_.around(v))
+      if (mesh_.corner(t, r.into) >= 0) {
         split.push_back(t);
       } else {
         changed.push_back(t);
-        now.push_back(with_corner(triangle(t), v, r.into));
+        now.push_back(with_corner(mesh_.triangle(t), v, r.into));
       }
-    for (const Index t : coarse_.around(r.into))
-      if (coarse_.corner(t, v) < 0)
+    for (const Index t : mesh_.around(r.into))
+      if (mesh_.corner(t, v) < 0)
         around.push_back(t);
     changed.insert(changed.end(), split.begin(), split.end());
     const auto [a, b, c, d] = x.corners;
     now.insert(now.end(), {{a, v, c}, {v, b, c}, {b, v, d}, {v, a, d}});
     for (const Index t : changed)
-      before.push_back(triangle(t));
+      before.push_back(mesh_.triangle(t));
     std::vector<Index> all = around;
     all.insert(all.end(), {x.t, x.u});
-    const double max_cost = cost_of(all) + max_growth;
-    const bool is_one_component = samples_.component(around) == samples_.component({x.t, x.u});
-    const Vector place = std::exchange(positions_[r.into], r.place), place_of_v = std::exchange(positions_[v], x.place);
-    coarse_.replace(changed, now);
-    const std::vector<Index> collapsed = coarse_.around(r.into);
+    const double max_cost = mesh_.cost_of(all, worth_) + max_growth;
+    Fit_samples& samples = mesh_.samples();
+    std::vector<Vector>& positions = mesh_.positions();
+    const bool is_one_component = samples.component(around) == samples.component({x.t, x.u});
+    const Vector place = std::exchange(positions[r.into], r.place), place_of_v = std::exchange(positions[v], x.place);
+    mesh_.replace(changed, now);
+    const std::vector<Index> collapsed = mesh_.around(r.into);
     if (!is_one_component)
-      samples_.forget_feet(split);
-    compared_ += samples_.redistribute(around, collapsed) + samples_.redistribute({x.t, x.u}, split);
-    const Relocation outcome = cost_of(all) < max_cost ? relocation_.relocate(v, r.into, faces) : Relocation::TOO_FAR;
+      samples.forget_feet(split);
+    compared_ += samples.redistribute(around, collapsed) + samples.redistribute({x.t, x.u}, split);
+    const Relocation outcome =
+      mesh_.cost_of(all, worth_) < max_cost ? mesh_.relocation().relocate(v, r.into, faces) : Relocation::TOO_FAR;
     if (outcome == Relocation::DONE) {
       touch(r, x);
     } else {
-      positions_[r.into] = place;
-      positions_[v] = place_of_v;
-      coarse_.replace(changed, before);
+      positions[r.into] = place;
+      positions[v] = place_of_v;
+      mesh_.replace(changed, before);
       if (is_one_component) {
-        compared_ += samples_.redistribute(all, all);
+        compared_ += samples.redistribute(all, all);
       } else { // the components may be close to each other, so each receives its own samples
-        samples_.forget_feet(split);
-        compared_ += samples_.redistribute(split, {x.t, x.u}) + samples_.redistribute(collapsed, around);
+        samples.forget_feet(split);
+        compared_ += samples.redistribute(split, {x.t, x.u}) + samples.redistribute(collapsed, around);
       }
     }
     return outcome;
-  }
-
-  double cost_of(const std::vector<Index>& triangles) const
-  {
-    double sum = 0;
-    for (const Index t : triangles)
-      sum += samples_.cost(t) - worth_(smallest_angle(positions_, triangle(t)));
-    return sum;
   }
 
   // Marks the old and the new neighbors of the vertices as touched.
@@ -272,11 +258,7 @@ private:
     std::for_each(x.corners.begin(), x.corners.end(), touch);
   }
 
-  Flippable_triangulation& coarse_;
-  std::vector<Vector>& positions_;
-  Fit_samples& samples_;
-  const Vertex_relocation& relocation_;
-  const Run_context context_;
+  Coarse_mesh& mesh_;
   Exchange_candidates candidates_;
   Angle_worth worth_;
   std::size_t compared_ = 0; // samples with triangles, in this run

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Input_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_improvement.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Edge_flips.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Plane_fit.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Surface_fit.h>
@@ -90,21 +91,12 @@ inline bool has_all_vertices(const Clustered_faces& surface)
 class Vertex_fit
 {
 public:
-  Vertex_fit(const Clustered_faces& surface, const Border_arcs& border, double mean_angle,
-             const std::vector<Triangle>& triangles, std::vector<Vector>& positions, const Vertex_relocation& relocation)
-    : surface_(surface), mean_angle_(mean_angle), judges_movements_(mean_angle < min_angle_of_exchange), positions_(positions),
-      relocation_(relocation), keeps_vertices_(has_all_vertices(surface)),
-      coarse_(triangles, positions.size(), surface.features()), fit_(surface, border, coarse_, positions),
-      flips_(coarse_, positions, fit_.samples(), relocation.rounds > 0, surface.context()),
-      exchange_(border, coarse_, positions, fit_.samples(), relocation, surface.context()),
-      angles_(border, coarse_, positions, fit_.samples(), [this](Index x, const Vector& p) { return within_bounds(x, p); },
-              surface.context()),
-      planes_(surface, coarse_, positions, fit_.samples(),
-              [this, &border](Index x) { return !border.is_on_border(x) || fit_.is_on_line(x); },
-              [this](Index x, const Vector& p) { return within_bounds(x, p); })
+  // `mean_angle` is the goal in degrees.
+  Vertex_fit(Coarse_mesh& mesh, double mean_angle)
+    : mesh_(mesh), mean_angle_(mean_angle), judges_movements_(mean_angle < min_angle_of_exchange),
+      keeps_vertices_(has_all_vertices(mesh.surface())), fit_(mesh), flips_(mesh), exchange_(mesh), angles_(mesh),
+      planes_(mesh, fit_)
   {}
-
-  const std::vector<Triangle>& triangles() const { return coarse_.triangles(); }
 
   // The first step of a round. From now on, every `step`-th sample of the input is used.
   void find_feet(std::size_t step = 1)
@@ -115,7 +107,7 @@ public:
     step_ = step;
   }
 
-  void exchange_at_destinations() { exchange_.run_at(relocation_.destinations); }
+  void exchange_at_destinations() { exchange_.run_at(mesh_.relocation().destinations); }
 
   // From now on, the exchange rate between angles and distance changes slowly.
   void keep_rate() { is_steady_ = true; }
@@ -148,7 +140,10 @@ public:
   }
 
   // Returns the current mesh. The feet of the samples must be up to date.
-  Fitted_mesh mesh() const { return {triangles(), positions_, fit_.samples().squared_distance(), current_angle()}; }
+  Fitted_mesh mesh() const
+  {
+    return {mesh_.triangles(), mesh_.positions(), mesh_.samples().squared_distance(), current_angle()};
+  }
 
 private:
   static constexpr double degrees_per_radian = 180 / CGAL_PI;
@@ -159,11 +154,12 @@ private:
   // around which the distance has increased move half of the way back, then all of the way.
   void move_vertices(double tolerance)
   {
-    const std::vector<Vector> before = positions_;
+    std::vector<Vector>& positions = mesh_.positions();
+    const std::vector<Vector> before = positions;
     const std::vector<double> costs = judges_movements_ ? costs_of_triangles() : std::vector<double>();
     fit_.move_vertices(tolerance);
-    for (std::size_t x = 0; x < positions_.size(); ++x)
-      positions_[x] = within_bounds(Index(x), positions_[x]);
+    for (std::size_t x = 0; x < positions.size(); ++x)
+      positions[x] = mesh_.within_bounds(Index(x), positions[x]);
     has_feet_ = false;
     if (judges_movements_)
       for (const double part : {0.5, 0.})
@@ -175,29 +171,30 @@ private:
   {
     find_feet(step_);
     const std::vector<double> costs_now = costs_of_triangles();
-    for (std::size_t x = 0; x < positions_.size(); ++x) {
+    std::vector<Vector>& positions = mesh_.positions();
+    for (std::size_t x = 0; x < positions.size(); ++x) {
       double change = 0;
-      for (const Index t : coarse_.around(Index(x)))
+      for (const Index t : mesh_.around(Index(x)))
         change += costs_now[t] - costs[t];
       if (change > 0)
-        positions_[x] = part * positions_[x] + (1 - part) * before[x];
+        positions[x] = part * positions[x] + (1 - part) * before[x];
     }
     has_feet_ = false;
   }
 
   std::vector<double> costs_of_triangles() const
   {
-    std::vector<double> costs(triangles().size());
-    for_each_number(surface_.context(), costs.size(), [&](Index t) { costs[t] = fit_.samples().cost(t); });
+    std::vector<double> costs(mesh_.triangles().size());
+    for_each_number(mesh_.context(), costs.size(), [&](Index t) { costs[t] = mesh_.samples().cost(t); });
     return costs;
   }
 
   double current_angle() const
   {
     double angles = 0;
-    for (const Triangle& t : triangles())
-      angles += smallest_angle(positions_, t);
-    return angles * degrees_per_radian / (std::max)(double(triangles().size()), 1.);
+    for (std::size_t t = 0; t < mesh_.triangles().size(); ++t)
+      angles += mesh_.angle(Index(t));
+    return angles * degrees_per_radian / (std::max)(double(mesh_.triangles().size()), 1.);
   }
 
   // Raises the angle that flips aim at if angles have become too small, and lowers it if they are larger than necessary.
@@ -208,22 +205,14 @@ private:
     reserve_ = (std::min)((std::max)(reserve_ + part * missing, 0.), max_reserve);
   }
 
-  Vector within_bounds(Index x, const Vector& p) const
-  {
-    return relocation_.rounds > 0 ? relocation_.within_bounds(x, p) : surface_.within_bounds(x, p);
-  }
-
-  const Clustered_faces& surface_;
-  double mean_angle_;
-  bool judges_movements_;
+  Coarse_mesh& mesh_;
+  const double mean_angle_;
+  const bool judges_movements_;
   std::size_t step_ = 1;
   bool has_feet_ = false;
   bool is_steady_ = false;
   double reserve_ = 0.4; // in degrees: movements after the last flips reduce the angles slightly
-  std::vector<Vector>& positions_;
-  const Vertex_relocation& relocation_;
   const bool keeps_vertices_; // only the diagonals of polygons change
-  Flippable_triangulation coarse_;
   Surface_fit fit_;
   Edge_flips flips_;
   Vertex_exchange exchange_;
@@ -310,9 +299,10 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices_from(const Clustered_faces
                                                            std::vector<Triangle>& triangles, std::vector<Vector>& positions)
 {
   const Vertex_relocation none;
-  Vertex_fit fit(surface, border, mean_angle, triangles, positions, none);
+  Coarse_mesh mesh(surface, border, triangles, positions, none);
+  Vertex_fit fit(mesh, mean_angle);
   run_plain_rounds(fit, rounds, surface.context());
-  triangles = fit.triangles();
+  triangles = mesh.triangles();
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE Plain_fit fit_vertices(const Clustered_faces& surface, const Border_arcs& border,
@@ -330,15 +320,16 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Plain_fit fit_vertices(const Clustered_faces
     mean_angle = 0;
     rounds = (std::min)(rounds, rounds_of_dense);
   }
-  std::optional<Vertex_fit> fit(std::in_place, surface, border, mean_angle, triangles, positions, relocation);
+  std::optional<Coarse_mesh> mesh(std::in_place, surface, border, triangles, positions, relocation);
+  std::optional<Vertex_fit> fit(std::in_place, *mesh, mean_angle);
   if (!relocation.destinations.empty()) {
     fit->find_feet();
     fit->exchange_at_destinations();
-    triangles = fit->triangles();
+    triangles = mesh->triangles();
     return Plain_fit();
   }
   run_plain_rounds(*fit, rounds, surface.context());
-  triangles = fit->triangles();
+  triangles = mesh->triangles();
   if (relocation.rounds == 0)
     return Plain_fit();
   relocation.begins();
@@ -346,7 +337,8 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Plain_fit fit_vertices(const Clustered_faces
   constexpr double much_less = 0.9;
   Plain_fit plain{fit->mesh()};
   std::optional<Fitted_mesh> after = fit_after_exchanges(*fit, plain, relocation.rounds, mean_angle, surface.context());
-  fit.reset(); // frees the memory of its samples
+  fit.reset(); // frees memory, also of the samples
+  mesh.reset();
   if (after && (after->error < much_less * plain.error ||
                 is_closer(surface, after->triangles, after->positions, plain.triangles, plain.positions))) {
     plain.error_after_exchange = after->error;

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_COARSE_MESH_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_COARSE_MESH_H
+
+#include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_coarsening {
+namespace internal {
+
+// The mesh that a fit changes, with one vertex per cluster: what all its steps need to know. Refers to the positions, so that these
+// are the result of the fit.
+class Coarse_mesh : public Flippable_triangulation
+{
+public:
+  Coarse_mesh(const Clustered_faces& surface, const Border_arcs& border, const std::vector<Triangle>& triangles,
+              std::vector<Vector>& positions, const Vertex_relocation& relocation)
+    : Flippable_triangulation(triangles, positions.size(), surface.features()), surface_(surface), border_(border),
+      relocation_(relocation), positions_(positions), samples_(surface, *this, positions)
+  {}
+  // The samples refer to the mesh.
+  Coarse_mesh(const Coarse_mesh&) = delete;
+
+  const Clustered_faces& surface() const { return surface_; }
+  const Run_context& context() const { return surface_.context(); }
+  const Vertex_relocation& relocation() const { return relocation_; }
+  std::vector<Vector>& positions() { return positions_; }
+  const std::vector<Vector>& positions() const { return positions_; }
+  Fit_samples& samples() { return samples_; }
+  const Fit_samples& samples() const { return samples_; }
+
+  const Triangle& triangle(Index t) const { return triangles()[t]; }
+  const Vector& point(Index v) const { return positions_[v]; }
+  Vector normal(Index t) const { return normal_of(positions_, triangle(t)); }
+  // The smallest angle of a triangle.
+  double angle(Index t) const { return smallest_angle(positions_, triangle(t)); }
+  bool is_on_border(Index v) const { return border_.is_on_border(v); }
+
+  // Whether vertices may leave their clusters, which follow them.
+  bool may_relocate() const { return relocation_.rounds > 0; }
+
+  // Returns the nearest admissible position of a vertex.
+  Vector within_bounds(Index v, const Vector& p) const
+  {
+    return may_relocate() ? relocation_.within_bounds(v, p) : surface_.within_bounds(v, p);
+  }
+
+  // Returns the contribution of some triangles to the squared distance in both directions.
+  double cost_of(const std::vector<Index>& triangles) const
+  {
+    double sum = 0;
+    for (const Index t : triangles)
+      sum += samples_.cost(t);
+    return sum;
+  }
+
+  // The same without the worth of the angles.
+  double cost(Index t, const Angle_worth& worth) const { return samples_.cost(t) - worth(angle(t)); }
+  double cost_of(const std::vector<Index>& triangles, const Angle_worth& worth) const
+  {
+    double sum = 0;
+    for (const Index t : triangles)
+      sum += cost(t, worth);
+    return sum;
+  }
+
+  // Moves a vertex and finds the feet around it again. Returns whether `is_better()` holds then; otherwise undoes the movement.
+  template <class Is_better>
+  bool move_if(Index v, const Vector& to, const Is_better& is_better)
+  {
+    const Vector from = std::exchange(positions_[v], to);
+    samples_.redistribute(around(v), around(v));
+    if (is_better())
+      return true;
+    positions_[v] = from;
+    samples_.redistribute(around(v), around(v));
+    return false;
+  }
+
+private:
+  const Clustered_faces& surface_;
+  const Border_arcs& border_;
+  const Vertex_relocation& relocation_;
+  std::vector<Vector>& positions_;
+  Fit_samples samples_;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_coarsening
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_COARSE_MESH_H
