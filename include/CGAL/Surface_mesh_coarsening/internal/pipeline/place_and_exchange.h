@@ -110,6 +110,16 @@ inline Placed_dual place(const Clustering_state& state, const Placement_model& p
   return dual;
 }
 
+// Moves the vertices into their bounds and repairs the placement.
+inline Repair_counts repair_exchanged(const Clustering_state& state, const Bordered_surface& surface,
+                                      const Placement_model& placement, const Output_coordinates& output_coordinates,
+                                      Placed_dual& dual, Repair_budget& budget)
+{
+  for (std::size_t x = 0; x < dual.positions.size(); ++x)
+    dual.positions[x] = surface.faces->within_bounds(x, dual.positions[x]);
+  return repaired(state, surface, placement, output_coordinates, dual, budget);
+}
+
 // Returns the root mean square of the movements of vertices.
 inline double mean_movement(const std::vector<Vector>& from, const std::vector<Vector>& to)
 {
@@ -188,12 +198,9 @@ private:
 
   Vertex_relocation relocation() { return vertex_relocation(state_, *surface_->faces, clusters_); }
 
-  // Moves the vertices into their bounds and repairs the placement.
   void repair(Placed_dual& dual) const
   {
-    for (std::size_t x = 0; x < dual.positions.size(); ++x)
-      dual.positions[x] = surface_->faces->within_bounds(x, dual.positions[x]);
-    dual.counts = repaired(state_, *surface_, placement_, output_coordinates_, dual, budget_);
+    dual.counts = repair_exchanged(state_, *surface_, placement_, output_coordinates_, dual, budget_);
   }
 
   // Relocates vertices to the triangles that still intersect. Returns whether fewer pairs remain; otherwise nothing changes.
