@@ -11,7 +11,6 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
