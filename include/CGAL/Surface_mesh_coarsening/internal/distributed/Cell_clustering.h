@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/subdivision.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
@@ -35,41 +36,27 @@ namespace internal {
 class Cell_surface
 {
 public:
-  // Moves the mesh of cells out of `input`. `cells` and `input` are used no more.
-  Cell_surface(Cell_mesh& cells, Clustering_input& input)
-    : cells_(std::move(input.mesh)), corner_across_(std::move(cells.corners_across()))
+  Cell_surface(std::vector<Cell_mesh::Cell> cells, Flat_mesh mesh) : cells_(std::move(cells)), mesh_(std::move(mesh))
   {
-    if (cells_.corner_vertex.size() >= NONE / 6)
-      throw Invalid_input("the mesh of cells has " + std::to_string(cells_.corner_vertex.size()) +
-                          " corners, more than the " + std::to_string(NONE / 6 - 1) + " to which vertices can be fitted");
-    for (std::vector<Index>* const unused : {&cells_.first_in_star, &cells_.star, &cells_.loop})
+    if (mesh_.corner_vertex.size() >= NONE / 6)
+      throw Invalid_input("the mesh of cells has " + std::to_string(mesh_.corner_vertex.size()) + " corners, more than the " +
+                          std::to_string(NONE / 6 - 1) + " to which vertices can be fitted");
+    for (std::vector<Index>* const unused : {&mesh_.first_in_star, &mesh_.star, &mesh_.loop})
       *unused = std::vector<Index>();
-    const std::size_t size = cells_.number_of_faces();
-    cells_.points.reserve(cells_.points.size() + size);
-    origin_.reserve(size);
-    center_.reserve(size);
-    first_face_.reserve(size + 1);
-    first_face_.push_back(0);
-    for (Index x = 0; x < size; ++x) {
-      const Cell_mesh::Cell& cell = cells.cells()[x];
-      const bool is_fan = cell.faces > 1;
-      origin_.push_back(cell.origin);
-      center_.push_back(is_fan ? Index(cells_.points.size()) : NONE);
-      first_face_.push_back(first_face_.back() + (is_fan ? cells_.degree(x) : 1));
-      if (is_fan)
-        cells_.points.push_back(cell.center);
-    }
   }
 
   // Fits the vertices to this surface if the placement does so, and repairs the placement on request. Called once. The parts know
   // the clusters of the faces that represent cells.
   void place(const Dual_parts& parts, const Rank_context& context, Placed_dual& dual)
   {
-    const Clustering_input input = make_input(context);
+    std::vector<Index> cell_of;
+    const Clustering_input input = make_input(cell_of, context);
+    std::vector<Index> cluster_of_cell;
+    for (const Cell_mesh::Cell& cell : cells_)
+      cluster_of_cell.push_back(parts.cluster_at(cell.origin));
     Cluster_labels labels(input.mesh);
-    for (std::size_t x = 0; x < origin_.size(); ++x)
-      for (const Index f : number_range(first_face_[x], first_face_[x + 1]))
-        labels.set(f, parts.cluster_at(origin_[x]));
+    for (Index f = 0; f < cell_of.size(); ++f)
+      labels.set(f, cluster_of_cell[cell_of[f]]);
     labels.recount();
     std::vector<Bbox_3> bounds;
     for (const Dual_parts::Cluster_part& cluster : parts.clusters)
@@ -90,53 +77,21 @@ public:
   }
 
 private:
-  Clustering_input make_input(const Run_context& context)
+  Clustering_input make_input(std::vector<Index>& cell_of, const Run_context& context)
   {
+    std::vector<char> is_fan;
+    for (const Cell_mesh::Cell& cell : cells_)
+      is_fan.push_back(cell.faces > 1);
     Clustering_input input;
-    Flat_mesh& m = input.mesh;
-    m.first_corner.reserve(first_face_.back() + 1);
-    m.corner_vertex.reserve(3 * first_face_.back());
-    m.face_across.reserve(3 * first_face_.back());
-    m.first_corner.push_back(0);
-    for (Index x = 0; x < center_.size(); ++x) {
-      context.poll(cells_.degree(x));
-      for (const Index c : cells_.corners(x))
-        add_side(x, c, m);
-      if (center_[x] == NONE)
-        m.first_corner.push_back(Index(m.corner_vertex.size()));
-    }
-    m.points.swap(cells_.points);
-    cells_ = Flat_mesh(); // frees its memory
-    corner_across_ = std::vector<Index>();
-    complete_stars(m, m.points.size(), context);
+    input.mesh = star_subdivision(mesh_, is_fan, [this](Index x) { return cells_[x].center; }, cell_of, context);
+    mesh_ = Flat_mesh(); // frees its memory
     compute_areas_and_centroids(input, context);
     input.density.assign(input.area.size(), 1);
     return input;
   }
 
-  // Adds the triangle at a side of a cell, or the corner of a single face.
-  void add_side(Index x, Index c, Flat_mesh& m) const
-  {
-    const Index beyond = cells_.face_across[c];
-    m.corner_vertex.push_back(cells_.corner_vertex[c]);
-    m.face_across.push_back(beyond == NONE ? NONE : face_of(beyond, corner_across_[c]));
-    if (center_[x] == NONE)
-      return;
-    m.corner_vertex.push_back(cells_.corner_vertex[cells_.next_corner(x, c)]);
-    m.face_across.push_back(face_of(x, cells_.next_corner(x, c)));
-    m.corner_vertex.push_back(center_[x]);
-    m.face_across.push_back(face_of(x, cells_.previous_corner(x, c)));
-    m.first_corner.push_back(Index(m.corner_vertex.size()));
-  }
-
-  // Returns the face at the side of cell `x` that begins at a corner.
-  Index face_of(Index x, Index c) const { return first_face_[x] + (center_[x] == NONE ? 0 : c - cells_.first_corner[x]); }
-
-  Flat_mesh cells_;                  // without stars, and with points within cells
-  std::vector<Index> corner_across_; // of each corner
-  std::vector<std::uint64_t> origin_; // of the face that represents each cell
-  std::vector<Index> center_;         // the vertex within each cell; NONE if the cell is a single face
-  std::vector<Index> first_face_;     // of each cell, and the total
+  std::vector<Cell_mesh::Cell> cells_;
+  Flat_mesh mesh_; // without stars
 };
 
 // The clusters of the cells.
@@ -261,7 +216,7 @@ private:
     if (result_.level == 0)
       result_.dual = place(state, context_.placement, context_.output_coordinates(context_.frame));
     else if (context_.places_on_cells())
-      result_.surface = std::make_unique<Cell_surface>(mesh, state.input.items);
+      result_.surface = std::make_unique<Cell_surface>(mesh.take_cells(), std::move(state.input.items.mesh));
     result_.report = state.report;
     return true;
   }

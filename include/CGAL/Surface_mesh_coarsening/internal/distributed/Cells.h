@@ -261,15 +261,22 @@ public:
   const std::vector<Cell>& cells() const { return cells_; }
   // The end of the cells of each bin.
   const std::vector<std::size_t>& ends() const { return ends_; }
-  // For each corner, the corner at which the same edge begins on the other side; NONE on the border. Valid after `take_input()`.
-  std::vector<Index>& corners_across() { return corner_across_; }
+  std::vector<Cell> take_cells() { return std::move(cells_); }
 
   // Completes the mesh and moves it out. Called once.
   Clustering_input take_input(const Run_context& context)
   {
     Flat_mesh& m = input_.mesh;
-    const std::vector<Index> first_cell = number_vertices();
-    pair_edges(first_cell.size());
+    std::vector<Index> first_cell, cell_of_corner;
+    number_vertices(first_cell, cell_of_corner);
+    {
+      const Bucketed_items<Index> corners_at(numbers_below(Index(corners_.size())), first_cell.size(),
+                                             [&](Index c) { return m.corner_vertex[c]; });
+      pair_edges(
+        m, cell_of_corner, corners_at, [this](Index c) { return corners_[c].before; },
+        [this](Index c) { return corners_[c].after; });
+    }
+    cell_of_corner = std::vector<Index>();
     corners_ = std::vector<Cell_corner>();
     complete_topology(m, first_cell.size(), context);
     for (Index v = 0; v < first_cell.size(); ++v)
@@ -316,8 +323,8 @@ private:
     input_.mesh.first_corner.push_back(Index(corners_.size()));
   }
 
-  // Returns the cell in which the star of each vertex begins.
-  std::vector<Index> number_vertices()
+  // `first_cell` receives the cell in which the star of each vertex begins.
+  void number_vertices(std::vector<Index>& first_cell, std::vector<Index>& cell_of_corner)
   {
     std::vector<std::uint64_t> numbers;
     numbers.reserve(corners_.size());
@@ -327,30 +334,17 @@ private:
     Flat_mesh& m = input_.mesh;
     m.points.resize(numbers.size());
     m.corner_vertex.reserve(corners_.size());
-    std::vector<Index> first_cell(numbers.size());
+    first_cell.resize(numbers.size());
+    cell_of_corner.reserve(corners_.size());
     for (Index x = 0; x < cells_.size(); ++x)
       for (const Index c : m.corners(x)) {
         const auto v = std::size_t(std::lower_bound(numbers.begin(), numbers.end(), corners_[c].vertex) - numbers.begin());
         m.corner_vertex.push_back(Index(v));
+        cell_of_corner.push_back(x);
         m.points[v] = corners_[c].point;
         if (corners_[c].begins_star)
           first_cell[v] = x;
       }
-    return first_cell;
-  }
-
-  void pair_edges(std::size_t vertices)
-  {
-    Flat_mesh& m = input_.mesh;
-    std::vector<Index> face_of;
-    face_of.reserve(corners_.size());
-    for (Index x = 0; x < cells_.size(); ++x)
-      face_of.resize(m.first_corner[x + 1], x);
-    const Bucketed_items<Index> corners_at(numbers_below(Index(corners_.size())), vertices,
-                                           [&](Index c) { return m.corner_vertex[c]; });
-    corner_across_ = internal::pair_edges(
-      m, face_of, corners_at, [this](Index c) { return corners_[c].before; }, [this](Index c) { return corners_[c].after; })
-                       .corner_across;
   }
 
   Linear_density density_;
@@ -358,7 +352,6 @@ private:
   std::vector<Cell> cells_;
   std::vector<std::size_t> ends_;
   std::vector<Cell_corner> corners_;
-  std::vector<Index> corner_across_;
   Clustering_input input_;
 };
 

@@ -44,45 +44,37 @@ struct Patch
   }
 };
 
-struct Paired_edges
-{
-  std::vector<Index> corner_across; // for each corner, the begin of the edge after it, seen from the other face
-  bool has_fault = false;           // whether two edges enter a vertex from the same vertex
-};
-
-// Pairs the edges that leave a vertex with the edges that enter it on their other sides, and sets the faces across them: it pairs
-// corners x and y of the vertex if `after(x) == before(y)`, numbers of vertices. Corners are sorted, so vertices of high degree
-// cost hardly more than others.
+// Sets the faces across all edges. An edge that leaves a vertex enters it, seen from the other face: corners x and y of the
+// vertex belong to one edge if `after(x) == before(y)`, numbers of vertices. Returns whether all edges enter a vertex from
+// different vertices. Corners are sorted, so vertices of high degree cost hardly more than others.
 template <class Before, class After>
-Paired_edges pair_edges(Flat_mesh& m, const std::vector<Index>& face_of_corner, const Bucketed_items<Index>& corners_at_vertex,
-                        const Before& before, const After& after)
+bool pair_edges(Flat_mesh& m, const std::vector<Index>& face_of_corner, const Bucketed_items<Index>& corners_at_vertex,
+                const Before& before, const After& after)
 {
   struct Corner
   {
     Index corner;
     decltype(before(Index())) previous, next;
   };
-  Paired_edges paired;
-  paired.corner_across.assign(face_of_corner.size(), NONE);
   m.face_across.assign(face_of_corner.size(), NONE);
+  bool are_different = true;
   std::vector<Corner> corners;
   for (std::size_t v = 0; v < corners_at_vertex.size(); ++v) {
     corners.clear();
     for (const Index c : corners_at_vertex[v])
       corners.push_back({c, before(c), after(c)});
     std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.previous < b.previous; });
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Corner& x = corners[i];
-      paired.has_fault = paired.has_fault || (i > 0 && corners[i - 1].previous == x.previous);
+    for (const Corner& x : corners) {
       const auto y = std::lower_bound(corners.begin(), corners.end(), x,
                                       [](const Corner& a, const Corner& b) { return a.previous < b.next; });
-      if (y == corners.end() || y->previous != x.next)
-        continue;
-      m.face_across[x.corner] = face_of_corner[y->corner];
-      paired.corner_across[x.corner] = m.previous_corner(m.face_across[x.corner], y->corner);
+      if (y != corners.end() && y->previous == x.next)
+        m.face_across[x.corner] = face_of_corner[y->corner];
     }
+    are_different = are_different && std::adjacent_find(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
+                                       return a.previous == b.previous;
+                                     }) == corners.end();
   }
-  return paired;
+  return are_different;
 }
 
 // Builds the mesh of a patch from faces in any order. Throws if the faces of the patch, or of several pieces, contradict each
@@ -101,10 +93,8 @@ public:
     check_size();
     list_corners();
     check_positions();
-    edges_ = pair_edges(
-      mesh_, face_of_, *corners_at_, [this](Index c) { return vertex_of_[previous_corner(c)]; },
-      [this](Index c) { return next_vertex(c); });
-    if (edges_.has_fault)
+    const auto previous_vertex = [this](Index c) { return vertex_of_[previous_corner(c)]; };
+    if (!pair_edges(mesh_, face_of_, *corners_at_, previous_vertex, [this](Index c) { return next_vertex(c); }))
       throw_two_faces();
     number_vertices();
     check_fans();
@@ -242,10 +232,12 @@ private:
   }
 
   // Returns the corner of the same vertex in the next face, counterclockwise or clockwise, or NONE.
-  Index next_in_fan(Index c) const { return edges_.corner_across[previous_corner(c)]; }
-  Index previous_in_fan(Index c) const
+  Index next_in_fan(Index c) const { return corner_of(mesh_.face_across[previous_corner(c)], vertex_of_[c]); }
+  Index previous_in_fan(Index c) const { return corner_of(mesh_.face_across[c], vertex_of_[c]); }
+  Index corner_of(Index f, Index v) const
   {
-    return edges_.corner_across[c] == NONE ? NONE : mesh_.next_corner(mesh_.face_across[c], edges_.corner_across[c]);
+    const auto begin = vertex_of_.begin();
+    return f == NONE ? NONE : Index(std::find(begin + mesh_.first_corner[f], vertex_of_.end(), v) - begin);
   }
   Index first_of_fan(Index c) const
   {
@@ -289,7 +281,6 @@ private:
   std::vector<Index> face_of_;     // of each corner
   std::vector<Index> vertex_of_;   // of each corner, by number; fans are not distinguished
   std::optional<Bucketed_items<Index> > corners_at_; // of each vertex number
-  Paired_edges edges_;
 };
 
 // Moves the faces of an own bin into a patch.
