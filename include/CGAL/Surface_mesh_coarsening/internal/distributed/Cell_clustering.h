@@ -153,7 +153,7 @@ private:
         cells_of_block.for_each_record([&](const Cell_record& cell) { all.send(context_.rank(), cell); });
         Face_record face;
         for (Index f = 0; f < patch.faces.size(); ++f) {
-          patch.get(f, patch.mesh, face);
+          patch.get(patch.mesh, f, face);
           if (face.is_own)
             face.cluster = Index(cells + cells_of_block.cell_of(f));
           face.is_center = cells_of_block.is_center(f);

@@ -103,10 +103,10 @@ public:
 private:
   bool is_inner(Index f) const
   {
-    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
-      if (!patch_.is_inner[mesh_.corner_vertex[c]] || mesh_.is_on_border(mesh_.corner_vertex[c]))
-        return false;
-    return true;
+    const Number_range corners = mesh_.corners(f);
+    return patch_.is_inner_face(mesh_, f) && std::none_of(corners.begin(), corners.end(), [this](Index c) {
+             return mesh_.is_on_border(mesh_.corner_vertex[c]);
+           });
   }
 
   void grow(const std::vector<Index>& faces, Index level)

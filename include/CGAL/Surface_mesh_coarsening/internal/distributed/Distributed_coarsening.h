@@ -69,11 +69,14 @@ public:
     report = cells.report;
     if (context_.wants_clusters)
       clusters_.assign(pieces.faces_of_piece(), NONE);
-    Record_bins labels(context_, context_.number_of_ranks());
+    Labels labels{pieces, context_.wants_clusters, Record_bins(context_, context_.number_of_ranks())};
     if (cells.level == 0)
-      take_dual(cells, *blocks, pieces, labels);
+      take_dual(cells, *blocks, labels);
     else
-      refine_and_place(cells, std::move(blocks), pieces, labels);
+      refine_and_place(cells, std::move(blocks), labels);
+    on_all_ranks(context_.communicator, [&] {
+      labels.bins.read<Face_label>(0, [&](const Face_label& label) { clusters_[label.face] = label.cluster; });
+    });
     on_first_rank(context_, [&] { report_placement(report_, dual_.triangles, dual_.positions, dual_.counts); });
     if (context_.wants_output_everywhere) {
       broadcast_records(context_, dual_.triangles);
@@ -98,6 +101,21 @@ private:
   {
     Index face, cluster;
   };
+  // The clusters of all faces, on the ranks of their pieces.
+  struct Labels
+  {
+    const Piece_blocks& pieces;
+    const bool are_wanted;
+    Record_bins bins;
+
+    void send(std::uint64_t face, Index cluster)
+    {
+      if (!are_wanted)
+        return;
+      const auto [rank, number] = pieces.origin(face);
+      bins.send(rank, Face_label{Index(number), cluster});
+    }
+  };
 
   void begin_stage(Coarsening_stage stage) const
   {
@@ -114,21 +132,19 @@ private:
   }
 
   // Used if the cells are the faces; then rank 0 has placed the vertices.
-  void take_dual(Cell_clusters& cells, const Record_bins& blocks, const Piece_blocks& pieces, Record_bins& labels)
+  void take_dual(Cell_clusters& cells, const Record_bins& blocks, Labels& labels)
   {
     dual_ = std::move(cells.dual);
-    labels.fill([&] {
+    labels.bins.fill([&] {
       for (std::size_t i = 0; i < blocks.number_of_own(); ++i)
         blocks.read<Face_record>(i, [&](const Face_record& face) {
           if (face.is_own)
-            send_label(face.origin, cells.clusters[face.cluster], pieces, labels);
+            labels.send(face.origin, cells.clusters[face.cluster]);
         });
     });
-    read_labels(labels);
   }
 
-  void refine_and_place(Cell_clusters& cells, std::unique_ptr<Record_bins> blocks, const Piece_blocks& pieces,
-                        Record_bins& labels)
+  void refine_and_place(Cell_clusters& cells, std::unique_ptr<Record_bins> blocks, Labels& labels)
   {
     begin_stage(Coarsening_stage::MINIMIZATION);
     auto tasks = std::make_unique<Record_bins>(context_, number_of_tasks(cells.tasks, 0));
@@ -137,17 +153,23 @@ private:
     share_faces(context_, *tasks);
     Dual_parts parts;
     report_.rounds += Task_refinement(context_, cells.tasks)
-                        .run(std::move(tasks), labels, [&](const Patch& patch, const Patch_clusters& clusters) {
+                        .run(std::move(tasks), labels.bins, [&](const Patch& patch, const Patch_clusters& clusters) {
                           parts.add(patch, clusters, context_);
                           for (const Face_data& face : patch.faces.data)
                             if (face.is_own)
-                              send_label(face.origin, face.cluster, pieces, labels);
+                              labels.send(face.origin, face.cluster);
                         });
-    read_labels(labels);
     context_.stage_ends(Coarsening_stage::MINIMIZATION);
     begin_stage(Coarsening_stage::TRIANGULATION);
     parts.gather(context_);
-    on_first_rank(context_, [&] { take_parts(parts); });
+    on_first_rank(context_, [&] {
+      report_.final_energy = 0;
+      for (const Dual_parts::Cluster_part& cluster : parts.clusters)
+        report_.final_energy += cluster.energy;
+      for (const Dual_parts::Triangle_part& part : parts.triangles)
+        dual_.triangles.push_back(part.triangle);
+      dual_.positions = parts.positions();
+    });
     context_.stage_ends(Coarsening_stage::TRIANGULATION);
     on_first_rank(context_, [&] {
       if (context_.places_on_cells())
@@ -169,31 +191,6 @@ private:
         blocks.clear(i);
       }
     });
-  }
-
-  void send_label(std::uint64_t face, Index cluster, const Piece_blocks& pieces, Record_bins& labels) const
-  {
-    if (!context_.wants_clusters)
-      return;
-    const auto [rank, number] = pieces.origin(face);
-    labels.send(rank, Face_label{Index(number), cluster});
-  }
-
-  void read_labels(const Record_bins& labels)
-  {
-    on_all_ranks(context_.communicator, [&] {
-      labels.read<Face_label>(0, [&](const Face_label& label) { clusters_[label.face] = label.cluster; });
-    });
-  }
-
-  void take_parts(const Dual_parts& parts)
-  {
-    report_.final_energy = 0;
-    for (const Dual_parts::Cluster_part& cluster : parts.clusters)
-      report_.final_energy += cluster.energy;
-    for (const Dual_parts::Triangle_part& part : parts.triangles)
-      dual_.triangles.push_back(part.triangle);
-    dual_.positions = parts.positions();
   }
 
   Rank_context context_;

@@ -61,7 +61,7 @@ public:
   std::size_t minimize(const Energy_model& energy, const Minimization_end& end, const Run_context& context)
   {
     for (Index f = 0; f < input().mesh.number_of_faces(); ++f)
-      if (!may_move(f))
+      if (!patch_.is_inner_face(input().mesh, f))
         labels_.pin(f);
     const std::unique_ptr<Minimization> minimization = energy.minimization(input_, labels_, size(), false, context);
     std::size_t rounds = 0;
@@ -95,13 +95,6 @@ private:
 
   // Whether the cluster consists of foreign faces, and its number.
   std::pair<bool, Index> cluster_of(std::size_t f) const { return {!patch_.is_own(f), patch_.faces[f].cluster}; }
-
-  bool may_move(Index f) const
-  {
-    const Number_range corners = input().mesh.corners(f);
-    return std::all_of(corners.begin(), corners.end(),
-                       [this](Index c) { return patch_.is_inner[input().mesh.corner_vertex[c]]; });
-  }
 
   Patch& patch_;
   Featured_input input_; // without features
@@ -204,13 +197,6 @@ struct Dual_parts
     std::vector<Vector> positions;
     for (const Cluster_part& x : clusters)
       positions.push_back(x.position);
-    place_on_border(positions);
-    return positions;
-  }
-
-private:
-  void place_on_border(std::vector<Vector>& positions) const
-  {
     std::vector<char> done(border.size(), false);
     for (std::size_t i = 0; i < border.size(); ++i) {
       if (done[i])
@@ -232,8 +218,11 @@ private:
         },
         [&](Index cluster, const Vector& p) { positions[cluster] = p; });
     }
+    return positions;
   }
 
+private:
+  // Returns the edge of the border after an edge.
   std::size_t after(const Border_part& e) const
   {
     return std::size_t(std::lower_bound(border.begin(), border.end(), Border_part{e.target, 0, 0, e.point}) - border.begin());

@@ -33,14 +33,20 @@ struct Patch
   std::vector<char> is_inner;         // for each vertex of the mesh, whether all incident faces are own faces
 
   bool is_own(std::size_t f) const { return faces[f].is_own; }
+  // Whether all vertices of a face are inner, in the mesh of the patch, which may have been moved.
+  bool is_inner_face(const Flat_mesh& m, Index f) const
+  {
+    const Number_range corners = m.corners(f);
+    return std::all_of(corners.begin(), corners.end(), [&](Index c) { return is_inner[m.corner_vertex[c]]; });
+  }
 
-  // Returns a face. Its corners are read from `corners`, because the mesh of the patch may have been moved.
-  void get(Index f, const Flat_mesh& corners, Face_record& face) const
+  // Returns a face, likewise.
+  void get(const Flat_mesh& m, Index f, Face_record& face) const
   {
     static_cast<Face_data&>(face) = faces[f];
     face.corner.clear();
-    for (const Index c : corners.corners(f))
-      face.corner.push_back({number[corners.corner_vertex[c]], corners.points[corners.corner_vertex[c]]});
+    for (const Index c : m.corners(f))
+      face.corner.push_back({number[m.corner_vertex[c]], m.points[m.corner_vertex[c]]});
   }
 };
 

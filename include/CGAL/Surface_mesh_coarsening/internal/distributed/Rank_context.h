@@ -29,6 +29,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -165,14 +166,14 @@ std::vector<std::vector<Record> > exchange(Rank_context& context, std::vector<st
   boost::mpi::all_to_all(communicator, sent.data(), 1, received.data());
   std::vector<std::vector<Record> > incoming(ranks);
   std::vector<boost::mpi::request> requests;
-  incoming[own].swap(outgoing[own]);
-  for (std::size_t rank = 0; rank < ranks; ++rank)
-    if (rank != own) {
-      incoming[rank].resize(received[rank]);
-      for_each_message(incoming[rank],
-                       [&](char* bytes, int n) { requests.push_back(communicator.irecv(int(rank), 0, bytes, n)); });
-    }
   for (std::size_t rank = 0; rank < ranks; ++rank) {
+    if (rank == own) {
+      incoming[own].swap(outgoing[own]);
+      continue;
+    }
+    incoming[rank].resize(received[rank]);
+    for_each_message(incoming[rank],
+                     [&](char* bytes, int n) { requests.push_back(communicator.irecv(int(rank), 0, bytes, n)); });
     context.bytes_sent += outgoing[rank].size() * sizeof(Record);
     for_each_message(outgoing[rank], [&](char* bytes, int n) { requests.push_back(communicator.isend(int(rank), 0, bytes, n)); });
   }
@@ -208,17 +209,6 @@ struct Remote_exception
   }
 };
 
-[[noreturn]] inline void rethrow(const Remote_exception& e)
-{
-  if (e.kind == Remote_exception::CANCELLED)
-    throw Coarsening_cancelled();
-  if (e.kind == Remote_exception::UNREACHABLE)
-    throw Unreachable_number_of_vertices(e.message, std::size_t(e.nearest));
-  if (e.kind == Remote_exception::INVALID)
-    throw Invalid_input(e.message);
-  throw std::runtime_error(e.message);
-}
-
 // Does the work of this rank, which must not wait for other ranks. If it throws on some ranks, all ranks throw the same
 // exception. Of several messages, the alphabetically first is selected.
 inline void on_all_ranks(const boost::mpi::communicator& communicator, const std::function<void()>& work)
@@ -239,9 +229,15 @@ inline void on_all_ranks(const boost::mpi::communicator& communicator, const std
     return;
   std::vector<Remote_exception> all;
   boost::mpi::all_gather(communicator, own, all);
-  rethrow(*std::min_element(all.begin(), all.end(), [](const Remote_exception& a, const Remote_exception& b) {
-    return a.kind != b.kind ? a.kind > b.kind : a.message < b.message;
-  }));
+  const Remote_exception& e = *std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return std::tie(b.kind, a.message) < std::tie(a.kind, b.message);
+  });
+  switch (e.kind) {
+  case Remote_exception::CANCELLED: throw Coarsening_cancelled();
+  case Remote_exception::UNREACHABLE: throw Unreachable_number_of_vertices(e.message, std::size_t(e.nearest));
+  case Remote_exception::INVALID: throw Invalid_input(e.message);
+  default: throw std::runtime_error(e.message);
+  }
 }
 
 // Does work on rank 0. If it throws, all ranks throw the same exception.

@@ -216,7 +216,7 @@ private:
     for (Index f = 0; f < patch.faces.size(); ++f) {
       if (!patch.is_own(f))
         continue;
-      patch.get(f, m, face);
+      patch.get(m, f, face);
       tasks.send(task_of(f), face);
       const Number_range corners = m.corners(f);
       if (std::none_of(corners.begin(), corners.end(), [&](Index c) { return is_between[m.corner_vertex[c]]; }))
