@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
