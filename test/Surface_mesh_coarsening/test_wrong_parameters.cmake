@@ -9,7 +9,12 @@ execute_process(COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target 
 if(status EQUAL 0)
   message(FATAL_ERROR "wrong parameters compile")
 endif()
-foreach(text IN ITEMS "this named parameter cannot be used in this pack of this function"
+set(texts_of_distributed_meshes)
+if(DISTRIBUTED)
+  set(texts_of_distributed_meshes "a placement of all vertices together, other than Fitted_placement, is not available"
+    feature_angle_t "fits_map[^\n]*Key = [a-z ]*long[^\n]*Property_map")
+endif()
+foreach(text IN LISTS texts_of_distributed_meshes ITEMS "this named parameter cannot be used in this pack of this function"
     "how many vertices\\? Give a number"
     "the number of vertices precedes the output: coarsen_mesh\\(input, number_of_vertices, output\\)"
     "the property map of this named parameter has keys of another type"

@@ -9,6 +9,14 @@
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh_to_distance.h>
 #include <CGAL/Surface_mesh_coarsening/compute_face_densities.h>
 
+#ifdef WITH_DISTRIBUTED_MESHES
+#include <CGAL/Surface_mesh_coarsening/coarsen_distributed_mesh.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+#endif
+
 #include <string>
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
@@ -37,3 +45,19 @@ void call(const Mesh& input, Mesh& output, Mesh::Property_map<Mesh::Vertex_index
   SMC::coarsen_mesh(input, output, p::neighborhood_level(3).vertex_ratio(0.1));
   SMC::coarsen_mesh(input, output, CGAL::parameters::number_of_iterations(3).neighborhood_level(3)); // without adopt()
 }
+
+#ifdef WITH_DISTRIBUTED_MESHES
+struct Placement_of_all
+{
+  void operator()(const SMC::Clustered_surface&, const SMC::Border_arcs&, std::vector<std::array<std::uint32_t, 3> >&,
+                  std::vector<SMC::Clustered_surface::Point_3>&) const;
+};
+
+void call(const boost::mpi::communicator& ranks, const Mesh& piece, Mesh& output,
+          Mesh::Property_map<Mesh::Vertex_index, std::uint64_t> numbers, Mesh::Property_map<Mesh::Face_index, double> densities)
+{
+  SMC::coarsen_distributed_mesh(ranks, piece, numbers, 9, output, p::feature_angle(30.));
+  SMC::coarsen_distributed_mesh(ranks, piece, numbers, 9, output, p::vertex_placement(Placement_of_all()));
+  SMC::coarsen_distributed_faces(ranks, [](const auto&) {}, 9, output, p::face_density_map(densities));
+}
+#endif

@@ -51,9 +51,9 @@ Labels blocks_of(const Mesh& mesh, std::size_t& number)
     SMC::internal::Face_record face;
     for (Vertex v : mesh.vertices_around_face(mesh.halfedge(f))) {
       const Point& p = mesh.point(v);
-      face.point.push_back(frame.to_local({{p.x(), p.y(), p.z()}}));
+      face.corner.push_back({v, frame.to_local({{p.x(), p.y(), p.z()}})});
     }
-    places.push_back(place_of(face.mean_of_corners()));
+    places.push_back(place_of(mean_of_corners(face)));
   }
   const auto starts =
     SMC::internal::block_starts(places, faces_per_block, [](const std::vector<std::uint64_t>& own) { return own; });

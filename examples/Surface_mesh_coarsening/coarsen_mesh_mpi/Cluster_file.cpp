@@ -4,6 +4,8 @@
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 
+#include <boost/endian/conversion.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -24,16 +26,10 @@ std::string name_of_rank(const std::string& file, int rank)
   return path.string() + "_" + std::to_string(rank) + ".vtp";
 }
 
-bool is_little_endian()
-{
-  const std::uint16_t one = 1;
-  return *reinterpret_cast<const unsigned char*>(&one) == 1;
-}
-
 std::string opening(const char* type)
 {
   return std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"") + type + "\" version=\"1.0\" byte_order=\"" +
-         (is_little_endian() ? "Little" : "Big") + "Endian\" header_type=\"UInt64\">\n";
+         (boost::endian::order::native == boost::endian::order::little ? "Little" : "Big") + "Endian\" header_type=\"UInt64\">\n";
 }
 
 // The vertices of a slice, in ascending order of their numbers.
@@ -73,52 +69,24 @@ struct Slice_vertices
   }
 };
 
-// Writes numbers in binary.
-class Binary_stream
-{
-public:
-  explicit Binary_stream(std::ostream& stream) : stream_(stream) {}
-
-  template <class T>
-  void write(const T& value)
-  {
-    stream_.write(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-
-private:
-  std::ostream& stream_;
-};
-
-// The arrays of a file in their order, with their places behind the header.
-class Header
-{
-public:
-  explicit Header(std::ostream& stream) : stream_(stream) {}
-
-  void add(const char* type, const char* name, int components, std::uint64_t bytes)
-  {
-    stream_ << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << components
-            << "\" format=\"appended\" offset=\"" << offset_ << "\"/>\n";
-    offset_ += bytes + sizeof(std::uint64_t);
-  }
-
-private:
-  std::ostream& stream_;
-  std::uint64_t offset_ = 0;
-};
-
 void write_header(std::ostream& stream, std::uint64_t points, std::uint64_t corners, std::uint64_t faces)
 {
-  Header header(stream);
+  std::uint64_t offset = 0;
+  // Announces an array, with its place behind the header.
+  const auto add = [&](const char* type, const char* name, int components, std::uint64_t bytes) {
+    stream << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << components
+           << "\" format=\"appended\" offset=\"" << offset << "\"/>\n";
+    offset += bytes + sizeof(std::uint64_t);
+  };
   stream << opening("PolyData") << "<PolyData><Piece NumberOfPoints=\"" << points << "\" NumberOfPolys=\"" << faces
          << "\">\n<Points>\n";
-  header.add("Float64", "Points", 3, 24 * points);
+  add("Float64", "Points", 3, 24 * points);
   stream << "</Points>\n<Polys>\n";
-  header.add("Int64", "connectivity", 1, 8 * corners);
-  header.add("Int64", "offsets", 1, 8 * faces);
+  add("Int64", "connectivity", 1, 8 * corners);
+  add("Int64", "offsets", 1, 8 * faces);
   stream << "</Polys>\n<CellData>\n";
-  header.add("UInt32", "cluster", 1, 4 * faces);
-  header.add("UInt32", "rank", 1, 4 * faces);
+  add("UInt32", "cluster", 1, 4 * faces);
+  add("UInt32", "rank", 1, 4 * faces);
   stream << "</CellData>\n</Piece></PolyData>\n<AppendedData encoding=\"raw\">\n_";
 }
 
@@ -140,24 +108,24 @@ void Cluster_file::write(const Input_slice& slice, const std::vector<std::uint32
   errno = 0;
   std::ofstream stream(temporary_, std::ios::binary);
   write_header(stream, vertices.points.size(), vertices.corners, clusters.size());
-  Binary_stream binary(stream);
-  binary.write(std::uint64_t(24 * vertices.points.size()));
+  const auto write_binary = [&](const auto& value) { stream.write(reinterpret_cast<const char*>(&value), sizeof value); };
+  write_binary(std::uint64_t(24 * vertices.points.size()));
   for (const auto& p : vertices.points)
-    binary.write(p);
-  binary.write(std::uint64_t(8 * vertices.corners));
+    write_binary(p);
+  write_binary(std::uint64_t(8 * vertices.corners));
   slice([&](const std::vector<std::uint64_t>& numbers, const auto&) {
     for (const std::uint64_t v : numbers)
-      binary.write(std::int64_t(vertices.index(v)));
+      write_binary(std::int64_t(vertices.index(v)));
   });
-  binary.write(std::uint64_t(8 * clusters.size()));
+  write_binary(std::uint64_t(8 * clusters.size()));
   std::int64_t end = 0;
-  slice([&](const std::vector<std::uint64_t>& numbers, const auto&) { binary.write(end += std::int64_t(numbers.size())); });
-  binary.write(std::uint64_t(4 * clusters.size()));
+  slice([&](const std::vector<std::uint64_t>& numbers, const auto&) { write_binary(end += std::int64_t(numbers.size())); });
+  write_binary(std::uint64_t(4 * clusters.size()));
   for (const std::uint32_t x : clusters)
-    binary.write(x);
-  binary.write(std::uint64_t(4 * clusters.size()));
+    write_binary(x);
+  write_binary(std::uint64_t(4 * clusters.size()));
   for (std::size_t f = 0; f < clusters.size(); ++f)
-    binary.write(std::uint32_t(rank_));
+    write_binary(std::uint32_t(rank_));
   stream << "\n</AppendedData>\n</VTKFile>\n";
   stream.close();
   if (!stream)

@@ -4,6 +4,8 @@
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 
+#include <boost/endian/conversion.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -35,14 +37,6 @@ bool is_type(const std::string& word, Ply_type& type)
       return true;
     }
   return false;
-}
-
-bool is_little_endian()
-{
-  const std::uint16_t one = 1;
-  char first;
-  std::memcpy(&first, &one, 1);
-  return first == 1;
 }
 
 template <class T>
@@ -145,7 +139,7 @@ void Ply_file::read_header()
   }
   if (format != "binary_little_endian" && format != "binary_big_endian")
     fail("is not a binary PLY file, which can be read in parts");
-  swaps_bytes_ = (format == "binary_little_endian") != is_little_endian();
+  swaps_bytes_ = (format == "binary_little_endian") != (boost::endian::order::native == boost::endian::order::little);
   std::uint64_t position = end_of_line + 1;
   for (const Element& element : elements)
     read_element(element.name, element.count, element.properties, position);

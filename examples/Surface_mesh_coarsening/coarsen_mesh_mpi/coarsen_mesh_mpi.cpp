@@ -39,8 +39,15 @@ namespace {
 namespace SMC = CGAL::Surface_mesh_coarsening;
 using coarsening_support::Mesh;
 
+struct Result
+{
+  Mesh output;
+  std::vector<std::uint32_t> clusters; // of the faces of this rank, if they are wanted
+  std::string report;
+};
+
 SMC::Distributed_report coarsen(const boost::mpi::communicator& ranks, const Input_slice& slice, const Options& options,
-                                Mesh& output, std::vector<std::uint32_t>& clusters)
+                                Result& result)
 {
   const auto names = boost::make_function_property_map<std::uint64_t>([&](std::uint64_t face) { return slice.name(face); });
   const auto run = [&](const auto& np) {
@@ -50,13 +57,13 @@ SMC::Distributed_report coarsen(const boost::mpi::communicator& ranks, const Inp
 #else
     typedef CGAL::Sequential_tag Tag;
 #endif
-    return SMC::coarsen_distributed_faces<Tag>(ranks, slice, options.number_of_vertices, output, np);
+    return SMC::coarsen_distributed_faces<Tag>(ranks, slice, options.number_of_vertices, result.output, np);
   };
   const auto with_clusters = [&](const auto& np) {
     if (options.clusters.empty())
       return run(np);
-    clusters.resize(std::size_t(slice.number_of_faces()));
-    return run(np.face_cluster_map(boost::make_iterator_property_map(clusters.begin(), boost::identity_property_map())));
+    result.clusters.resize(std::size_t(slice.number_of_faces()));
+    return run(np.face_cluster_map(boost::make_iterator_property_map(result.clusters.begin(), boost::identity_property_map())));
   };
   const auto with_placement = [&](const auto& placement) {
     const auto np = SMC::parameters::vertex_placement(placement)
@@ -69,23 +76,22 @@ SMC::Distributed_report coarsen(const boost::mpi::communicator& ranks, const Inp
 }
 
 // Writes all files or none.
-void write(const boost::mpi::communicator& ranks, const Options& options, const Input_slice& slice, const Mesh& output,
-           const std::vector<std::uint32_t>& clusters, const std::string& report)
+void write(const boost::mpi::communicator& ranks, const Options& options, const Input_slice& slice, const Result& result)
 {
   coarsen_mesh_tool::Output_files files;
   std::optional<Cluster_file> cluster_file;
   on_all_ranks(ranks, [&] {
     if (!options.clusters.empty()) {
       cluster_file.emplace(options.clusters, ranks.rank());
-      cluster_file->write(slice, clusters);
+      cluster_file->write(slice, result.clusters);
     }
     if (ranks.rank() != 0)
       return;
-    files.stage(options.output, coarsen_mesh_tool::mesh_bytes(output, coarsening_support::file_type(options.output)));
+    files.stage(options.output, coarsen_mesh_tool::mesh_bytes(result.output, coarsening_support::file_type(options.output)));
     if (!options.clusters.empty())
       files.stage(options.clusters, list_of_cluster_files(options.clusters, ranks.size()));
     if (!options.report.empty())
-      files.stage(options.report, report);
+      files.stage(options.report, result.report);
   });
   try {
     on_all_ranks(ranks, [&] {
@@ -105,11 +111,10 @@ void run(const boost::mpi::communicator& ranks, const Options& options)
 {
   Run_report report(ranks);
   const Input_slice slice(ranks, options.inputs);
-  Mesh output;
-  std::vector<std::uint32_t> clusters;
-  const SMC::Distributed_report done = coarsen(ranks, slice, options, output, clusters);
-  report.add(slice, done);
-  write(ranks, options, slice, output, clusters, report.json());
+  Result result;
+  report.add(slice, coarsen(ranks, slice, options, result));
+  result.report = report.json();
+  write(ranks, options, slice, result);
   if (ranks.rank() == 0 && !options.is_quiet)
     std::cout << report.sentence() << '\n';
 }

@@ -6,19 +6,17 @@
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_choice.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_coarsening.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Rank_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
 
+#include <boost/iterator/counting_iterator.hpp>
 #include <boost/mpi/communicator.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
-#include <string>
-#include <vector>
+#include <type_traits>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -26,29 +24,30 @@ namespace Surface_mesh_coarsening {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// `put_clusters` receives the clusters of the faces of the piece of this rank, if the parameters request them.
-template <class ConcurrencyTag, class OutputFaceGraph, class NamedParametersIn, class NamedParametersOut, class PutClusters>
-Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, const Face_source& source,
-                                 std::size_t number_of_vertices, OutputFaceGraph& output, const NamedParametersIn& np_in,
-                                 const NamedParametersOut& np_out, const PutClusters& put_clusters)
+template <class ConcurrencyTag, class Piece, class OutputFaceGraph, class NamedParametersOut>
+Distributed_report coarsen_piece(const boost::mpi::communicator& communicator, const Piece& piece, std::size_t number_of_vertices,
+                                 OutputFaceGraph& output, const NamedParametersOut& np_out)
 {
+  typedef std::decay_t<decltype(piece.np)> NamedParametersIn;
+  typedef std::decay_t<decltype(*piece.first_key)> Face;
+  static_assert(fits_map<internal_np::face_density_t, Face, double, NamedParametersIn>() &&
+                fits_map<internal_np::face_cluster_t, Face, Index, NamedParametersIn>());
   typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Fitted_placement> Placement;
-  const auto placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
+  typedef typename GetGeomTraits<OutputFaceGraph, NamedParametersOut>::type OutputTraits;
+  const auto placement = choose_parameter<Placement>(get_parameter(piece.np, internal_np::vertex_placement_p));
   Distributed_choice choice;
-  on_all_ranks(communicator, [&] {
-    choice = distributed_choice<ConcurrencyTag, OutputFaceGraph>(number_of_vertices, placement, np_in, np_out);
-  });
+  on_all_ranks(communicator,
+               [&] { choice = distributed_choice<ConcurrencyTag, OutputTraits>(number_of_vertices, placement, piece.np); });
   Distributed_coarsening coarsening(communicator, choice);
-  coarsening.run(source);
-  typedef Face_graph_filler<OutputFaceGraph, NamedParametersOut> Filler;
-  std::optional<Filler> filler;
+  coarsening.run(std::cref(piece));
+  std::optional<Face_graph_filler<OutputFaceGraph, NamedParametersOut> > filler;
   on_all_ranks(communicator, [&] {
     if (coarsening.has_output())
-      filler.emplace(coarsening.positions(), coarsening.frame(), coarsening.triangles(), output, np_out, choice.context);
-    choice.context.throw_if_cancelled();
+      filler.emplace(coarsening.dual().positions, coarsening.frame(), coarsening.dual().triangles, output, np_out, choice);
+    choice.throw_if_cancelled();
   });
   on_all_ranks(communicator, [&] {
-    put_clusters(coarsening.clusters_of_piece());
+    piece.put_clusters(coarsening.clusters_of_piece());
     if (filler)
       filler->commit();
   });
@@ -127,7 +126,8 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 ///   \cgalParamNBegin{vertex_placement}
 ///     \cgalParamDescription{the position of the vertex of a cluster}
 ///     \cgalParamType{a model of `VertexPlacement`, or `Fitted_placement`, which fits the vertices to an approximation of the
-///                    input on rank 0; other models of `GlobalVertexPlacement` are rejected}
+///                    input on rank 0; other models of `GlobalVertexPlacement` do not
+///                    compile}
 ///     \cgalParamDefault{`Fitted_placement()`}
 ///     \cgalParamExtra{clusters on the border have their vertex on the border}
 ///   \cgalParamNEnd
@@ -207,7 +207,7 @@ Distributed_report coarsen_faces(const boost::mpi::communicator& communicator, c
 /// \throws Unreachable_number_of_vertices if the number of vertices cannot be reached; the exception carries the nearest
 /// attainable number.
 /// \throws Invalid_input if the pieces have no faces, do not form a 2-manifold, contradict each other, or have a coordinate that
-/// is not finite, if a parameter is out of range, if a placement is not available, or if the ranks pass different numbers of
+/// is not finite, if a parameter is out of range, if `repair_output` is not available, or if the ranks pass different numbers of
 /// vertices. Messages name the piece and the face, or the number of the vertex.
 /// \throws Coarsening_cancelled if the visitor of a rank cancels.
 /// \throws std::runtime_error if a rank fails for another reason, for example because memory or space for its scratch file is
@@ -226,15 +226,10 @@ Distributed_report coarsen_distributed_mesh(const boost::mpi::communicator& comm
   using namespace internal;
   accept_parameters<NamedParametersIn, Distributed_parameters, Geometry_parameters>();
   accept_parameters<NamedParametersOut, Geometry_parameters>();
-  return coarsen_faces<ConcurrencyTag>(
-    communicator, source_of_face_graph(piece, vertex_numbers, np_in), number_of_vertices, output, np_in, np_out,
-    [&](const std::vector<Index>& clusters) {
-      if constexpr (has_parameter<internal_np::face_cluster_t, NamedParametersIn>) {
-        std::size_t i = 0;
-        for (const auto f : faces(piece))
-          put(get_parameter(np_in, internal_np::face_cluster), f, clusters[i++]);
-      }
-    });
+  const auto source = source_of_graph(piece, vertex_numbers, np_in);
+  typedef typename boost::graph_traits<FaceGraph>::face_iterator Face;
+  const Piece<decltype(source), Face, NamedParametersIn> faces_of_piece{source, faces(piece).begin(), np_in};
+  return coarsen_piece<ConcurrencyTag>(communicator, faces_of_piece, number_of_vertices, output, np_out);
 }
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
@@ -276,13 +271,9 @@ Distributed_report coarsen_distributed_faces(const boost::mpi::communicator& com
   using namespace internal;
   accept_parameters<NamedParametersIn, Distributed_parameters, Parameter_list<internal_np::face_name_t> >();
   accept_parameters<NamedParametersOut, Geometry_parameters>();
-  return coarsen_faces<ConcurrencyTag>(
-    communicator, source_of_faces(source, np_in), number_of_vertices, output, np_in, np_out,
-    [&](const std::vector<Index>& clusters) {
-      if constexpr (has_parameter<internal_np::face_cluster_t, NamedParametersIn>)
-        for (std::size_t i = 0; i < clusters.size(); ++i)
-          put(get_parameter(np_in, internal_np::face_cluster), i, clusters[i]);
-    });
+  typedef boost::counting_iterator<std::size_t> Number;
+  const Piece<FaceSource, Number, NamedParametersIn> piece{source, Number(0), np_in};
+  return coarsen_piece<ConcurrencyTag>(communicator, piece, number_of_vertices, output, np_out);
 }
 
 } // namespace Surface_mesh_coarsening

@@ -648,11 +648,10 @@ BOOST_AUTO_TEST_CASE(block_with_too_many_corners)
   Face_record face;
   for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
     face.origin = f;
-    face.vertex.assign(soup.polygons[f].begin(), soup.polygons[f].end());
-    face.point.clear();
+    face.corner.clear();
     for (const std::size_t v : soup.polygons[f])
-      face.point.push_back({{soup.points[v][0], soup.points[v][1], soup.points[v][2]}});
-    face.begin_with_smallest_number();
+      face.corner.push_back({v, {{soup.points[v][0], soup.points[v][1], soup.points[v][2]}}});
+    begin_with_smallest_number(face);
     patch.faces.append(face);
   }
   const Face_names names = [](std::uint64_t f) { return "face " + std::to_string(f) + " of piece 0"; };
@@ -678,17 +677,6 @@ BOOST_AUTO_TEST_CASE(vertices_that_are_not_manifold)
   });
 }
 
-namespace {
-
-struct Idle_global_placement
-{
-  void operator()(const SMC::Clustered_surface&, const SMC::Border_arcs&, std::vector<std::array<std::uint32_t, 3> >&,
-                  std::vector<SMC::Clustered_surface::Point_3>&) const
-  {}
-};
-
-} // namespace
-
 BOOST_AUTO_TEST_CASE(what_is_not_available)
 {
   on_first_ranks(2, [](const mpi::communicator& ranks) {
@@ -696,8 +684,6 @@ BOOST_AUTO_TEST_CASE(what_is_not_available)
     const auto at_vertices = SMC::parameters::vertex_placement(SMC::Closest_vertex_placement());
     BOOST_TEST(contains(message_of(ranks, piece, 10, at_vertices.repair_output(true)), "repair_output is not available"));
     BOOST_TEST(message_of(ranks, piece, 10, at_vertices) == "");
-    BOOST_TEST(contains(message_of(ranks, piece, 10, SMC::parameters::vertex_placement(Idle_global_placement())),
-                        "other than Fitted_placement, is not available"));
   });
 }
 

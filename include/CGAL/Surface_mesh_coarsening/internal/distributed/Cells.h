@@ -3,13 +3,18 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_CELLS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_CELLS_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
-#include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Record_bins.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -20,6 +25,8 @@ namespace internal {
 // density may be weighted by the deviation instead, because densities are linear in deviations.
 struct Cell_data
 {
+  static constexpr Index max_corners = NONE;
+
   Index corners = 0, faces = 0;
   double area = 0, weighted_area = 0;
   Vector moment{{0, 0, 0}}, weighted_moment{{0, 0, 0}};
@@ -36,33 +43,14 @@ struct Cell_data
   }
 };
 
-// The number of a vertex of a cell, and the numbers of the previous and the next vertex on the boundary.
+// A corner of a cell: the number of its vertex, and the numbers of the previous and the next vertex on the boundary.
 struct Cell_corner
 {
-  std::uint64_t vertex, before, after;
+  std::uint64_t vertex, before, after, begins_star; // whether the star of the vertex begins in the cell
   Vector point;
 };
 
-struct Cell_record : Cell_data
-{
-  std::vector<Cell_corner> corner;
-  std::vector<std::uint64_t> begins_star; // for each corner, whether the star of the vertex begins in the cell
-};
-
-inline void write_record(const Cell_record& cell, Words& words)
-{
-  write_records(static_cast<const Cell_data*>(&cell), 1, words);
-  write_records(cell.corner.data(), cell.corner.size(), words);
-  write_records(cell.begins_star.data(), cell.begins_star.size(), words);
-}
-
-inline const std::uint64_t* read_record(const std::uint64_t* word, Cell_record& cell)
-{
-  word = read_records(word, static_cast<Cell_data*>(&cell), 1);
-  cell.corner.resize(cell.corners);
-  cell.begins_star.resize(cell.corners);
-  return read_records(read_records(word, cell.corner.data(), cell.corners), cell.begins_star.data(), cell.corners);
-}
+typedef Polygon_record<Cell_data, Cell_corner> Cell_record;
 
 // Divides the own faces of a patch into cells, closed discs that are clustered like faces. A face is a cell of its own if other
 // patches have faces at one of its vertices, or if it lies at the border of the mesh. Hence cells of several faces meet only
@@ -88,7 +76,7 @@ public:
       grow(inner, level);
     labels_.recount();
     number_cells();
-    sum_up();
+    choose_centers();
     choose_corners();
   }
 
@@ -100,14 +88,14 @@ public:
 
   // Calls `receive(record)` for each cell.
   template <class Receive>
-  void write(const Receive& receive) const
+  void for_each_record(const Receive& receive) const
   {
     Cell_record cell;
     std::vector<Index> boundary;
     for (std::size_t i = 0; i < size(); ++i) {
       static_cast<Cell_data&>(cell) = data_[i];
       list_boundary(boundary_edge_[i], boundary);
-      list_corners(boundary, labels_[boundary_edge_[i].face], cell);
+      list_corners(boundary, labels_[boundary_edge_[i].face], cell.corner);
       receive(cell);
     }
   }
@@ -115,10 +103,10 @@ public:
 private:
   bool is_inner(Index f) const
   {
-    for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1]; ++c)
-      if (!patch_.is_inner[mesh_.corner_vertex[c]] || mesh_.is_on_border(mesh_.corner_vertex[c]))
-        return false;
-    return true;
+    const Number_range corners = mesh_.corners(f);
+    return patch_.is_inner_face(mesh_, f) && std::none_of(corners.begin(), corners.end(), [this](Index c) {
+             return mesh_.is_on_border(mesh_.corner_vertex[c]);
+           });
   }
 
   void grow(const std::vector<Index>& faces, Index level)
@@ -135,29 +123,28 @@ private:
     cells_ = splitting.number_of_clusters();
   }
 
-  // Numbers the cells in the order of their first faces.
+  // Numbers the cells in the order of their first faces, and sums up their faces.
   void number_cells()
   {
     const Dual_walk walk(labels_);
     number_.assign(cells_, NONE);
-    for (Index f = 0; f < mesh_.number_of_faces(); ++f)
-      if (patch_.is_own(f)) {
-        Index& number = number_[labels_[f]];
-        if (number == NONE) {
-          number = Index(boundary_edge_.size());
-          boundary_edge_.push_back({});
-        }
-        if (boundary_edge_[number].face == NONE)
-          boundary_edge_[number] = walk.boundary_edge(f);
+    for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
+      if (!patch_.is_own(f))
+        continue;
+      Index& number = number_[labels_[f]];
+      if (number == NONE) {
+        number = Index(size());
+        boundary_edge_.push_back({});
+        data_.push_back({});
       }
+      if (boundary_edge_[number].face == NONE)
+        boundary_edge_[number] = walk.boundary_edge(f);
+      data_[number].add(face_geometry(mesh_, f), patch_.faces[f].density);
+    }
   }
 
-  void sum_up()
+  void choose_centers()
   {
-    data_.resize(size());
-    for (Index f = 0; f < mesh_.number_of_faces(); ++f)
-      if (patch_.is_own(f))
-        data_[cell_of(f)].add(face_geometry(mesh_, f), patch_.faces[f].density);
     center_.assign(size(), NONE);
     std::vector<double> nearest(size());
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
@@ -212,19 +199,14 @@ private:
     } while (!(e == start));
   }
 
-  void list_corners(const std::vector<Index>& boundary, Index label, Cell_record& cell) const
+  void list_corners(const std::vector<Index>& boundary, Index label, std::vector<Cell_corner>& corners) const
   {
-    cell.corner.clear();
-    cell.begins_star.clear();
+    corners.clear();
     const auto number = [&](std::size_t i) { return patch_.number[boundary[i % boundary.size()]]; };
-    for (std::size_t i = 0; i < boundary.size(); ++i) {
-      const Index v = boundary[i];
-      if (!is_corner_[v])
-        continue;
-      cell.corner.push_back({number(i), number(i + boundary.size() - 1), number(i + 1), mesh_.points[v]});
-      cell.begins_star.push_back(labels_[mesh_.star[mesh_.first_in_star[v]]] == label);
-    }
-    cell.corners = Index(cell.corner.size());
+    for (std::size_t i = 0; i < boundary.size(); ++i)
+      if (const Index v = boundary[i]; is_corner_[v])
+        corners.push_back({number(i), number(i + boundary.size() - 1), number(i + 1),
+                           labels_[mesh_.star[mesh_.first_in_star[v]]] == label, mesh_.points[v]});
   }
 
   const Patch& patch_;
@@ -237,6 +219,140 @@ private:
   std::vector<Cell_data> data_;              // of each cell
   std::vector<Index> center_;                // the representative face of each cell
   std::vector<char> is_corner_;              // of each vertex
+};
+
+// The density of a face as a linear function of its deviation (section 5.2), or of the density that the caller passes.
+struct Linear_density
+{
+  double constant = 0, factor = 1;
+
+  double operator()(double x) const { return constant + factor * x; }
+};
+
+// The mesh of all cells, on one rank.
+//
+// An edge of this mesh is a path of edges between two cells. One cell identifies it by its first edge, the other cell by its
+// last edge, because two cells may have several edges with the same ends. The stars begin at the same places as the stars of the
+// faces, so the dual of clusters of cells is the dual of the same clusters of faces.
+class Cell_mesh
+{
+public:
+  // What remains of a cell after `take_input()`: the face that represents it, its centroid, and the number of faces of the cell.
+  struct Cell
+  {
+    std::uint64_t origin;
+    Vector center;
+    Index faces;
+  };
+
+  // Moves the cells out of the own bins.
+  Cell_mesh(Record_bins& records, const Linear_density& density, bool cells_are_faces)
+    : density_(density), cells_are_faces_(cells_are_faces)
+  {
+    reserve(records);
+    input_.mesh.first_corner.push_back(0);
+    for (std::size_t i = 0; i < records.number_of_own(); ++i) {
+      records.read<Cell_record>(i, [&](const Cell_record& cell) { add(cell); });
+      records.clear(i);
+      ends_.push_back(cells_.size());
+    }
+  }
+
+  const std::vector<Cell>& cells() const { return cells_; }
+  // The end of the cells of each bin.
+  const std::vector<std::size_t>& ends() const { return ends_; }
+  std::vector<Cell> take_cells() { return std::move(cells_); }
+
+  // Completes the mesh and moves it out. Called once.
+  Clustering_input take_input(const Run_context& context)
+  {
+    Flat_mesh& m = input_.mesh;
+    std::vector<Index> first_cell, cell_of_corner;
+    number_vertices(first_cell, cell_of_corner);
+    {
+      const Bucketed_items<Index> corners_at(numbers_below(Index(corners_.size())), first_cell.size(),
+                                             [&](Index c) { return m.corner_vertex[c]; });
+      pair_edges(
+        m, cell_of_corner, corners_at, [this](Index c) { return corners_[c].before; },
+        [this](Index c) { return corners_[c].after; });
+    }
+    cell_of_corner = std::vector<Index>();
+    corners_ = std::vector<Cell_corner>();
+    complete_topology(m, first_cell.size(), context);
+    for (Index v = 0; v < first_cell.size(); ++v)
+      if (!m.is_on_border(v))
+        std::rotate(m.star.begin() + m.first_in_star[v], m.star.begin() + m.position_in_star(v, first_cell[v]),
+                    m.star.begin() + m.first_in_star[v + 1]);
+    return std::move(input_);
+  }
+
+private:
+  // Reserves memory; growing arrays would take almost twice as much.
+  void reserve(const Record_bins& records)
+  {
+    std::size_t cells = 0, corners = 0;
+    for (std::size_t i = 0; i < records.number_of_own(); ++i)
+      records.read<Cell_record>(i, [&](const Cell_record& cell) {
+        ++cells;
+        corners += cell.corners;
+      });
+    if (corners >= NONE / 2)
+      throw Invalid_input("the mesh of cells has " + std::to_string(corners) + " corners, more than the " +
+                          std::to_string(NONE / 2 - 1) + " that can be numbered");
+    cells_.reserve(cells);
+    input_.area.reserve(cells);
+    input_.density.reserve(cells);
+    input_.item_faces.reserve(cells_are_faces_ ? 0 : cells);
+    input_.item_centroid.reserve(cells_are_faces_ ? 0 : cells);
+    input_.mesh.first_corner.reserve(cells + 1);
+    corners_.reserve(corners);
+  }
+
+  void add(const Cell_record& cell)
+  {
+    const double mass = density_.constant * cell.area + density_.factor * cell.weighted_area;
+    const Vector moment = density_.constant * cell.moment + density_.factor * cell.weighted_moment;
+    cells_.push_back({cell.origin, cell.center, cell.faces});
+    input_.area.push_back(cell.area);
+    input_.density.push_back(cell.area > 0 ? mass / cell.area : 1);
+    if (!cells_are_faces_) {
+      input_.item_faces.push_back(cell.faces);
+      input_.item_centroid.push_back(mass > 0 ? (1 / mass) * moment : mean_of_corners(cell));
+    }
+    corners_.insert(corners_.end(), cell.corner.begin(), cell.corner.end());
+    input_.mesh.first_corner.push_back(Index(corners_.size()));
+  }
+
+  // `first_cell` receives the cell in which the star of each vertex begins.
+  void number_vertices(std::vector<Index>& first_cell, std::vector<Index>& cell_of_corner)
+  {
+    std::vector<std::uint64_t> numbers;
+    numbers.reserve(corners_.size());
+    for (const Cell_corner& corner : corners_)
+      numbers.push_back(corner.vertex);
+    sort_unique(numbers);
+    Flat_mesh& m = input_.mesh;
+    m.points.resize(numbers.size());
+    m.corner_vertex.reserve(corners_.size());
+    first_cell.resize(numbers.size());
+    cell_of_corner.reserve(corners_.size());
+    for (Index x = 0; x < cells_.size(); ++x)
+      for (const Index c : m.corners(x)) {
+        const auto v = std::size_t(std::lower_bound(numbers.begin(), numbers.end(), corners_[c].vertex) - numbers.begin());
+        m.corner_vertex.push_back(Index(v));
+        cell_of_corner.push_back(x);
+        m.points[v] = corners_[c].point;
+        if (corners_[c].begins_star)
+          first_cell[v] = x;
+      }
+  }
+
+  Linear_density density_;
+  bool cells_are_faces_;
+  std::vector<Cell> cells_;
+  std::vector<std::size_t> ends_;
+  std::vector<Cell_corner> corners_;
+  Clustering_input input_;
 };
 
 } // namespace internal

@@ -7,10 +7,9 @@
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Cell_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Dual_parts.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Piece_blocks.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Shared_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Task_refinement.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_routing.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_store.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Rank_context.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Record_bins.h>
 
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
@@ -47,42 +46,41 @@ class Distributed_coarsening
 {
 public:
   Distributed_coarsening(const boost::mpi::communicator& communicator, const Distributed_choice& choice)
-    : choice_(choice), context_(communicator, choice_.context)
+    : context_(communicator, choice)
   {
     on_all_ranks(communicator, [&] {
-      context_.scratch.limit_memory(choice_.scratch_directory, choice_.scratch_memory / sizeof(std::uint64_t));
+      context_.scratch.limit_memory(choice.scratch_directory, choice.scratch_memory / sizeof(std::uint64_t));
     });
   }
 
   void run(const Face_source& source)
   {
-    check_agreement();
+    check_equal(context_.number_of_vertices, "number of vertices");
+    check_equal(context_.faces_per_block.value_or(0), "number of faces per block");
     begin_stage(Coarsening_stage::PREPARATION);
-    Piece_blocks pieces(context_, source, choice_.face_names);
+    Piece_blocks pieces(context_, source);
     pieces.measure();
-    frame_ = pieces.frame();
-    const Face_names names = [&](std::uint64_t face) { return pieces.name(face); };
-    const std::vector<std::uint64_t> starts =
-      pieces.find_blocks(choice_.faces_per_block.value_or(Distributed_choice::default_faces_per_block));
-    const Bin_ranks bins(context_, starts.size());
-    auto blocks = std::make_unique<Word_store>(bins.number_of_own(), context_.scratch);
-    pieces.read(starts, bins, *blocks);
-    Shared_faces(context_, bins).run(*blocks);
+    std::unique_ptr<Record_bins> blocks =
+      pieces.read(context_.faces_per_block.value_or(Distributed_choice::default_faces_per_block));
+    share_faces(context_, *blocks);
     context_.stage_ends(Coarsening_stage::PREPARATION);
-    Cell_clustering cells(context_, choice_, names, frame_, pieces.curve());
-    cells.run(*blocks, pieces.number_of_faces());
+    Cell_clusters cells = Cell_clustering(context_, pieces.curve()).run(*blocks, pieces.number_of_faces());
     Coarsening_report& report = report_;
-    report = cells.report();
-    if (choice_.wants_clusters)
+    report = cells.report;
+    if (context_.wants_clusters)
       clusters_.assign(pieces.faces_of_piece(), NONE);
-    if (cells.level() == 0)
-      take_dual(cells, *blocks, pieces);
+    Labels labels{pieces, context_.wants_clusters, Record_bins(context_, context_.number_of_ranks())};
+    if (cells.level == 0)
+      take_dual(cells, *blocks, labels);
     else
-      refine_and_place(cells, std::move(blocks), pieces, names);
-    on_first_rank(context_, [&] { report_placement(report_, triangles_, positions_, counts_); });
-    if (choice_.wants_output_everywhere) {
-      broadcast_records(context_, triangles_);
-      broadcast_records(context_, positions_);
+      refine_and_place(cells, std::move(blocks), labels);
+    on_all_ranks(context_.communicator, [&] {
+      labels.bins.read<Face_label>(0, [&](const Face_label& label) { clusters_[label.face] = label.cluster; });
+    });
+    on_first_rank(context_, [&] { report_placement(report_, dual_.triangles, dual_.positions, dual_.counts); });
+    if (context_.wants_output_everywhere) {
+      broadcast_records(context_, dual_.triangles);
+      broadcast_records(context_, dual_.positions);
     }
     boost::mpi::broadcast(context_.communicator, report, 0);
     report_.bytes_sent = context_.bytes_sent;
@@ -90,13 +88,12 @@ public:
   }
 
   const Distributed_report& report() const { return report_; }
-  const Local_frame& frame() const { return frame_; }
+  const Local_frame& frame() const { return context_.frame; }
   // The clusters of the faces of the piece of this rank, on request.
   const std::vector<Index>& clusters_of_piece() const { return clusters_; }
   // True on rank 0, and on all ranks on request.
-  bool has_output() const { return context_.rank() == 0 || choice_.wants_output_everywhere; }
-  const std::vector<Triangle>& triangles() const { return triangles_; }
-  const std::vector<Vector>& positions() const { return positions_; }
+  bool has_output() const { return context_.rank() == 0 || context_.wants_output_everywhere; }
+  const Placed_dual& dual() const { return dual_; }
 
 private:
   // The cluster of a face of a piece.
@@ -104,16 +101,25 @@ private:
   {
     Index face, cluster;
   };
+  // The clusters of all faces, on the ranks of their pieces.
+  struct Labels
+  {
+    const Piece_blocks& pieces;
+    const bool are_wanted;
+    Record_bins bins;
+
+    void send(std::uint64_t face, Index cluster)
+    {
+      if (!are_wanted)
+        return;
+      const auto [rank, number] = pieces.origin(face);
+      bins.send(rank, Face_label{Index(number), cluster});
+    }
+  };
 
   void begin_stage(Coarsening_stage stage) const
   {
     on_all_ranks(context_.communicator, [&] { context_.stage_begins(stage); });
-  }
-
-  void check_agreement() const
-  {
-    check_equal(choice_.number_of_vertices, "number of vertices");
-    check_equal(choice_.faces_per_block.value_or(0), "number of faces per block");
   }
 
   void check_equal(std::uint64_t value, const char* what) const
@@ -126,105 +132,71 @@ private:
   }
 
   // Used if the cells are the faces; then rank 0 has placed the vertices.
-  void take_dual(Cell_clustering& cells, const Word_store& blocks, const Piece_blocks& pieces)
+  void take_dual(Cell_clusters& cells, const Record_bins& blocks, Labels& labels)
   {
-    triangles_ = std::move(cells.dual().triangles);
-    positions_ = std::move(cells.dual().positions);
-    counts_ = std::move(cells.dual().counts);
-    const Bin_ranks ranks(context_, context_.number_of_ranks());
-    Word_store labels(1, context_.scratch);
-    Word_routing routing(context_, ranks, labels);
-    routing.run([&] {
-      for (std::size_t bin = 0; bin < blocks.number_of_bins(); ++bin)
-        blocks.read<Face_record>(bin, [&](const Face_record& face) {
+    dual_ = std::move(cells.dual);
+    labels.bins.fill([&] {
+      for (std::size_t i = 0; i < blocks.number_of_own(); ++i)
+        blocks.read<Face_record>(i, [&](const Face_record& face) {
           if (face.is_own)
-            send_label(face.origin, cells.cluster_of_cell(face.cluster), pieces, routing);
+            labels.send(face.origin, cells.clusters[face.cluster]);
         });
     });
-    read_labels(labels);
   }
 
-  void refine_and_place(Cell_clustering& cells, std::unique_ptr<Word_store> blocks, const Piece_blocks& pieces,
-                        const Face_names& names)
+  void refine_and_place(Cell_clusters& cells, std::unique_ptr<Record_bins> blocks, Labels& labels)
   {
     begin_stage(Coarsening_stage::MINIMIZATION);
-    const Task_refinement refinement(context_, choice_, cells.tasks(), names);
-    const Bin_ranks tasks(context_, number_of_tasks(cells.tasks(), 0)), ranks(context_, context_.number_of_ranks());
-    auto faces = std::make_unique<Word_store>(tasks.number_of_own(), context_.scratch);
-    send_to_tasks(cells, *blocks, tasks, *faces);
+    auto tasks = std::make_unique<Record_bins>(context_, number_of_tasks(cells.tasks, 0));
+    send_to_tasks(cells, *blocks, *tasks);
     blocks.reset();
-    Shared_faces(context_, tasks).run(*faces);
-    Word_store labels(1, context_.scratch);
+    share_faces(context_, *tasks);
     Dual_parts parts;
-    const auto place = [&](const Patch& patch, const Patch_clusters& clusters, Word_routing& routing) {
-      parts.add(patch, clusters, choice_);
-      for (std::size_t f = 0; f < patch.faces.size(); ++f)
-        if (patch.is_own(f))
-          send_label(patch.faces[f].origin, patch.faces[f].cluster, pieces, routing);
-    };
-    report_.rounds += refinement.run(std::move(faces), ranks, labels, place);
-    read_labels(labels);
+    report_.rounds += Task_refinement(context_, cells.tasks)
+                        .run(std::move(tasks), labels.bins, [&](const Patch& patch, const Patch_clusters& clusters) {
+                          parts.add(patch, clusters, context_);
+                          for (const Face_data& face : patch.faces.data)
+                            if (face.is_own)
+                              labels.send(face.origin, face.cluster);
+                        });
     context_.stage_ends(Coarsening_stage::MINIMIZATION);
     begin_stage(Coarsening_stage::TRIANGULATION);
     parts.gather(context_);
-    on_first_rank(context_, [&] { take_parts(parts); });
+    on_first_rank(context_, [&] {
+      report_.final_energy = 0;
+      for (const Dual_parts::Cluster_part& cluster : parts.clusters)
+        report_.final_energy += cluster.energy;
+      for (const Dual_parts::Triangle_part& part : parts.triangles)
+        dual_.triangles.push_back(part.triangle);
+      dual_.positions = parts.positions();
+    });
     context_.stage_ends(Coarsening_stage::TRIANGULATION);
     on_first_rank(context_, [&] {
-      if (choice_.places_on_cells())
-        counts_ = cells.surface().place(parts, choice_, choice_.output_coordinates(frame_), triangles_, positions_);
+      if (context_.places_on_cells())
+        cells.surface->place(parts, context_, dual_);
     });
   }
 
-  void send_to_tasks(const Cell_clustering& cells, Word_store& blocks, const Bin_ranks& tasks, Word_store& faces)
+  static void send_to_tasks(const Cell_clusters& cells, Record_bins& blocks, Record_bins& tasks)
   {
-    Word_routing routing(context_, tasks, faces);
-    routing.run([&] {
-      for (std::size_t bin = 0; bin < blocks.number_of_bins(); ++bin) {
-        blocks.read<Face_record>(bin, [&](Face_record& face) {
+    tasks.fill([&] {
+      for (std::size_t i = 0; i < blocks.number_of_own(); ++i) {
+        blocks.read<Face_record>(i, [&](Face_record& face) {
           if (!face.is_own)
             return;
-          face.cluster = cells.cluster_of_cell(face.cluster);
-          face.density = cells.density()(face.density);
-          routing.send(cells.tasks()[face.cluster][0], face);
+          face.cluster = cells.clusters[face.cluster];
+          face.density = cells.density(face.density);
+          tasks.send(cells.tasks[face.cluster][0], face);
         });
-        blocks.clear(bin);
+        blocks.clear(i);
       }
     });
   }
 
-  void send_label(std::uint64_t face, Index cluster, const Piece_blocks& pieces, Word_routing& routing) const
-  {
-    if (!choice_.wants_clusters)
-      return;
-    const auto [rank, number] = pieces.origin(face);
-    routing.send(rank, Face_label{Index(number), cluster});
-  }
-
-  void read_labels(const Word_store& labels)
-  {
-    on_all_ranks(context_.communicator, [&] {
-      labels.read<Face_label>(0, [&](const Face_label& label) { clusters_[label.face] = label.cluster; });
-    });
-  }
-
-  void take_parts(const Dual_parts& parts)
-  {
-    report_.final_energy = 0;
-    for (const Dual_parts::Cluster_part& cluster : parts.clusters)
-      report_.final_energy += cluster.energy;
-    for (const Dual_parts::Triangle_part& part : parts.triangles)
-      triangles_.push_back(part.triangle);
-    positions_ = parts.positions();
-  }
-
-  Distributed_choice choice_;
   Rank_context context_;
-  Local_frame frame_;
   Distributed_report report_;
   std::vector<Index> clusters_;
-  std::vector<Triangle> triangles_;
-  std::vector<Vector> positions_;
-  Repair_counts counts_;
+  Placed_dual dual_;
 };
 
 } // namespace internal

@@ -6,13 +6,11 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_choice.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_routing.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Rank_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Border_fit.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/subdivision.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 
@@ -38,16 +36,15 @@ class Patch_clusters
 public:
   explicit Patch_clusters(Patch& patch) : patch_(patch), input_{input_of(patch), nullptr}, labels_(input_.items.mesh)
   {
-    global_ = clusters_of(true);
-    own_ = global_.size();
-    const std::vector<Index> foreign = clusters_of(false);
-    global_.insert(global_.end(), foreign.begin(), foreign.end());
-    Index last = NONE, number = NONE;
+    // Most faces have the same cluster as the previous face.
+    for (std::size_t f = 0; f < patch.faces.size(); ++f)
+      if (clusters_.empty() || clusters_.back() != cluster_of(f))
+        clusters_.push_back(cluster_of(f));
+    sort_unique(clusters_);
+    Index number = 0;
     for (std::size_t f = 0; f < patch.faces.size(); ++f) {
-      if (patch.faces[f].cluster != last) {
-        last = patch.faces[f].cluster;
-        number = local_number(last);
-      }
+      if (clusters_[number] != cluster_of(f))
+        number = Index(std::lower_bound(clusters_.begin(), clusters_.end(), cluster_of(f)) - clusters_.begin());
       labels_.set(Index(f), number);
     }
     labels_.recount();
@@ -55,16 +52,16 @@ public:
 
   const Clustering_input& input() const { return input_.items; }
   const Cluster_labels& labels() const { return labels_; }
-  std::size_t size() const { return global_.size(); }
-  // The clusters of the own faces come first.
-  std::size_t number_of_own() const { return own_; }
-  Index global_number(Index x) const { return global_[x]; }
+  std::size_t size() const { return clusters_.size(); }
+  // Whether a cluster consists of own faces; these come first.
+  bool is_own(Index x) const { return !clusters_[x].first; }
+  Index global_number(Index x) const { return clusters_[x].second; }
 
   // Runs at most `end.max_rounds` rounds of the minimization. Returns the number of rounds.
   std::size_t minimize(const Energy_model& energy, const Minimization_end& end, const Run_context& context)
   {
     for (Index f = 0; f < input().mesh.number_of_faces(); ++f)
-      if (!may_move(f))
+      if (!patch_.is_inner_face(input().mesh, f))
         labels_.pin(f);
     const std::unique_ptr<Minimization> minimization = energy.minimization(input_, labels_, size(), false, context);
     std::size_t rounds = 0;
@@ -79,7 +76,7 @@ public:
       rounds += progress.rounds;
     }
     for (std::size_t f = 0; f < patch_.faces.size(); ++f)
-      patch_.faces[f].cluster = global_[labels_[Index(f)]];
+      patch_.faces[f].cluster = global_number(labels_[Index(f)]);
     return rounds;
   }
 
@@ -96,38 +93,13 @@ private:
     return input;
   }
 
-  // Returns the clusters of the own or the foreign faces, in order. Most faces have the same cluster as the previous face.
-  std::vector<Index> clusters_of(bool own) const
-  {
-    std::vector<Index> clusters;
-    for (std::size_t f = 0; f < patch_.faces.size(); ++f)
-      if (patch_.is_own(f) == own && (clusters.empty() || clusters.back() != patch_.faces[f].cluster))
-        clusters.push_back(patch_.faces[f].cluster);
-    sort_unique(clusters);
-    return clusters;
-  }
-
-  Index local_number(Index cluster) const
-  {
-    const auto middle = global_.begin() + std::ptrdiff_t(own_);
-    const auto i = std::lower_bound(global_.begin(), middle, cluster);
-    return Index((i != middle && *i == cluster ? i : std::lower_bound(middle, global_.end(), cluster)) - global_.begin());
-  }
-
-  bool may_move(Index f) const
-  {
-    const Flat_mesh& m = input().mesh;
-    for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
-      if (!patch_.is_inner[m.corner_vertex[c]])
-        return false;
-    return true;
-  }
+  // Whether the cluster consists of foreign faces, and its number.
+  std::pair<bool, Index> cluster_of(std::size_t f) const { return {!patch_.is_own(f), patch_.faces[f].cluster}; }
 
   Patch& patch_;
   Featured_input input_; // without features
   Cluster_labels labels_;
-  std::vector<Index> global_; // number of each cluster
-  std::size_t own_ = 0;
+  std::vector<std::pair<bool, Index> > clusters_;
 };
 
 // The parts from which the dual of all clusters is assembled.
@@ -167,29 +139,36 @@ struct Dual_parts
   std::vector<Center_part> centers; // if vertices are placed on the surface of cells
   std::vector<Triangle_part> triangles;
 
-  void add(const Patch& patch, const Patch_clusters& clusters_of_patch, const Distributed_choice& choice)
+  void add(const Patch& patch, const Patch_clusters& local, const Distributed_choice& choice)
   {
-    const Clustering_input& input = clusters_of_patch.input();
-    const Cluster_labels& labels = clusters_of_patch.labels();
-    std::vector<char> is_on_border(clusters_of_patch.size(), false);
-    for (Index f = 0; f < input.mesh.number_of_faces(); ++f) {
-      if (patch.is_own(f))
-        add_border(patch, clusters_of_patch, f, is_on_border);
-      if (choice.places_on_cells() && patch.is_own(f) && patch.faces[f].is_center)
-        centers.push_back({patch.faces[f].origin, patch.faces[f].cluster});
+    const Clustering_input& input = local.input();
+    const Flat_mesh& m = input.mesh;
+    std::vector<char> is_on_border(local.size(), false);
+    for (Index f = 0; f < m.number_of_faces(); ++f) {
+      if (!patch.is_own(f))
+        continue;
+      const Index x = local.labels()[f], cluster = local.global_number(x);
+      for (const Index c : m.corners(f))
+        if (m.face_across[c] == NONE) {
+          const Index v = m.corner_vertex[c], w = m.corner_vertex[m.next_corner(f, c)];
+          border.push_back({patch.number[v], patch.number[w], cluster, m.points[v]});
+          is_on_border[x] = true;
+        }
+      if (choice.places_on_cells() && patch.faces[f].is_center)
+        centers.push_back({patch.faces[f].origin, cluster});
     }
-    const Clustered_faces surface(input, labels, clusters_of_patch.size(), choice.context);
+    const Clustered_faces surface(input, local.labels(), local.size(), choice);
     const auto& place = choice.placement.local ? choice.placement.local : choice.placement.start;
-    const std::vector<double> energy = choice.energies(input, labels, clusters_of_patch.size());
-    for (Index x = 0; x < clusters_of_patch.number_of_own(); ++x) {
-      choice.context.poll(surface.faces(x).size());
+    const std::vector<Cluster_report> reports = choice.energy->cluster_reports(input, local.labels(), local.size());
+    for (Index x = 0; x < local.size() && local.is_own(x); ++x) {
+      choice.poll(surface.faces(x).size());
       const Vector p = is_on_border[x] ? Vector{{0, 0, 0}} : checked_position(surface, x, place(surface, x));
-      clusters.push_back({clusters_of_patch.global_number(x), energy[x], p, surface.vertex_bounds(x)});
+      clusters.push_back({local.global_number(x), reports[x].energy, p, surface.vertex_bounds(x)});
     }
-    for_each_meeting_point(labels, [&](Index v, const std::vector<Index>& runs) {
-      if (!patch.is_own(input.mesh.star[input.mesh.first_in_star[v]]))
+    for_each_meeting_point(local.labels(), [&](Index v, const std::vector<Index>& runs) {
+      if (!patch.is_own(m.star[m.first_in_star[v]]))
         return; // the first face around the vertex belongs to another patch
-      const auto number = [&](std::size_t i) { return clusters_of_patch.global_number(runs[i]); };
+      const auto number = [&](std::size_t i) { return local.global_number(runs[i]); };
       for (std::size_t i = 2; i < runs.size(); ++i)
         triangles.push_back({patch.number[v], Index(i), {number(0), number(i - 1), number(i)}});
     });
@@ -204,31 +183,20 @@ struct Dual_parts
     gather_sorted(context, triangles);
   }
 
-  // Returns the positions of the vertices of all clusters, with the gathered parts.
+  // The following functions need the gathered parts.
+
+  // Returns the cluster of the cell that a face represents.
+  Index cluster_at(std::uint64_t origin) const
+  {
+    return std::lower_bound(centers.begin(), centers.end(), Center_part{origin, NONE})->cluster;
+  }
+
+  // Returns the positions of the vertices of all clusters.
   std::vector<Vector> positions() const
   {
     std::vector<Vector> positions;
     for (const Cluster_part& x : clusters)
       positions.push_back(x.position);
-    place_on_border(positions);
-    return positions;
-  }
-
-private:
-  void add_border(const Patch& patch, const Patch_clusters& clusters_of_patch, Index f, std::vector<char>& is_on_border)
-  {
-    const Flat_mesh& m = clusters_of_patch.input().mesh;
-    const Index x = clusters_of_patch.labels()[f];
-    for (Index c = m.first_corner[f]; c != m.first_corner[f + 1]; ++c)
-      if (m.face_across[c] == NONE) {
-        const Index v = m.corner_vertex[c], w = m.corner_vertex[m.next_corner(f, c)];
-        border.push_back({patch.number[v], patch.number[w], clusters_of_patch.global_number(x), m.points[v]});
-        is_on_border[x] = true;
-      }
-  }
-
-  void place_on_border(std::vector<Vector>& positions) const
-  {
     std::vector<char> done(border.size(), false);
     for (std::size_t i = 0; i < border.size(); ++i) {
       if (done[i])
@@ -250,8 +218,11 @@ private:
         },
         [&](Index cluster, const Vector& p) { positions[cluster] = p; });
     }
+    return positions;
   }
 
+private:
+  // Returns the edge of the border after an edge.
   std::size_t after(const Border_part& e) const
   {
     return std::size_t(std::lower_bound(border.begin(), border.end(), Border_part{e.target, 0, 0, e.point}) - border.begin());

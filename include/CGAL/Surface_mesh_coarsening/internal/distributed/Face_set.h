@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_SET_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_store.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Scratch_file.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <algorithm>
@@ -167,110 +167,86 @@ struct Face_data
   Face_data() : corners(0), is_own(true), is_center(false) {}
 };
 
-// A self-contained record of a face, with the global numbers and the coordinates of its vertices. It begins with the smallest
-// number.
+// A corner of a face: the global number and the coordinates of its vertex.
+struct Face_corner
+{
+  std::uint64_t vertex;
+  Vector point;
+};
+
+// A self-contained record of a face. It begins with the corner of smallest number.
 //
 // Two faces differ in their first two vertices, because an edge has one face on each side. Hence the position on a space-filling
 // curve, followed by these two vertices, defines an order of the faces that depends on the mesh alone.
-struct Face_record : Face_data
+typedef Polygon_record<Face_data, Face_corner> Face_record;
+
+inline void begin_with_smallest_number(Face_record& face)
 {
-  std::vector<std::uint64_t> vertex;
-  std::vector<Vector> point;
-
-  void begin_with_smallest_number()
-  {
-    const auto shift = std::min_element(vertex.begin(), vertex.end()) - vertex.begin();
-    std::rotate(vertex.begin(), vertex.begin() + shift, vertex.end());
-    std::rotate(point.begin(), point.begin() + shift, point.end());
-  }
-
-  Vector mean_of_corners() const
-  {
-    Vector sum{{0, 0, 0}};
-    for (const Vector& p : point)
-      sum = sum + p;
-    return (1. / double(point.size())) * sum;
-  }
-};
-
-constexpr std::size_t words_of_triangle =
-  (sizeof(Face_data) + 3 * (sizeof(std::uint64_t) + sizeof(Vector))) / sizeof(std::uint64_t);
-
-inline void write_record(const Face_record& face, Words& words)
-{
-  Face_data data = face;
-  data.corners = Index(face.vertex.size()) & Face_data::max_corners;
-  write_records(&data, 1, words);
-  write_records(face.vertex.data(), face.vertex.size(), words);
-  write_records(face.point.data(), face.point.size(), words);
+  std::rotate(face.corner.begin(),
+              std::min_element(face.corner.begin(), face.corner.end(),
+                               [](const Face_corner& a, const Face_corner& b) { return a.vertex < b.vertex; }),
+              face.corner.end());
 }
 
-inline const std::uint64_t* read_record(const std::uint64_t* word, Face_record& face)
+template <class Data, class Corner>
+Vector mean_of_corners(const Polygon_record<Data, Corner>& face)
 {
-  word = read_records(word, static_cast<Face_data*>(&face), 1);
-  face.vertex.resize(face.corners);
-  face.point.resize(face.corners);
-  return read_records(read_records(word, face.vertex.data(), face.vertex.size()), face.point.data(), face.point.size());
+  Vector sum{{0, 0, 0}};
+  for (const Corner& c : face.corner)
+    sum = sum + c.point;
+  return (1. / double(face.corner.size())) * sum;
 }
+
+constexpr std::size_t words_of_triangle = (sizeof(Face_data) + 3 * sizeof(Face_corner)) / sizeof(std::uint64_t);
 
 // Faces in arrays.
 struct Face_set
 {
   std::vector<Face_data> data;
   std::vector<std::size_t> first_corner = std::vector<std::size_t>(1, 0);
-  // Of each corner:
-  std::vector<std::uint64_t> vertex;
-  std::vector<Vector> point;
+  std::vector<Face_corner> corner;
 
   std::size_t size() const { return data.size(); }
   Face_data& operator[](std::size_t f) { return data[f]; }
   const Face_data& operator[](std::size_t f) const { return data[f]; }
-  std::size_t degree(std::size_t f) const { return first_corner[f + 1] - first_corner[f]; }
+  Iterator_range<const Face_corner*> corners(std::size_t f) const
+  {
+    return {corner.data() + first_corner[f], corner.data() + first_corner[f + 1]};
+  }
 
-  // Reserves memory for triangles.
-  void reserve(std::size_t triangles)
+  void reserve_triangles(std::size_t triangles)
   {
     data.reserve(triangles);
     first_corner.reserve(triangles + 1);
-    vertex.reserve(3 * triangles);
-    point.reserve(3 * triangles);
+    corner.reserve(3 * triangles);
   }
 
   void append(const Face_record& face)
   {
     data.push_back(face);
-    vertex.insert(vertex.end(), face.vertex.begin(), face.vertex.end());
-    point.insert(point.end(), face.point.begin(), face.point.end());
-    first_corner.push_back(vertex.size());
+    corner.insert(corner.end(), face.corner.begin(), face.corner.end());
+    first_corner.push_back(corner.size());
   }
 
   // Reorders the faces one array after the other, which takes less memory than a second set.
   void reorder(const std::vector<Index>& order)
   {
-    reorder_corners(order, vertex);
-    reorder_corners(order, point);
-    std::vector<Face_data> reordered;
+    std::vector<Face_corner> corners_in_order;
+    corners_in_order.reserve(corner.size());
     std::vector<std::size_t> first(1, 0);
-    reordered.reserve(size());
     first.reserve(size() + 1);
     for (const Index f : order) {
-      reordered.push_back(data[f]);
-      first.push_back(first.back() + degree(f));
+      corners_in_order.insert(corners_in_order.end(), corners(f).begin(), corners(f).end());
+      first.push_back(corners_in_order.size());
     }
-    data.swap(reordered);
+    corner.swap(corners_in_order);
     first_corner.swap(first);
-  }
-
-private:
-  template <class T>
-  void reorder_corners(const std::vector<Index>& order, std::vector<T>& values) const
-  {
-    std::vector<T> reordered;
-    reordered.reserve(values.size());
+    corners_in_order = std::vector<Face_corner>();
+    std::vector<Face_data> data_in_order;
+    data_in_order.reserve(size());
     for (const Index f : order)
-      reordered.insert(reordered.end(), values.begin() + std::ptrdiff_t(first_corner[f]),
-                       values.begin() + std::ptrdiff_t(first_corner[f + 1]));
-    values.swap(reordered);
+      data_in_order.push_back(data[f]);
+    data.swap(data_in_order);
   }
 };
 

@@ -3,18 +3,15 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PATCH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PATCH_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_store.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Record_bins.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
-
-#include <boost/range/adaptor/transformed.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -23,9 +20,6 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
-
-// Returns the name of a face for messages, given its number in the sequence of all pieces.
-typedef std::function<std::string(std::uint64_t)> Face_names;
 
 // A mesh of the faces of a group, the own faces, and of all faces that share a vertex with them. The stars of the vertices of
 // own faces are complete. The other faces have edges that seem to lie on a border, and their vertices are split where the faces
@@ -38,36 +32,54 @@ struct Patch
   std::vector<char> is_inner;         // for each vertex of the mesh, whether all incident faces are own faces
 
   bool is_own(std::size_t f) const { return faces[f].is_own; }
+  // Whether all vertices of a face are inner, in the mesh of the patch, which may have been moved.
+  bool is_inner_face(const Flat_mesh& m, Index f) const
+  {
+    const Number_range corners = m.corners(f);
+    return std::all_of(corners.begin(), corners.end(), [&](Index c) { return is_inner[m.corner_vertex[c]]; });
+  }
 
-  // Returns a face. Its corners are read from `corners`, because the mesh of the patch may have been moved.
-  void get(Index f, const Flat_mesh& corners, Face_record& face) const
+  // Returns a face, likewise.
+  void get(const Flat_mesh& m, Index f, Face_record& face) const
   {
     static_cast<Face_data&>(face) = faces[f];
-    face.vertex.clear();
-    face.point.clear();
-    for (const Index c : corners.corners(f)) {
-      face.vertex.push_back(number[corners.corner_vertex[c]]);
-      face.point.push_back(corners.points[corners.corner_vertex[c]]);
-    }
+    face.corner.clear();
+    for (const Index c : m.corners(f))
+      face.corner.push_back({number[m.corner_vertex[c]], m.points[m.corner_vertex[c]]});
   }
 };
 
-// Pairs the edges that leave a vertex with the edges that enter it on their other sides: calls `pair(x, y)` for corners x and y of
-// the vertex if the vertex after x is the vertex before y. Returns whether all edges enter from different vertices. Corners are
-// sorted, so vertices of high degree cost hardly more than others.
-template <class Corner, class Pair>
-bool pair_edges_at_vertex(const Iterator_range<const Corner*>& corners_at_vertex, std::vector<Corner>& corners, const Pair& pair)
+// Sets the faces across all edges. An edge that leaves a vertex enters it, seen from the other face: corners x and y of the
+// vertex belong to one edge if `after(x) == before(y)`, numbers of vertices. Returns whether all edges enter a vertex from
+// different vertices. Corners are sorted, so vertices of high degree cost hardly more than others.
+template <class Before, class After>
+bool pair_edges(Flat_mesh& m, const std::vector<Index>& face_of_corner, const Bucketed_items<Index>& corners_at_vertex,
+                const Before& before, const After& after)
 {
-  corners.assign(corners_at_vertex.begin(), corners_at_vertex.end());
-  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.previous < b.previous; });
-  for (const Corner& x : corners) {
-    const auto y = std::lower_bound(corners.begin(), corners.end(), x,
-                                    [](const Corner& a, const Corner& b) { return a.previous < b.next; });
-    if (y != corners.end() && y->previous == x.next)
-      pair(x, *y);
+  struct Corner
+  {
+    Index corner;
+    decltype(before(Index())) previous, next;
+  };
+  m.face_across.assign(face_of_corner.size(), NONE);
+  bool are_different = true;
+  std::vector<Corner> corners;
+  for (std::size_t v = 0; v < corners_at_vertex.size(); ++v) {
+    corners.clear();
+    for (const Index c : corners_at_vertex[v])
+      corners.push_back({c, before(c), after(c)});
+    std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.previous < b.previous; });
+    for (const Corner& x : corners) {
+      const auto y = std::lower_bound(corners.begin(), corners.end(), x,
+                                      [](const Corner& a, const Corner& b) { return a.previous < b.next; });
+      if (y != corners.end() && y->previous == x.next)
+        m.face_across[x.corner] = face_of_corner[y->corner];
+    }
+    are_different = are_different && std::adjacent_find(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
+                                       return a.previous == b.previous;
+                                     }) == corners.end();
   }
-  return std::adjacent_find(corners.begin(), corners.end(),
-                            [](const Corner& a, const Corner& b) { return a.previous == b.previous; }) == corners.end();
+  return are_different;
 }
 
 // Builds the mesh of a patch from faces in any order. Throws if the faces of the patch, or of several pieces, contradict each
@@ -86,22 +98,17 @@ public:
     check_size();
     list_corners();
     check_positions();
-    pair_edges();
+    const auto previous_vertex = [this](Index c) { return vertex_of_[previous_corner(c)]; };
+    if (!pair_edges(mesh_, face_of_, *corners_at_, previous_vertex, [this](Index c) { return next_vertex(c); }))
+      throw_two_faces();
     number_vertices();
     check_fans();
-    faces_.vertex = std::vector<std::uint64_t>();
-    faces_.point = std::vector<Vector>();
+    faces_.corner = std::vector<Face_corner>();
     complete_stars(mesh_, patch_.number.size(), context);
     find_inner_vertices();
   }
 
 private:
-  // A corner, and the vertices before and after it.
-  struct Corner
-  {
-    Index corner, previous, next;
-  };
-
   void sort_faces()
   {
     struct Key
@@ -115,8 +122,8 @@ private:
       keys.push_back({faces_[f].place, f});
     // Duplicate faces are a fault; the message must not depend on the order in which they arrived.
     const auto rest = [this](Index f) {
-      const std::size_t c = faces_.first_corner[f];
-      return std::make_tuple(faces_.vertex[c], faces_.vertex[c + 1], faces_[f].origin);
+      const Face_corner* const c = faces_.corners(f).begin();
+      return std::make_tuple(c[0].vertex, c[1].vertex, faces_[f].origin);
     };
     sort_runs(keys, [&](const Key& a, const Key& b) {
       return a.place != b.place ? a.place < b.place : rest(a.face) < rest(b.face);
@@ -131,8 +138,8 @@ private:
 
   void check_size() const
   {
-    if (faces_.vertex.size() > max_corners_)
-      throw Invalid_input("a block around " + name(0) + " has " + std::to_string(faces_.vertex.size()) +
+    if (faces_.corner.size() > max_corners_)
+      throw Invalid_input("a block around " + name(0) + " has " + std::to_string(faces_.corner.size()) +
                           " face corners, more than the " + std::to_string(max_corners_) + " that can be numbered");
   }
 
@@ -141,23 +148,21 @@ private:
   {
     mesh_ = Flat_mesh();
     mesh_.first_corner.assign(1, 0);
-    const Index corners = Index(faces_.vertex.size());
+    const Index corners = Index(faces_.corner.size());
     face_of_.reserve(corners);
     vertex_of_.reserve(corners);
     for (Index f = 0; f < faces_.size(); ++f) {
       mesh_.first_corner.push_back(Index(faces_.first_corner[f + 1]));
       face_of_.resize(faces_.first_corner[f + 1], f);
     }
-    for (const std::uint64_t number : faces_.vertex)
-      vertex_of_.push_back(table_.index(number));
-    const auto corner = [this](Index c) { return Corner{c, vertex_of_[previous_corner(c)], next_vertex(c)}; };
-    corners_at_.emplace(numbers_below(corners) | boost::adaptors::transformed(corner), table_.numbers().size(),
-                        [this](const Corner& x) { return vertex_of_[x.corner]; });
+    for (const Face_corner& c : faces_.corner)
+      vertex_of_.push_back(table_.index(c.vertex));
+    corners_at_.emplace(numbers_below(corners), table_.numbers().size(), [this](Index c) { return vertex_of_[c]; });
   }
 
   Number_range vertices() const { return numbers_below(Index(table_.numbers().size())); }
   std::uint64_t number(Index v) const { return table_.numbers()[v]; }
-  Bucketed_items<Corner>::Range corners_at(Index v) const { return (*corners_at_)[v]; }
+  Bucketed_items<Index>::Range corners_at(Index v) const { return (*corners_at_)[v]; }
   Index next_vertex(Index c) const { return vertex_of_[mesh_.next_corner(face_of_[c], c)]; }
   Index previous_corner(Index c) const { return mesh_.previous_corner(face_of_[c], c); }
   std::string name(Index f) const { return names_(faces_[f].origin); }
@@ -174,11 +179,10 @@ private:
   }
 
   // Returns the first corner at a vertex whose position differs from the position of the next corner, or the end.
-  const Corner* other_position(Index v) const
+  const Index* other_position(Index v) const
   {
-    return std::adjacent_find(corners_at(v).begin(), corners_at(v).end(), [this](const Corner& a, const Corner& b) {
-      return faces_.point[a.corner] != faces_.point[b.corner];
-    });
+    return std::adjacent_find(corners_at(v).begin(), corners_at(v).end(),
+                              [this](Index c, Index d) { return faces_.corner[c].point != faces_.corner[d].point; });
   }
 
   void check_positions() const
@@ -186,24 +190,9 @@ private:
     const Index v = first_faulty([this](Index w) { return other_position(w) != corners_at(w).end(); });
     if (v == NONE)
       return;
-    const Corner* const first = other_position(v);
-    throw Invalid_input("vertex " + std::to_string(number(v)) + " has two positions, in " + name(face_of_[first->corner]) +
-                        " and in " + name(face_of_[(first + 1)->corner]));
-  }
-
-  void pair_edges()
-  {
-    mesh_.face_across.assign(vertex_of_.size(), NONE);
-    corner_across_.assign(vertex_of_.size(), NONE);
-    bool has_fault = false;
-    std::vector<Corner> corners;
-    for (const Index v : vertices())
-      has_fault = !pair_edges_at_vertex(corners_at(v), corners, [this](const Corner& x, const Corner& y) {
-        corner_across_[x.corner] = previous_corner(y.corner);
-        mesh_.face_across[x.corner] = face_of_[y.corner];
-      }) || has_fault;
-    if (has_fault)
-      throw_two_faces();
+    const Index* const first = other_position(v);
+    throw Invalid_input("vertex " + std::to_string(number(v)) + " has two positions, in " + name(face_of_[first[0]]) +
+                        " and in " + name(face_of_[first[1]]));
   }
 
   [[noreturn]] void throw_two_faces() const
@@ -211,7 +200,7 @@ private:
     typedef std::tuple<std::uint64_t, std::uint64_t, Index> Side; // the numbers of the ends, and the face
     std::vector<Side> sides;
     for (Index c = 0; c < vertex_of_.size(); ++c)
-      sides.emplace_back(faces_.vertex[c], number(next_vertex(c)), face_of_[c]);
+      sides.emplace_back(faces_.corner[c].vertex, number(next_vertex(c)), face_of_[c]);
     std::sort(sides.begin(), sides.end());
     std::size_t i = 1;
     while (std::get<0>(sides[i]) != std::get<0>(sides[i - 1]) || std::get<1>(sides[i]) != std::get<1>(sides[i - 1]))
@@ -227,10 +216,8 @@ private:
 
   bool have_same_vertices(Index f, Index g) const
   {
-    return faces_.degree(f) == faces_.degree(g) &&
-           std::equal(faces_.vertex.begin() + std::ptrdiff_t(faces_.first_corner[f]),
-                      faces_.vertex.begin() + std::ptrdiff_t(faces_.first_corner[f + 1]),
-                      faces_.vertex.begin() + std::ptrdiff_t(faces_.first_corner[g]));
+    return std::equal(faces_.corners(f).begin(), faces_.corners(f).end(), faces_.corners(g).begin(), faces_.corners(g).end(),
+                      [](const Face_corner& a, const Face_corner& b) { return a.vertex == b.vertex; });
   }
 
   // The corners of a fan form one vertex. Visits each fan from its clockwise end; a closed fan, from any face.
@@ -238,22 +225,24 @@ private:
   {
     mesh_.corner_vertex.assign(vertex_of_.size(), NONE);
     for (const Index v : vertices())
-      for (const Corner& x : corners_at(v)) {
-        if (mesh_.corner_vertex[x.corner] != NONE)
+      for (const Index x : corners_at(v)) {
+        if (mesh_.corner_vertex[x] != NONE)
           continue;
-        const Index vertex = Index(patch_.number.size()), begin = first_of_fan(x.corner);
+        const Index vertex = Index(patch_.number.size()), begin = first_of_fan(x);
         patch_.number.push_back(number(v));
-        mesh_.points.push_back(faces_.point[begin]);
+        mesh_.points.push_back(faces_.corner[begin].point);
         for (Index c = begin; c != NONE && mesh_.corner_vertex[c] == NONE; c = next_in_fan(c))
           mesh_.corner_vertex[c] = vertex;
       }
   }
 
   // Returns the corner of the same vertex in the next face, counterclockwise or clockwise, or NONE.
-  Index next_in_fan(Index c) const { return corner_across_[previous_corner(c)]; }
-  Index previous_in_fan(Index c) const
+  Index next_in_fan(Index c) const { return corner_of(mesh_.face_across[previous_corner(c)], vertex_of_[c]); }
+  Index previous_in_fan(Index c) const { return corner_of(mesh_.face_across[c], vertex_of_[c]); }
+  Index corner_of(Index f, Index v) const
   {
-    return corner_across_[c] == NONE ? NONE : mesh_.next_corner(mesh_.face_across[c], corner_across_[c]);
+    const auto begin = vertex_of_.begin();
+    return f == NONE ? NONE : Index(std::find(begin + mesh_.first_corner[f], vertex_of_.end(), v) - begin);
   }
   Index first_of_fan(Index c) const
   {
@@ -268,9 +257,9 @@ private:
   {
     const Index v = first_faulty([this](Index w) {
       bool has_own = false, has_fans = false;
-      for (const Corner& x : corners_at(w)) {
-        has_own = has_own || patch_.is_own(face_of_[x.corner]);
-        has_fans = has_fans || mesh_.corner_vertex[x.corner] != mesh_.corner_vertex[corners_at(w).begin()->corner];
+      for (const Index c : corners_at(w)) {
+        has_own = has_own || patch_.is_own(face_of_[c]);
+        has_fans = has_fans || mesh_.corner_vertex[c] != mesh_.corner_vertex[*corners_at(w).begin()];
       }
       return has_own && has_fans;
     });
@@ -296,17 +285,17 @@ private:
   Number_table table_;             // of the vertex numbers
   std::vector<Index> face_of_;     // of each corner
   std::vector<Index> vertex_of_;   // of each corner, by number; fans are not distinguished
-  std::optional<Bucketed_items<Corner> > corners_at_; // of each vertex number
-  std::vector<Index> corner_across_; // for each corner, the begin of the edge after it, seen from the other face
+  std::optional<Bucketed_items<Index> > corners_at_; // of each vertex number
 };
 
-// Builds the patch of a bin of face records.
-inline Patch read_patch(const Word_store& store, std::size_t bin, const Face_names& names, const Run_context& context)
+// Moves the faces of an own bin into a patch.
+inline Patch take_patch(Record_bins& bins, std::size_t i, const Rank_context& context)
 {
   Patch patch;
-  patch.faces.reserve(store.number_of_words(bin) / words_of_triangle);
-  store.read<Face_record>(bin, [&](const Face_record& face) { patch.faces.append(face); });
-  Patch_builder(patch, names).run(context);
+  patch.faces.reserve_triangles(bins.number_of_words(i) / words_of_triangle);
+  bins.read<Face_record>(i, [&](const Face_record& face) { patch.faces.append(face); });
+  bins.clear(i);
+  Patch_builder(patch, context.face_names).run(context);
   return patch;
 }
 

@@ -5,8 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_routing.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Record_bins.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
@@ -21,6 +20,8 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,49 +36,53 @@ typedef std::function<void(const std::vector<std::uint64_t>&, const std::vector<
 // Passes all faces of a piece to the receiver, in the same order in each call.
 typedef std::function<void(const Face_receiver&)> Face_source;
 
-template <class DensityMap, class Face>
-double density_of(const DensityMap& map, Face f)
+// A piece of which `source(receive)` passes the vertices and points of each face, and whose faces have consecutive keys in maps.
+template <class Source, class Key, class NamedParameters>
+struct Piece
 {
-  return CGAL::to_double(get(map, f));
-}
-template <class Face>
-double density_of(const CGAL::internal_np::Param_not_found&, Face)
-{
-  return 1;
-}
+  const Source& source;
+  const Key first_key; // an iterator
+  const NamedParameters& np;
 
-// Returns the source that reads a face graph. The graph, the numbers and the parameters must exist as long as the source.
+  void operator()(const Face_receiver& receive) const
+  {
+    Key key = first_key;
+    source([&, map = get_parameter(np, internal_np::face_density)](const auto& vertices, const std::vector<Vector>& points) {
+      if constexpr (has_parameter<internal_np::face_density_t, NamedParameters>)
+        receive(vertices, points, CGAL::to_double(get(map, *key++)));
+      else
+        receive(vertices, points, 1);
+    });
+  }
+
+  void put_clusters(const std::vector<Index>& clusters) const
+  {
+    if constexpr (has_parameter<internal_np::face_cluster_t, NamedParameters>) {
+      Key key = first_key;
+      for (const Index cluster : clusters)
+        put(get_parameter(np, internal_np::face_cluster), *key++, cluster);
+    }
+  }
+};
+
+// Returns a source of the faces of a face graph, which refers to the arguments.
 template <class FaceGraph, class VertexNumberMap, class NamedParameters>
-Face_source source_of_face_graph(const FaceGraph& piece, const VertexNumberMap& numbers, const NamedParameters& np)
+auto source_of_graph(const FaceGraph& graph, const VertexNumberMap& numbers, const NamedParameters& np)
 {
-  return [&](const Face_receiver& receive) {
-    const Vertex_coordinates<FaceGraph, NamedParameters> coordinates(piece, np);
-    const auto densities = get_parameter(np, internal_np::face_density);
+  return [&](const auto& receive) {
+    const Vertex_coordinates<FaceGraph, NamedParameters> coordinates(graph, np);
     std::vector<std::uint64_t> vertices;
     std::vector<Vector> points;
-    for (const auto f : faces(piece)) {
+    for (const auto f : faces(graph)) {
       vertices.clear();
       points.clear();
-      for (const auto h : halfedges_around_face(halfedge(f, piece), piece)) {
-        const auto v = target(h, piece);
+      for (const auto h : halfedges_around_face(halfedge(f, graph), graph)) {
+        const auto v = target(h, graph);
         vertices.push_back(std::uint64_t(get(numbers, v)));
         points.push_back(coordinates(v));
       }
-      receive(vertices, points, density_of(densities, f));
+      receive(vertices, points);
     }
-  };
-}
-
-// Returns the source that reads a caller's source of faces. The keys of the densities are the numbers of the faces.
-template <class Source, class NamedParameters>
-Face_source source_of_faces(const Source& source, const NamedParameters& np)
-{
-  return [&](const Face_receiver& receive) {
-    const auto densities = get_parameter(np, internal_np::face_density);
-    std::size_t face = 0;
-    source([&](const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points) {
-      receive(vertices, points, density_of(densities, face++));
-    });
   };
 }
 
@@ -85,33 +90,32 @@ Face_source source_of_faces(const Source& source, const NamedParameters& np)
 class Piece_blocks
 {
 public:
-  // Without `names`, the name of a face consists of its piece and its number in the piece.
-  Piece_blocks(Rank_context& context, const Face_source& source, const Face_names& names)
-    : context_(context), communicator_(context.communicator), source_(source), names_(names)
+  Piece_blocks(Rank_context& context, const Face_source& source)
+    : context_(context), communicator_(context.communicator), source_(source)
   {}
 
-  // Checks each face and finds the frame of the mesh.
+  // Checks each face, finds the frame of the mesh, and gives faces without names a name.
   void measure()
   {
-    Remote_exception failure = caught([&] { source_([this](const auto&... face) { measure_face(face...); }); },
-                                      communicator_.rank());
+    on_all_ranks(communicator_, [&] { source_([this](const auto&... face) { measure_face(face...); }); });
     count_faces();
-    if (failure.kind == Remote_exception::NONE_THROWN)
-      failure = caught([&] { throw_fault(); }, communicator_.rank());
-    throw_on_all_ranks(communicator_, failure);
+    if (!context_.face_names)
+      context_.face_names = [this](std::uint64_t face) {
+        const auto [piece, number] = origin(face);
+        return "face " + std::to_string(number) + " of piece " + std::to_string(piece);
+      };
+    on_all_ranks(communicator_, [&] { throw_fault(); });
     if (number_of_faces() == 0)
       throw Invalid_input("the input has no faces");
     // Minima do not depend on the order of their computation.
     std::array<double, 6> box;
     boost::mpi::all_reduce(communicator_, low_and_negated_high_.data(), 6, box.data(), boost::mpi::minimum<double>());
     std::vector<Vector> ends = {{{box[0], box[1], box[2]}}, {{-box[3], -box[4], -box[5]}}};
-    frame_ = to_local_frame(ends, {0, 1, 2}, Run_context());
-    low_ = ends[0];
-    high_ = ends[1];
+    context_.frame = to_local_frame(ends, {0, 1, 2}, Run_context());
+    curve_ = Morton_curve(ends[0], ends[1]);
   }
 
-  const Local_frame& frame() const { return frame_; }
-  Morton_curve curve() const { return Morton_curve(low_, high_); }
+  const Morton_curve& curve() const { return curve_; }
   std::uint64_t number_of_faces() const { return first_face_.back(); }
   std::uint64_t faces_of_piece() const { return faces_; }
 
@@ -122,49 +126,40 @@ public:
     return {std::size_t(piece), face - first_face_[std::size_t(piece)]};
   }
 
-  std::string name(std::uint64_t face) const
-  {
-    if (names_)
-      return names_(face);
-    const auto [piece, number] = origin(face);
-    return "face " + std::to_string(number) + " of piece " + std::to_string(piece);
-  }
-
-  // Returns the first position of each block on the curve.
-  std::vector<std::uint64_t> find_blocks(std::size_t faces_per_block) const
+  // Reads each face into its block.
+  std::unique_ptr<Record_bins> read(std::size_t faces_per_block) const
   {
     std::vector<std::uint64_t> places;
     on_all_ranks(communicator_, [&] {
       places.reserve(faces_);
       for_each_record([&](const Face_record& face) { places.push_back(face.place); });
     });
-    return block_starts(std::move(places), faces_per_block, [this](const std::vector<std::uint64_t>& own) {
+    const auto sum = [this](const std::vector<std::uint64_t>& own) {
       std::vector<std::uint64_t> all(own.size());
       boost::mpi::all_reduce(communicator_, own.data(), int(own.size()), all.data(), std::plus<std::uint64_t>());
       return all;
+    };
+    const std::vector<std::uint64_t> starts = block_starts(std::move(places), faces_per_block, sum);
+    auto blocks = std::make_unique<Record_bins>(context_, starts.size());
+    blocks->fill([&] {
+      for_each_record([&](const Face_record& face) { blocks->send(block_of(starts, face.place), face); });
     });
-  }
-
-  // Sends each face to its block.
-  void read(const std::vector<std::uint64_t>& starts, const Bin_ranks& blocks, Word_store& store) const
-  {
-    Word_routing routing(context_, blocks, store);
-    routing.run([&] {
-      for_each_record([&](const Face_record& face) { routing.send(block_of(starts, face.place), face); });
-    });
+    return blocks;
   }
 
 private:
+  // What is wrong with a face: a sentence around its name.
+  struct Fault
+  {
+    std::uint64_t face;
+    std::string before, after;
+  };
+
   void measure_face(const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points, double density)
   {
     context_.poll();
-    if (!has_fault_ && !fault_of(vertices, points, density, std::string()).empty()) {
-      has_fault_ = true;
-      fault_.origin = faces_;
-      fault_.density = density;
-      fault_.vertex = vertices;
-      fault_.point = points;
-    }
+    if (!fault_)
+      find_fault(vertices, points, density);
     ++faces_;
     for (const Vector& p : points)
       for (std::size_t i = 0; i < 3; ++i) {
@@ -173,24 +168,24 @@ private:
       }
   }
 
-  // Returns what is wrong with a face, or an empty string.
-  static std::string fault_of(const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points, double density,
-                              const std::string& name)
+  void find_fault(const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points, double density)
   {
+    const auto set_fault = [&](const std::string& before, const std::string& after) { fault_ = Fault{faces_, before, after}; };
     if (vertices.size() < 3 || vertices.size() > Face_data::max_corners)
-      return name + " has " + std::to_string(vertices.size()) + " sides";
+      return set_fault("", " has " + std::to_string(vertices.size()) + " sides");
     if (!(density >= 1 / largest_density && density <= largest_density))
-      return "the density of " + name + " is " + number_text(density) + ", not in [1e-20, 1e20]";
+      return set_fault("the density of ", " is " + number_text(density) + ", not in [1e-20, 1e20]");
     for (std::size_t i = 0; i < vertices.size(); ++i)
       for (const double x : points[i])
         if (!std::isfinite(x))
-          return "vertex " + std::to_string(vertices[i]) + ", in " + name + ", has a coordinate that is " + number_text(x);
+          return set_fault("vertex " + std::to_string(vertices[i]) + ", in ", ", has a coordinate that is " + number_text(x));
     if (vertices.size() == 3 && vertices[0] != vertices[1] && vertices[1] != vertices[2] && vertices[2] != vertices[0])
-      return std::string();
+      return;
     std::vector<std::uint64_t> sorted = vertices;
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-    return twice == sorted.end() ? std::string() : name + " visits vertex " + std::to_string(*twice) + " twice";
+    if (twice != sorted.end())
+      set_fault("", " visits vertex " + std::to_string(*twice) + " twice");
   }
 
   void count_faces()
@@ -208,26 +203,23 @@ private:
     if (faces_ >= NONE)
       throw Invalid_input("piece " + std::to_string(communicator_.rank()) + " has more faces than the " +
                           std::to_string(NONE - 1) + " that can be numbered");
-    if (has_fault_)
-      throw Invalid_input(
-        fault_of(fault_.vertex, fault_.point, fault_.density, name(first_face_[context_.rank()] + fault_.origin)));
+    if (fault_)
+      throw Invalid_input(fault_->before + context_.face_names(first_face_[context_.rank()] + fault_->face) + fault_->after);
   }
 
   template <class Receive>
   void for_each_record(const Receive& receive) const
   {
-    const Morton_curve place_of(low_, high_);
     Face_record face;
     std::uint64_t number = first_face_[context_.rank()];
     source_([&](const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points, double density) {
       context_.poll();
-      face.vertex = vertices;
-      face.point = points;
-      for (Vector& p : face.point)
-        p = frame_.to_local(p);
-      face.begin_with_smallest_number();
+      face.corner.clear();
+      for (std::size_t i = 0; i < vertices.size(); ++i)
+        face.corner.push_back({vertices[i], context_.frame.to_local(points[i])});
+      begin_with_smallest_number(face);
       face.density = density;
-      face.place = place_of(face.mean_of_corners());
+      face.place = curve_(mean_of_corners(face));
       face.origin = number++;
       receive(face);
     });
@@ -236,15 +228,12 @@ private:
   Rank_context& context_;
   const boost::mpi::communicator& communicator_;
   const Face_source& source_;
-  Face_names names_;
   static constexpr double inf = std::numeric_limits<double>::infinity();
   std::array<double, 6> low_and_negated_high_{{inf, inf, inf, inf, inf, inf}}; // of the vertices of this piece
-  Local_frame frame_;
-  Vector low_{{0, 0, 0}}, high_{{0, 0, 0}}; // of the mesh in its frame
-  std::uint64_t faces_ = 0;                 // of this piece
-  std::vector<std::uint64_t> first_face_;   // of each piece, and the total
-  bool has_fault_ = false;
-  Face_record fault_; // the first invalid face
+  Morton_curve curve_{{{0, 0, 0}}, {{0, 0, 0}}};                              // of the mesh in its frame
+  std::uint64_t faces_ = 0;                                                   // of this piece
+  std::vector<std::uint64_t> first_face_;                                     // of each piece, and the total
+  std::optional<Fault> fault_;                                                // of the first invalid face
 };
 
 } // namespace internal

@@ -4,11 +4,10 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_TASK_REFINEMENT_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_choice.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Dual_parts.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Shared_faces.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Word_routing.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Record_bins.h>
 
 #include <algorithm>
 #include <array>
@@ -23,6 +22,96 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+// A vertex and a group with faces at this vertex.
+typedef std::array<std::uint64_t, 2> Place;
+
+// Returns the groups at the vertices of a face. `places` is sorted.
+inline void find_groups(const Face_record& face, const std::vector<Place>& places, std::vector<Index>& groups)
+{
+  groups.clear();
+  for (const Face_corner& c : face.corner) {
+    const auto first = std::lower_bound(places.begin(), places.end(), Place{{c.vertex, 0}});
+    for (auto i = first; i != places.end() && (*i)[0] == c.vertex; ++i)
+      groups.push_back(Index((*i)[1]));
+  }
+  sort_unique(groups);
+}
+
+// Returns the places of an own bin, sorted, and clears the bin.
+inline std::vector<Place> take_places(Record_bins& bins, std::size_t i)
+{
+  std::vector<Place> places;
+  bins.read<Place>(i, [&](const Place& place) { places.push_back(place); });
+  bins.clear(i);
+  sort_unique(places);
+  return places;
+}
+
+// Returns the vertices of the faces of an own bin.
+inline std::vector<std::uint64_t> vertices_of(const Record_bins& faces, std::size_t i, const Run_context& context)
+{
+  Number_table vertices;
+  faces.read<Face_record>(i, [&](const Face_record& face) {
+    context.poll(words_of_triangle);
+    for (const Face_corner& c : face.corner)
+      vertices.index(c.vertex);
+  });
+  return vertices.numbers();
+}
+
+// `shared` receives, for each group, its shared vertices and the groups with which it shares them.
+//
+// Each vertex number belongs to a bin. The bin collects the groups with faces at the vertex and informs each group of the others.
+inline void find_shared_vertices(Rank_context& context, const Record_bins& faces, Record_bins& shared)
+{
+  Record_bins places(context, faces.number_of_bins());
+  places.fill([&] {
+    for (std::size_t i = 0; i < faces.number_of_own(); ++i)
+      for (const std::uint64_t v : vertices_of(faces, i, context)) {
+        // Consecutive numbers, and numbers that differ by powers of two, belong to different bins.
+        const std::size_t bin = std::size_t((v * 0x9e3779b97f4a7c15u) >> 32) % faces.number_of_bins();
+        places.send(bin, Place{{v, faces.first_own() + i}});
+      }
+  });
+  shared.fill([&] {
+    for (std::size_t i = 0; i < places.number_of_own(); ++i) {
+      const std::vector<Place> all = take_places(places, i);
+      for (auto begin = all.begin(), end = begin; begin != all.end(); begin = end) {
+        end = std::find_if(begin, all.end(), [&](const Place& place) { return place[0] != (*begin)[0]; });
+        for (auto x = begin; x != end; ++x)
+          for (auto y = begin; y != end; ++y)
+            if (x != y)
+              shared.send(std::size_t((*x)[1]), *y);
+      }
+    }
+  });
+}
+
+// Gives each group of faces, a bin, copies of all faces of other groups that share a vertex with its own faces.
+inline void share_faces(Rank_context& context, Record_bins& faces)
+{
+  Record_bins shared(context, faces.number_of_bins());
+  find_shared_vertices(context, faces, shared);
+  faces.fill([&] {
+    std::vector<Index> targets;
+    for (std::size_t i = 0; i < faces.number_of_own(); ++i) {
+      const std::vector<Place> places = take_places(shared, i);
+      // Copies may arrive in this bin while faces are sent, so all copies are collected before.
+      std::vector<std::pair<Index, Face_record> > copies;
+      faces.read<Face_record>(i, [&](Face_record& face) {
+        if (!face.is_own)
+          return;
+        find_groups(face, places, targets);
+        face.is_own = false;
+        for (const Index target : targets)
+          copies.emplace_back(target, face);
+      });
+      for (const auto& [target, face] : copies)
+        faces.send(target, face);
+    }
+  });
+}
 
 // Two divisions of the clusters into tasks: the two tasks of each cluster. A task is a run of clusters along the curve with at
 // most `max_faces` faces, or a single cluster with more faces. The second division begins with half a run, so the borders of the
@@ -52,50 +141,42 @@ inline Cluster_tasks divide_into_tasks(const std::vector<std::size_t>& faces, co
   return tasks;
 }
 
-inline std::size_t number_of_tasks(const Cluster_tasks& tasks, std::size_t division)
+inline std::size_t number_of_tasks(const Cluster_tasks& tasks, std::size_t k)
 {
-  Index last = 0;
-  for (const std::array<Index, 2>& of_cluster : tasks)
-    last = (std::max)(last, of_cluster[division]);
-  return last + std::size_t(1);
+  typedef std::array<Index, 2> Tasks;
+  return 1 + std::size_t((*std::max_element(tasks.begin(), tasks.end(),
+                                            [k](const Tasks& a, const Tasks& b) { return a[k] < b[k]; }))[k]);
 }
 
 // Refines the clusters face by face, in tasks of nearby clusters. Two divisions into tasks alternate.
 class Task_refinement
 {
 public:
-  // Receives the faces of each task at the end, and may send results.
-  typedef std::function<void(const Patch&, const Patch_clusters&, Word_routing&)> Receiver;
+  // Receives the faces of each task at the end, and may send results to the bins `last`.
+  typedef std::function<void(const Patch&, const Patch_clusters&)> Receiver;
 
-  Task_refinement(Rank_context& context, const Distributed_choice& choice, const Cluster_tasks& tasks, const Face_names& names)
-    : context_(context), choice_(choice), tasks_(tasks), names_(names),
-      number_of_phases_(number_of_tasks(tasks, 0) == 1 ? 1 : max_phases)
+  Task_refinement(Rank_context& context, const Cluster_tasks& tasks)
+    : context_(context), tasks_(tasks), number_of_phases_(number_of_tasks(tasks, 0) == 1 ? 1 : max_phases)
   {}
 
-  // `faces` holds the faces of the tasks of the first division. `receive` may send to the bins `last`, which `last_store` holds.
-  // Returns the number of rounds.
-  std::size_t run(std::unique_ptr<Word_store> faces, const Bin_ranks& last, Word_store& last_store,
-                  const Receiver& receive) const
+  // `faces` holds the faces of the tasks of the first division. Returns the number of rounds.
+  std::size_t run(std::unique_ptr<Record_bins> faces, Record_bins& last, const Receiver& receive) const
   {
-    const std::array<Bin_ranks, 2> divisions{
-      {Bin_ranks(context_, number_of_tasks(tasks_, 0)), Bin_ranks(context_, number_of_tasks(tasks_, 1))}};
     std::size_t rounds = 0;
     for (std::size_t phase = 0; phase < number_of_phases_; ++phase) {
       const bool is_last = phase + 1 == number_of_phases_;
       const std::size_t next = (phase + 1) % 2;
-      auto faces_of_next = std::make_unique<Word_store>(is_last ? 0 : divisions[next].number_of_own(), context_.scratch);
-      Word_routing routing(context_, is_last ? last : divisions[next], is_last ? last_store : *faces_of_next);
+      auto faces_of_next = std::make_unique<Record_bins>(context_, is_last ? 0 : number_of_tasks(tasks_, next));
       std::size_t rounds_of_phase = 0;
-      routing.run([&] {
-        for (std::size_t bin = 0; bin < faces->number_of_bins(); ++bin) {
-          Patch patch = read_patch(*faces, bin, names_, context_);
-          faces->clear(bin);
+      (is_last ? last : *faces_of_next).fill([&] {
+        for (std::size_t i = 0; i < faces->number_of_own(); ++i) {
+          Patch patch = take_patch(*faces, i, context_);
           Patch_clusters clusters(patch);
-          rounds_of_phase = (std::max)(rounds_of_phase, clusters.minimize(*choice_.energy, end_of_phase(), context_));
+          rounds_of_phase = (std::max)(rounds_of_phase, clusters.minimize(*context_.energy, end_of_phase(), context_));
           if (is_last)
-            receive(patch, clusters, routing);
+            receive(patch, clusters);
           else
-            send(patch, clusters, next, routing);
+            send(patch, clusters.input().mesh, next, *faces_of_next);
         }
       });
       rounds += boost::mpi::all_reduce(context_.communicator, rounds_of_phase, boost::mpi::maximum<std::size_t>());
@@ -112,14 +193,13 @@ private:
   Minimization_end end_of_phase() const
   {
     const std::size_t max_rounds = max_rounds_of_phase * (max_phases / number_of_phases_);
-    return {(std::min)(choice_.end.max_rounds, max_rounds), part_of_tolerance * choice_.end.tolerance};
+    return {(std::min)(context_.end.max_rounds, max_rounds), part_of_tolerance * context_.end.tolerance};
   }
 
   // Sends the own faces to their tasks in the next division, and copies to the tasks of all faces with which they share a vertex.
   // Faces that share a vertex with another task have not moved, so the clusters of the faces of other tasks are still valid.
-  void send(const Patch& patch, const Patch_clusters& clusters, std::size_t division, Word_routing& routing) const
+  void send(const Patch& patch, const Flat_mesh& m, std::size_t division, Record_bins& tasks) const
   {
-    const Flat_mesh& m = clusters.input().mesh;
     const auto task_of = [&](Index f) { return tasks_[patch.faces[f].cluster][division]; };
     std::vector<char> is_between(m.number_of_vertices(), false); // whether a vertex lies between several tasks
     std::vector<Place> places;                                   // these vertices, and these tasks
@@ -136,8 +216,8 @@ private:
     for (Index f = 0; f < patch.faces.size(); ++f) {
       if (!patch.is_own(f))
         continue;
-      patch.get(f, m, face);
-      routing.send(task_of(f), face);
+      patch.get(m, f, face);
+      tasks.send(task_of(f), face);
       const Number_range corners = m.corners(f);
       if (std::none_of(corners.begin(), corners.end(), [&](Index c) { return is_between[m.corner_vertex[c]]; }))
         continue;
@@ -145,14 +225,12 @@ private:
       face.is_own = false;
       for (const Index target : targets)
         if (target != task_of(f))
-          routing.send(target, face);
+          tasks.send(target, face);
     }
   }
 
   Rank_context& context_;
-  const Distributed_choice& choice_;
   const Cluster_tasks& tasks_;
-  const Face_names& names_;
   std::size_t number_of_phases_;
 };
 

@@ -145,7 +145,8 @@ private:
   Featured_input in_fans(const std::vector<char>& is_cut, const Run_context& context) const
   {
     std::vector<Index> old_face;
-    Flat_mesh triangles = star_subdivision(base_.mesh, is_cut, old_face, context);
+    const auto center = [this](Index f) { return mean_of_corners(base_.mesh, f); };
+    Flat_mesh triangles = star_subdivision(base_.mesh, is_cut, center, old_face, context);
     Clustering_input fans = cut_input(base_, std::move(triangles), old_face);
     for (std::size_t i = 0; i < fans.mesh.components.size(); ++i)
       fans.mesh.components[i].original_vertices = base_.mesh.components[i].max_clusters();

@@ -18,19 +18,23 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Subdivides chosen faces into the triangles between their edges and their center. The surface does not change. The
-// triangles of a face are consecutive, in the order of its corners; vertices keep their numbers, and the centers
-// follow. `old_face` receives the original face of each new face.
-inline Flat_mesh star_subdivision(const Flat_mesh& m, const std::vector<char>& is_cut, std::vector<Index>& old_face,
-                               const Run_context& context)
+// Subdivides chosen faces into the triangles between their edges and `center(face)`. The triangles of a face are consecutive, in
+// the order of its corners; vertices keep their numbers, and the centers follow. `old_face` receives the original face of each
+// new face.
+template <class Center>
+Flat_mesh star_subdivision(const Flat_mesh& m, const std::vector<char>& is_cut, const Center& center,
+                           std::vector<Index>& old_face, const Run_context& context)
 {
   std::vector<Index> first_piece;
+  std::size_t corners = 0;
   old_face.clear();
   for (Index f = 0; f < m.number_of_faces(); ++f) {
     first_piece.push_back(Index(old_face.size()));
     old_face.insert(old_face.end(), is_cut[f] ? m.degree(f) : 1, f);
+    corners += (is_cut[f] ? 3 : 1) * m.degree(f);
   }
   Flat_mesh_builder builder(m.points);
+  builder.reserve(old_face.size(), corners);
   // Returns the new face on the other side of the edge after corner `c` of face `f`.
   const auto across = [&](Index f, Index c) {
     const Index g = m.face_across[c];
@@ -41,7 +45,7 @@ inline Flat_mesh star_subdivision(const Flat_mesh& m, const std::vector<char>& i
   };
   for (Index f = 0; f < m.number_of_faces(); ++f) {
     context.poll();
-    const Index middle = is_cut[f] ? builder.add_point(mean_of_corners(m, f)) : NONE;
+    const Index middle = is_cut[f] ? builder.add_point(center(f)) : NONE;
     for (const Index c : m.corners(f)) {
       builder.add_corner(m.corner_vertex[c], across(f, c));
       if (!is_cut[f])

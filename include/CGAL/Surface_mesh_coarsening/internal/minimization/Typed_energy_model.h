@@ -35,16 +35,6 @@ std::vector<Cluster_sums<Energy> > cluster_sums(const Energy& energy, const Clus
   return sums;
 }
 
-template <class Energy>
-std::vector<double> cluster_energies(const Energy& energy, const Clustering_input& input, const Cluster_labels& labels,
-                                     std::size_t clusters)
-{
-  std::vector<double> energies;
-  for (const Cluster_sums<Energy>& x : cluster_sums(energy, input, labels, clusters))
-    energies.push_back(x.energy);
-  return energies;
-}
-
 // The weight of a cluster; 1 if the energy has no weight.
 template <class Energy>
 double weight_of(const Cluster_sums<Energy>&) { return 1; }
