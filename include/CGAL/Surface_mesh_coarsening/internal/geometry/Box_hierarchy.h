@@ -48,7 +48,7 @@ public:
     place_of_.resize(boxes_.size());
     for (std::size_t i = 0; i < boxes_.size(); ++i)
       order_[i] = Index(i);
-    nodes_.assign(2 * boxes_.size() + 1, Bbox_3());
+    nodes_.assign(4 * boxes_.size() / max_boxes + 1, Bbox_3());
     if (!boxes_.empty())
       build(0, 0, boxes_.size());
     for (std::size_t i = 0; i < boxes_.size(); ++i)
@@ -61,11 +61,11 @@ public:
     boxes_[box] += by;
     for (std::size_t node = 0, first = 0, last = boxes_.size();;) {
       nodes_[node] += by;
-      if (last - first == 1)
+      if (last - first <= max_boxes)
         return;
       const std::size_t middle = middle_of(first, last);
       const bool is_left = place_of_[box] < middle;
-      node = is_left ? node + 1 : node + 2 * (middle - first);
+      node = 2 * node + (is_left ? 1 : 2);
       (is_left ? last : first) = middle;
     }
   }
@@ -79,18 +79,20 @@ public:
   }
 
 private:
+  static constexpr std::size_t max_boxes = 16; // of a leaf; comparing them one by one takes less time than dividing them
+
   static std::size_t middle_of(std::size_t first, std::size_t last) { return first + (last - first) / 2; }
 
-  // The left child of a node is the next node. The right child follows all descendants of the left child.
+  // The children of node i are the nodes 2 i + 1 and 2 i + 2.
   void build(std::size_t node, std::size_t first, std::size_t last)
   {
     for (std::size_t i = first; i < last; ++i)
       nodes_[node] += boxes_[order_[i]];
-    if (last - first == 1)
+    if (last - first <= max_boxes)
       return;
     const std::size_t middle = divide_boxes(boxes_, nodes_[node], order_, first, last);
-    build(node + 1, first, middle);
-    build(node + 2 * (middle - first), middle, last);
+    build(2 * node + 1, first, middle);
+    build(2 * node + 2, middle, last);
   }
 
   template <class Visit>
@@ -98,17 +100,19 @@ private:
   {
     if (!do_overlap(region, nodes_[node]))
       return;
-    if (last - first == 1) {
-      visit(order_[first]);
+    if (last - first <= max_boxes) {
+      for (std::size_t i = first; i < last; ++i)
+        if (do_overlap(region, boxes_[order_[i]]))
+          visit(order_[i]);
       return;
     }
     const std::size_t middle = middle_of(first, last);
-    search(region, visit, node + 1, first, middle);
-    search(region, visit, node + 2 * (middle - first), middle, last);
+    search(region, visit, 2 * node + 1, first, middle);
+    search(region, visit, 2 * node + 2, middle, last);
   }
 
   std::vector<Bbox_3> boxes_, nodes_;
-  std::vector<Index> order_;          // of the boxes, as leaves
+  std::vector<Index> order_;          // of the boxes, in the leaves
   std::vector<std::size_t> place_of_; // of each box in that order
 };
 
@@ -140,9 +144,9 @@ public:
     for (std::size_t first = 0; first < sides_[0].size(); first += at_a_time) {
       const std::size_t number = (std::min)(at_a_time, sides_[0].size() - first);
       compare(box, first, number, overlaps.data());
-      for (std::size_t i = 0; i < number; ++i)
-        if (overlaps[i])
-          visit(first + i);
+      const char* const end = overlaps.data() + number;
+      for (const char* i = overlaps.data(); (i = std::find(i, end, char(true))) != end; ++i)
+        visit(first + std::size_t(i - overlaps.data()));
     }
   }
 
