@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_BOX_HIERARCHY_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -116,8 +117,8 @@ private:
   std::vector<std::size_t> place_of_; // of each box in that order
 };
 
-// Boxes, each of which may change. One box is compared with all of them, coordinate by coordinate, so that compilers vectorize
-// the comparisons. For a few hundred boxes this takes less time than a tree.
+// Boxes, each of which may change. One box is compared with all of them, coordinate by coordinate, by differences, which compilers
+// vectorize, unlike comparisons. For a few hundred boxes this takes less time than a tree.
 class Box_list
 {
 public:
@@ -140,24 +141,26 @@ public:
   void for_each_overlapping(const Bbox_3& box, const Visit& visit) const
   {
     constexpr std::size_t at_a_time = 64;
-    std::array<char, at_a_time> overlaps;
+    std::array<double, at_a_time> gaps;
     for (std::size_t first = 0; first < sides_[0].size(); first += at_a_time) {
       const std::size_t number = (std::min)(at_a_time, sides_[0].size() - first);
-      compare(box, first, number, overlaps.data());
-      const char* const end = overlaps.data() + number;
-      for (const char* i = overlaps.data(); (i = std::find(i, end, char(true))) != end; ++i)
-        visit(first + std::size_t(i - overlaps.data()));
+      measure_gaps(box, first, number, gaps.data());
+      for (std::size_t i = 0; i < number; ++i)
+        if (gaps[i] <= 0)
+          visit(first + i);
     }
   }
 
 private:
-  void compare(const Bbox_3& box, std::size_t first, std::size_t number, char* overlaps) const
+  // The gap between boxes is the largest of those along the axes, and not positive if they overlap.
+  void measure_gaps(const Bbox_3& box, std::size_t first, std::size_t number, double* gaps) const
   {
     const double *x = sides_[0].data() + first, *y = sides_[1].data() + first, *z = sides_[2].data() + first,
                  *to_x = sides_[3].data() + first, *to_y = sides_[4].data() + first, *to_z = sides_[5].data() + first;
+    const Vector low = low_corner(box), high = high_corner(box);
     for (std::size_t i = 0; i < number; ++i)
-      overlaps[i] = char(int(x[i] <= box.xmax()) & int(y[i] <= box.ymax()) & int(z[i] <= box.zmax()) &
-                         int(to_x[i] >= box.xmin()) & int(to_y[i] >= box.ymin()) & int(to_z[i] >= box.zmin()));
+      gaps[i] = (std::max)((std::max)((std::max)(x[i] - high[0], low[0] - to_x[i]), (std::max)(y[i] - high[1], low[1] - to_y[i])),
+                           (std::max)(z[i] - high[2], low[2] - to_z[i]));
   }
 
   std::array<std::vector<double>, 6> sides_; // the smallest and the largest coordinates

@@ -147,20 +147,25 @@ private:
     std::array<Vector, 3> other;
     double size; // the largest distance
 
+    // The dot products of the other corners with a vector.
+    std::array<double, 3> heights(const Vector& v) const { return {{dot(v, other[0]), dot(v, other[1]), dot(v, other[2])}}; }
+
     // Returns whether the dot products with a vector certainly separate the triangles.
-    bool are_separated_by(const Vector& v) const
+    bool are_separated_by(const Vector& v) const { return are_separated_by(v, heights(v)); }
+    bool are_separated_by(const Vector& v, const std::array<double, 3>& heights) const
     {
-      const double bound = 2 * rounding * length(v) * size;
-      const double x = dot(v, second), y = dot(v, third), a = dot(v, other[0]), b = dot(v, other[1]), c = dot(v, other[2]);
-      const double low = (std::min)((std::min)(x, y), 0.) - bound, high = (std::max)((std::max)(x, y), 0.) + bound;
-      return bound > least_bound && ((a > high && b > high && c > high) || (a < low && b < low && c < low));
+      const auto [least, largest] = std::minmax({heights[0], heights[1], heights[2]});
+      if (!(least > 0 || largest < 0))
+        return false;
+      const double bound = 2 * rounding * length(v) * size, x = dot(v, second), y = dot(v, third);
+      return bound > least_bound &&
+             (least > (std::max)((std::max)(x, y), 0.) + bound || largest < (std::min)((std::min)(x, y), 0.) - bound);
     }
 
     // Returns whether the other triangle lies about in the plane orthogonal to a vector through the first corner.
-    bool is_flat_along(const Vector& v) const
+    bool is_flat_along(const Vector& v, const std::array<double, 3>& heights) const
     {
-      const double bound = 2 * rounding * length(v) * size;
-      return std::abs(dot(v, other[0])) <= bound && std::abs(dot(v, other[1])) <= bound && std::abs(dot(v, other[2])) <= bound;
+      return largest_component(heights) <= 2 * rounding * length(v) * size;
     }
   };
 
@@ -211,13 +216,15 @@ private:
   {
     const Relative_corners r = relative_corners(t, u);
     const Vector n = cross(r.second, r.third);
-    if (r.are_separated_by(n))
+    const std::array<double, 3> heights_of_u = r.heights(n);
+    if (r.are_separated_by(n, heights_of_u))
       return false;
     const Relative_corners s = relative_corners(u, t);
     const Vector m = cross(s.second, s.third);
-    if (s.are_separated_by(m))
+    const std::array<double, 3> heights_of_t = s.heights(m);
+    if (s.are_separated_by(m, heights_of_t))
       return false;
-    if (r.is_flat_along(n) &&
+    if (r.is_flat_along(n, heights_of_u) &&
         (r.are_separated_by(cross(n, r.second)) || r.are_separated_by(cross(n, r.third)) ||
          r.are_separated_by(cross(n, r.third - r.second)) || s.are_separated_by(cross(m, s.second)) ||
          s.are_separated_by(cross(m, s.third)) || s.are_separated_by(cross(m, s.third - s.second))))
@@ -230,9 +237,8 @@ private:
           length_of_line > (std::max)(parallel * sides_of_t * sides_of_u, least_bound)))
       return std::nullopt;
     const double least = part_of_certain_height * size;
-    const auto of_t = section(s.other, {{dot(m, s.other[0]), dot(m, s.other[1]), dot(m, s.other[2])}}, least * sides_of_u, line),
-               of_u = section({{{{0, 0, 0}}, s.second, s.third}},
-                              {{dot(n, r.other[0]), dot(n, r.other[1]), dot(n, r.other[2])}}, least * sides_of_t, line);
+    const auto of_t = section(s.other, heights_of_t, least * sides_of_u, line),
+               of_u = section({{{{0, 0, 0}}, s.second, s.third}}, heights_of_u, least * sides_of_t, line);
     if (!of_t || !of_u)
       return std::nullopt;
     const double common = (std::min)(of_t->second, of_u->second) - (std::max)(of_t->first, of_u->first);
