@@ -111,10 +111,7 @@ public:
   // Returns whether the corners coincide. Such a triangle conflicts with no other triangle.
   bool is_point(const Triangle& t) const { return points_[t[0]] == points_[t[1]] && points_[t[1]] == points_[t[2]]; }
 
-  Bbox_3 box(const Triangle& t) const
-  {
-    return box(t[0], t[1]) + box_of_point(points_[t[2]]);
-  }
+  Bbox_3 box(const Triangle& t) const { return box(t[0], t[1]) + box_of_point(points_[t[2]]); }
 
 private:
   Bbox_3 box(Index a, Index b) const { return box_of_point(points_[a]) + box_of_point(points_[b]); }

@@ -92,10 +92,7 @@ public:
   bool is_reversed(Index t) const { return is_reversed_[t]; }
 
   // Updates the position of a vertex. The change may be undone if no search has begun since.
-  void follow(Index v)
-  {
-    points_[v] = in_unit(output_(positions_[v]));
-  }
+  void follow(Index v) { points_[v] = in_unit(output_(positions_[v])); }
 
   // Updates the faults of triangles after a permanent change.
   void update(const std::vector<Index>& triangles)
