@@ -117,8 +117,8 @@ private:
   std::vector<std::size_t> place_of_; // of each box in that order
 };
 
-// Boxes, each of which may change. One box is compared with all of them, coordinate by coordinate, by differences, which compilers
-// vectorize, unlike comparisons. For a few hundred boxes this takes less time than a tree.
+// Boxes, each of which may change. One box is compared with all of them, coordinate by coordinate, by differences: compilers
+// vectorize these, but not comparisons. For a few hundred boxes this takes less time than a tree.
 class Box_list
 {
 public:

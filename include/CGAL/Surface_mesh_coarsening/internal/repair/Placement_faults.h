@@ -179,7 +179,8 @@ private:
 
   Vector in_unit(const Vector& p) const
   {
-    return exponent_ == 0 ? p : Vector{{std::ldexp(p[0], -exponent_), std::ldexp(p[1], -exponent_), std::ldexp(p[2], -exponent_)}};
+    const auto scaled = [this](double x) { return std::ldexp(x, -exponent_); };
+    return exponent_ == 0 ? p : Vector{{scaled(p[0]), scaled(p[1]), scaled(p[2])}};
   }
 
   Triangle_conflict exact_test() const { return Triangle_conflict(points_, has_wide_exponents_); }
