@@ -135,27 +135,28 @@ BOOST_AUTO_TEST_CASE(builds_again)
 BOOST_AUTO_TEST_CASE(conflicts_are_exact)
 {
   using namespace CGAL::Surface_mesh_coarsening::internal;
-  typedef std::function<Exact_point(double, double, double)> Change;
+  typedef std::function<Vector(double, double, double)> Change;
   const std::vector<Change> changes{
-    [](double x, double y, double z) { return Exact_point(x, y, z); },
-    [](double x, double y, double z) { return Exact_point(x, y, 1e-9 * z); },
-    [](double x, double y, double z) { return Exact_point(std::round(2 * x), std::round(2 * y), std::round(2 * z)); },
-    [](double x, double y, double z) { return Exact_point(x, 1e-6 * y, 1e-12 * z); },
-    [](double x, double y, double z) { return Exact_point(x + 1e6, y + 1e6, z + 1e6); },
-    [](double x, double y, double z) { return Exact_point(1e-100 * x, 1e-100 * y, 1e-100 * z); },
-    [](double x, double y, double z) { return Exact_point(std::pow(1e40, x) * y, std::pow(1e40, y) * z, std::pow(1e40, z) * x); }};
+    [](double x, double y, double z) { return Vector{{x, y, z}}; },
+    [](double x, double y, double z) { return Vector{{x, y, 1e-9 * z}}; },
+    [](double x, double y, double z) { return Vector{{std::round(2 * x), std::round(2 * y), std::round(2 * z)}}; },
+    [](double x, double y, double z) { return Vector{{x, 1e-6 * y, 1e-12 * z}}; },
+    [](double x, double y, double z) { return Vector{{x + 1e6, y + 1e6, z + 1e6}}; },
+    [](double x, double y, double z) { return Vector{{1e-100 * x, 1e-100 * y, 1e-100 * z}}; },
+    [](double x, double y, double z) { return Vector{{std::pow(1e40, x) * y, std::pow(1e40, y) * z, std::pow(1e40, z) * x}}; }};
   constexpr std::size_t number = 30, pairs = 2000;
   std::mt19937 random(3);
   const auto below = [&](std::size_t n) { return Index(random() % n); };
   const auto coordinate = [&] { return 2 * double(random() % 100000) / 100000 - 1; };
   for (const Change& change : changes) {
-    std::vector<Exact_point> points;
+    std::vector<Vector> points;
     while (points.size() < number) {
       const double x = coordinate(), y = coordinate(), z = coordinate();
       points.push_back(change(x, y, z));
     }
     const Triangle_conflict conflict(points, have_wide_exponents(points));
-    const auto exact = [&](const Triangle& t) { return Exact_tests::Triangle_3(points[t[0]], points[t[1]], points[t[2]]); };
+    const auto point = [&](Index v) { return Exact_point(points[v][0], points[v][1], points[v][2]); };
+    const auto exact = [&](const Triangle& t) { return Exact_tests::Triangle_3(point(t[0]), point(t[1]), point(t[2])); };
     std::size_t conflicts = 0;
     for (std::size_t i = 0; i < pairs; ++i) {
       const Triangle t{{below(10), 10 + below(10), 20 + below(10)}};
@@ -166,7 +167,7 @@ BOOST_AUTO_TEST_CASE(conflicts_are_exact)
         continue;
       const auto meets_opposite_side = [&](const Triangle& one, const Triangle& other) {
         return points[other[1]] != points[other[2]] &&
-               CGAL::do_intersect(exact(one), Exact_tests::Segment_3(points[other[1]], points[other[2]]));
+               CGAL::do_intersect(exact(one), Exact_tests::Segment_3(point(other[1]), point(other[2])));
       };
       const bool expected = have_common ? meets_opposite_side(t, u) || meets_opposite_side(u, t)
                                         : CGAL::do_intersect(exact(t), exact(u));

@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_BOX_HIERARCHY_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -48,7 +49,7 @@ public:
     place_of_.resize(boxes_.size());
     for (std::size_t i = 0; i < boxes_.size(); ++i)
       order_[i] = Index(i);
-    nodes_.assign(2 * boxes_.size() + 1, Bbox_3());
+    nodes_.assign(4 * boxes_.size() / max_boxes + 1, Bbox_3());
     if (!boxes_.empty())
       build(0, 0, boxes_.size());
     for (std::size_t i = 0; i < boxes_.size(); ++i)
@@ -61,11 +62,11 @@ public:
     boxes_[box] += by;
     for (std::size_t node = 0, first = 0, last = boxes_.size();;) {
       nodes_[node] += by;
-      if (last - first == 1)
+      if (last - first <= max_boxes)
         return;
       const std::size_t middle = middle_of(first, last);
       const bool is_left = place_of_[box] < middle;
-      node = is_left ? node + 1 : node + 2 * (middle - first);
+      node = 2 * node + (is_left ? 1 : 2);
       (is_left ? last : first) = middle;
     }
   }
@@ -79,18 +80,20 @@ public:
   }
 
 private:
+  static constexpr std::size_t max_boxes = 16; // of a leaf; comparing them one by one takes less time than dividing them
+
   static std::size_t middle_of(std::size_t first, std::size_t last) { return first + (last - first) / 2; }
 
-  // The left child of a node is the next node. The right child follows all descendants of the left child.
+  // The children of node i are the nodes 2 i + 1 and 2 i + 2.
   void build(std::size_t node, std::size_t first, std::size_t last)
   {
     for (std::size_t i = first; i < last; ++i)
       nodes_[node] += boxes_[order_[i]];
-    if (last - first == 1)
+    if (last - first <= max_boxes)
       return;
     const std::size_t middle = divide_boxes(boxes_, nodes_[node], order_, first, last);
-    build(node + 1, first, middle);
-    build(node + 2 * (middle - first), middle, last);
+    build(2 * node + 1, first, middle);
+    build(2 * node + 2, middle, last);
   }
 
   template <class Visit>
@@ -98,22 +101,24 @@ private:
   {
     if (!do_overlap(region, nodes_[node]))
       return;
-    if (last - first == 1) {
-      visit(order_[first]);
+    if (last - first <= max_boxes) {
+      for (std::size_t i = first; i < last; ++i)
+        if (do_overlap(region, boxes_[order_[i]]))
+          visit(order_[i]);
       return;
     }
     const std::size_t middle = middle_of(first, last);
-    search(region, visit, node + 1, first, middle);
-    search(region, visit, node + 2 * (middle - first), middle, last);
+    search(region, visit, 2 * node + 1, first, middle);
+    search(region, visit, 2 * node + 2, middle, last);
   }
 
   std::vector<Bbox_3> boxes_, nodes_;
-  std::vector<Index> order_;          // of the boxes, as leaves
+  std::vector<Index> order_;          // of the boxes, in the leaves
   std::vector<std::size_t> place_of_; // of each box in that order
 };
 
-// Boxes, each of which may change. One box is compared with all of them, coordinate by coordinate, so that compilers vectorize
-// the comparisons. For a few hundred boxes this takes less time than a tree.
+// Boxes, each of which may change. One box is compared with all of them, coordinate by coordinate, by differences: compilers
+// vectorize these, but not comparisons. For a few hundred boxes this takes less time than a tree.
 class Box_list
 {
 public:
@@ -136,24 +141,26 @@ public:
   void for_each_overlapping(const Bbox_3& box, const Visit& visit) const
   {
     constexpr std::size_t at_a_time = 64;
-    std::array<char, at_a_time> overlaps;
+    std::array<double, at_a_time> gaps;
     for (std::size_t first = 0; first < sides_[0].size(); first += at_a_time) {
       const std::size_t number = (std::min)(at_a_time, sides_[0].size() - first);
-      compare(box, first, number, overlaps.data());
+      measure_gaps(box, first, number, gaps.data());
       for (std::size_t i = 0; i < number; ++i)
-        if (overlaps[i])
+        if (gaps[i] <= 0)
           visit(first + i);
     }
   }
 
 private:
-  void compare(const Bbox_3& box, std::size_t first, std::size_t number, char* overlaps) const
+  // The gap between boxes is the largest of those along the axes, and not positive if they overlap.
+  void measure_gaps(const Bbox_3& box, std::size_t first, std::size_t number, double* gaps) const
   {
     const double *x = sides_[0].data() + first, *y = sides_[1].data() + first, *z = sides_[2].data() + first,
                  *to_x = sides_[3].data() + first, *to_y = sides_[4].data() + first, *to_z = sides_[5].data() + first;
+    const Vector low = low_corner(box), high = high_corner(box);
     for (std::size_t i = 0; i < number; ++i)
-      overlaps[i] = char(int(x[i] <= box.xmax()) & int(y[i] <= box.ymax()) & int(z[i] <= box.zmax()) &
-                         int(to_x[i] >= box.xmin()) & int(to_y[i] >= box.ymin()) & int(to_z[i] >= box.zmin()));
+      gaps[i] = (std::max)((std::max)((std::max)(x[i] - high[0], low[0] - to_x[i]), (std::max)(y[i] - high[1], low[1] - to_y[i])),
+                           (std::max)(z[i] - high[2], low[2] - to_z[i]));
   }
 
   std::array<std::vector<double>, 6> sides_; // the smallest and the largest coordinates

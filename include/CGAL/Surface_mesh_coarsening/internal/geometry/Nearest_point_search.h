@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -117,6 +118,8 @@ private:
     Index turned;        // the turned box; NONE if it is not narrow
   };
 
+  typedef std::pair<Index, double> Waiting_node; // with the squared distance from its box
+
   // A box with axes that follow the faces of a node. The bounding boxes of long triangles around a vertex overlap each other, but
   // their turned boxes do not.
   struct Turned_box
@@ -160,35 +163,37 @@ private:
   // Omits the subtree of another node. Returns the number of faces and boxes with which the point is compared.
   std::size_t improve_below(Index root, Index omitted, const Vector& p, Nearest_point& nearest, double near_enough) const
   {
-    boost::container::small_vector<Index, 64> stack(1, root);
+    boost::container::small_vector<Waiting_node, 64> stack(1, {root, squared_distance_from_box(p, node_[root].box)});
     std::size_t compared = 0;
     while (!stack.empty() && nearest.squared_distance > near_enough) {
       ++compared;
-      const Index number = stack.back();
+      const auto [number, squared_distance] = stack.back();
       const Node& n = node_[number];
       stack.pop_back();
       // Due to rounding, a foot point may be nearer than the box.
       const double limit = (1 + 1e-12) * nearest.squared_distance;
-      if (number == omitted || squared_distance_from_box(p, n.box) > limit || is_beyond_turned_box(p, n, limit))
+      if (number == omitted || squared_distance > limit || is_beyond_turned_box(p, n, limit))
         continue;
       if (n.is_leaf) {
         for (Index i = n.first; i < n.second && nearest.squared_distance > near_enough; ++i, ++compared)
           improve(mesh_, p, order_[i], nearest);
         continue;
       }
-      const bool is_first_nearer = is_nearer(p, node_[n.first], node_[n.second]);
-      stack.push_back(is_first_nearer ? n.second : n.first);
-      stack.push_back(is_first_nearer ? n.first : n.second);
+      const Waiting_node first{n.first, squared_distance_from_box(p, node_[n.first].box)},
+        second{n.second, squared_distance_from_box(p, node_[n.second].box)};
+      const bool is_first_nearer = is_nearer(p, first, second);
+      stack.push_back(is_first_nearer ? second : first);
+      stack.push_back(is_first_nearer ? first : second);
     }
     return compared;
   }
 
-  bool is_nearer(const Vector& p, const Node& n, const Node& than) const
+  bool is_nearer(const Vector& p, const Waiting_node& n, const Waiting_node& than) const
   {
-    const double square = squared_distance_from_box(p, n.box), other = squared_distance_from_box(p, than.box);
-    return square != other || n.turned == NONE || than.turned == NONE
-             ? square < other
-             : turned_[n.turned].squared_distance(p) < turned_[than.turned].squared_distance(p);
+    const Index turned = node_[n.first].turned, other = node_[than.first].turned;
+    return n.second != than.second || turned == NONE || other == NONE
+             ? n.second < than.second
+             : turned_[turned].squared_distance(p) < turned_[other].squared_distance(p);
   }
 
   bool is_beyond_turned_box(const Vector& p, const Node& n, double limit) const

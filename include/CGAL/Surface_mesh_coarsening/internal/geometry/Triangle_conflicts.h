@@ -38,16 +38,14 @@ inline double largest_component(const Vector& v)
   return (std::max)((std::max)(std::abs(v[0]), std::abs(v[1])), std::abs(v[2]));
 }
 
-inline double largest_coordinate(const Exact_point& p) { return largest_component({{p.x(), p.y(), p.z()}}); }
-
 // Returns whether the filters of exact tests often fail: some points are much farther from the origin than most of them, or
 // the coordinates are very large or small.
-inline bool have_wide_exponents(const std::vector<Exact_point>& points)
+inline bool have_wide_exponents(const std::vector<Vector>& points)
 {
   constexpr int usual_difference = 8, usual_exponent = 128;
   long sum = 0, number = 0, largest = 0;
-  for (const Exact_point& p : points) {
-    const double size = largest_coordinate(p);
+  for (const Vector& p : points) {
+    const double size = largest_component(p);
     if (!(size > 0))
       continue;
     const long exponent = std::ilogb(size);
@@ -64,7 +62,7 @@ inline bool have_wide_exponents(const std::vector<Exact_point>& points)
 class Triangle_conflict
 {
 public:
-  explicit Triangle_conflict(const std::vector<Exact_point>& points, bool has_wide_exponents = false)
+  explicit Triangle_conflict(const std::vector<Vector>& points, bool has_wide_exponents = false)
     : points_(points), has_wide_exponents_(has_wide_exponents)
   {}
 
@@ -113,13 +111,10 @@ public:
   // Returns whether the corners coincide. Such a triangle conflicts with no other triangle.
   bool is_point(const Triangle& t) const { return points_[t[0]] == points_[t[1]] && points_[t[1]] == points_[t[2]]; }
 
-  Bbox_3 box(const Triangle& t) const
-  {
-    return points_[t[0]].bbox() + points_[t[1]].bbox() + points_[t[2]].bbox();
-  }
+  Bbox_3 box(const Triangle& t) const { return box(t[0], t[1]) + box_of_point(points_[t[2]]); }
 
 private:
-  Bbox_3 box(Index a, Index b) const { return points_[a].bbox() + points_[b].bbox(); }
+  Bbox_3 box(Index a, Index b) const { return box_of_point(points_[a]) + box_of_point(points_[b]); }
 
   static Index third(const Triangle& t, Index a, Index b)
   {
@@ -149,20 +144,25 @@ private:
     std::array<Vector, 3> other;
     double size; // the largest distance
 
+    // The dot products of the other corners with a vector.
+    std::array<double, 3> heights(const Vector& v) const { return {{dot(v, other[0]), dot(v, other[1]), dot(v, other[2])}}; }
+
     // Returns whether the dot products with a vector certainly separate the triangles.
-    bool are_separated_by(const Vector& v) const
+    bool are_separated_by(const Vector& v) const { return are_separated_by(v, heights(v)); }
+    bool are_separated_by(const Vector& v, const std::array<double, 3>& heights) const
     {
-      const double bound = 2 * rounding * length(v) * size;
-      const double x = dot(v, second), y = dot(v, third), a = dot(v, other[0]), b = dot(v, other[1]), c = dot(v, other[2]);
-      const double low = (std::min)((std::min)(x, y), 0.) - bound, high = (std::max)((std::max)(x, y), 0.) + bound;
-      return bound > least_bound && ((a > high && b > high && c > high) || (a < low && b < low && c < low));
+      const auto [least, largest] = std::minmax({heights[0], heights[1], heights[2]});
+      if (!(least > 0 || largest < 0))
+        return false;
+      const double bound = 2 * rounding * length(v) * size, x = dot(v, second), y = dot(v, third);
+      return bound > least_bound &&
+             (least > (std::max)((std::max)(x, y), 0.) + bound || largest < (std::min)((std::min)(x, y), 0.) - bound);
     }
 
     // Returns whether the other triangle lies about in the plane orthogonal to a vector through the first corner.
-    bool is_flat_along(const Vector& v) const
+    bool is_flat_along(const Vector& v, const std::array<double, 3>& heights) const
     {
-      const double bound = 2 * rounding * length(v) * size;
-      return std::abs(dot(v, other[0])) <= bound && std::abs(dot(v, other[1])) <= bound && std::abs(dot(v, other[2])) <= bound;
+      return largest_component(heights) <= 2 * rounding * length(v) * size;
     }
   };
 
@@ -211,11 +211,17 @@ private:
   // planes (T. Moeller, A fast triangle-triangle intersection test, Journal of Graphics Tools 2(2), 1997).
   std::optional<bool> cross_certainly(const Triangle& t, const Triangle& u) const
   {
-    const Relative_corners r = relative_corners(t, u), s = relative_corners(u, t);
-    const Vector n = cross(r.second, r.third), m = cross(s.second, s.third);
-    if (r.are_separated_by(n) || s.are_separated_by(m))
+    const Relative_corners r = relative_corners(t, u);
+    const Vector n = cross(r.second, r.third);
+    const std::array<double, 3> heights_of_u = r.heights(n);
+    if (r.are_separated_by(n, heights_of_u))
       return false;
-    if (r.is_flat_along(n) &&
+    const Relative_corners s = relative_corners(u, t);
+    const Vector m = cross(s.second, s.third);
+    const std::array<double, 3> heights_of_t = s.heights(m);
+    if (s.are_separated_by(m, heights_of_t))
+      return false;
+    if (r.is_flat_along(n, heights_of_u) &&
         (r.are_separated_by(cross(n, r.second)) || r.are_separated_by(cross(n, r.third)) ||
          r.are_separated_by(cross(n, r.third - r.second)) || s.are_separated_by(cross(m, s.second)) ||
          s.are_separated_by(cross(m, s.third)) || s.are_separated_by(cross(m, s.third - s.second))))
@@ -228,9 +234,8 @@ private:
           length_of_line > (std::max)(parallel * sides_of_t * sides_of_u, least_bound)))
       return std::nullopt;
     const double least = part_of_certain_height * size;
-    const auto of_t = section(s.other, {{dot(m, s.other[0]), dot(m, s.other[1]), dot(m, s.other[2])}}, least * sides_of_u, line),
-               of_u = section({{{{0, 0, 0}}, s.second, s.third}},
-                              {{dot(n, r.other[0]), dot(n, r.other[1]), dot(n, r.other[2])}}, least * sides_of_t, line);
+    const auto of_t = section(s.other, heights_of_t, least * sides_of_u, line),
+               of_u = section({{{{0, 0, 0}}, s.second, s.third}}, heights_of_u, least * sides_of_t, line);
     if (!of_t || !of_u)
       return std::nullopt;
     const double common = (std::min)(of_t->second, of_u->second) - (std::max)(of_t->first, of_u->first);
@@ -285,11 +290,9 @@ private:
            dot(normal, to[2]) < -bound * length[2] && dot(normal, to[3]) < -bound * length[3];
   }
 
-  Vector vector_between(Index from, Index to) const
-  {
-    const Exact_point &p = points_[from], &q = points_[to];
-    return {{q.x() - p.x(), q.y() - p.y(), q.z() - p.z()}};
-  }
+  Vector vector_between(Index from, Index to) const { return points_[to] - points_[from]; }
+
+  Exact_point exact(Index v) const { return {points_[v][0], points_[v][1], points_[v][2]}; }
 
   // Returns the vector between two points, divided by its largest component; 0 if its numbers leave the range of doubles.
   Vector direction(Index from, Index to) const
@@ -306,7 +309,7 @@ private:
   {
     double sign = 1;
     for (std::size_t i = 1; i < n; ++i)
-      if (largest_coordinate(points_[v[i]]) < largest_coordinate(points_[v[0]])) {
+      if (largest_component(points_[v[i]]) < largest_component(points_[v[0]])) {
         std::swap(v[0], v[i]);
         sign = -sign;
       }
@@ -322,7 +325,7 @@ private:
       if (std::abs(det) > rounding)
         return det > 0 ? POSITIVE : NEGATIVE;
     }
-    return orientation(points_[a], points_[b], points_[c], points_[d]);
+    return orientation(exact(a), exact(b), exact(c), exact(d));
   }
 
   bool are_collinear(Index a, Index b, Index c) const
@@ -333,7 +336,7 @@ private:
       if (largest_component(cross(direction(v[0], v[1]), direction(v[0], v[2]))) > rounding)
         return false;
     }
-    return collinear(points_[a], points_[b], points_[c]);
+    return collinear(exact(a), exact(b), exact(c));
   }
 
   // Returns whether a triangle lies on one side of the plane of another triangle; a quick test.
@@ -349,13 +352,13 @@ private:
     return side != COPLANAR && side_of(t[0], t[1], t[2], b) == side;
   }
 
-  Exact_tests::Triangle_3 triangle(const Triangle& t) const { return {points_[t[0]], points_[t[1]], points_[t[2]]}; }
+  Exact_tests::Triangle_3 triangle(const Triangle& t) const { return {exact(t[0]), exact(t[1]), exact(t[2])}; }
 
   // Returns whether two triangles on edge ab overlap.
   bool folds(Index a, Index b, Index c, Index d) const
   {
     return side_of(a, b, c, d) == COPLANAR && !are_collinear(a, b, c) && !are_collinear(a, b, d) &&
-           coplanar_orientation(points_[a], points_[b], points_[c], points_[d]) == POSITIVE;
+           coplanar_orientation(exact(a), exact(b), exact(c), exact(d)) == POSITIVE;
   }
 
   // Returns whether an edge opposite to the vertex shared with a triangle intersects that triangle.
@@ -366,10 +369,10 @@ private:
       return false;
     if (points_[a] == points_[b] || is_flat(t))
       return false;
-    return do_intersect(triangle(t), Exact_tests::Segment_3(points_[a], points_[b]));
+    return do_intersect(triangle(t), Exact_tests::Segment_3(exact(a), exact(b)));
   }
 
-  const std::vector<Exact_point>& points_;
+  const std::vector<Vector>& points_;
   bool has_wide_exponents_;
 };
 

@@ -151,8 +151,8 @@ struct Local_frame
 };
 
 // Translates the points to the center of their bounding box, so that energies do not lose digits if the mesh is far from the
-// origin. If the sixth power of the size would exceed the range of double, the points are scaled to a size of about 1 by a
-// power of two, which causes no rounding.
+// origin. If sixth powers of the size and of much smaller details would not all be within the range of double, the points are
+// scaled to a size of about 1 by a power of two, which causes no rounding.
 inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector<Index>& first_in_star,
                             const Run_context& context)
 {
@@ -178,7 +178,7 @@ inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector
       extent = (std::max)(extent, 0.5 * high[i] - 0.5 * low[i]);
     }
   const int exponent = extent > 0 ? std::ilogb(extent) : 0;
-  if (exponent > 128 || exponent < -128)
+  if (exponent > 128 || exponent < -64)
     frame.exponent = exponent;
   for (Vector& p : points) {
     context.poll();

@@ -37,7 +37,9 @@ class Sampled_distance
 public:
   // `triangles` is about the number of triangles of the coarse meshes.
   Sampled_distance(const Clustered_faces& surface, std::size_t triangles)
-    : surface_(surface), number_((std::max)(samples_per_triangle * triangles, min_samples)),
+    : surface_(surface),
+      number_((std::max)(samples_per_triangle * triangles,
+                         (std::min)(samples_per_face * surface.input().mesh.number_of_faces(), min_samples))),
       on_surface_(surface.input().mesh, surface.labels().labels(), surface.number_of_clusters())
   {}
 
@@ -51,7 +53,9 @@ public:
   }
 
 private:
-  static constexpr std::size_t samples_per_triangle = 1, min_samples = 1000;
+  static constexpr std::size_t samples_per_triangle = 1;
+  // The minimum for meshes of few faces would take a third of the time there.
+  static constexpr std::size_t min_samples = 1000, samples_per_face = 3;
 
   // `group(face)` is the group in which the search for points of a face begins.
   template <class Search, class Group>

@@ -121,7 +121,7 @@ class Input_oracle
 public:
   Input_oracle(const Clustered_faces& surface, Repair_budget& budget)
     : surface_(surface), input_(surface.input().mesh), boxes_(surface), normals_(surface.number_of_clusters()),
-      budget_(budget)
+      has_wide_exponents_(have_wide_exponents(surface.input().mesh.points)), budget_(budget)
   {
     const Run_context context = surface.context().uninterrupted();
     for_each_chunk(context, normals_.size(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
@@ -268,26 +268,24 @@ private:
   // Adds the number of tested pairs to `tests`.
   bool pieces_intersect(const std::vector<Triangle>& of_x, const std::vector<Triangle>& of_y, std::size_t& tests) const
   {
-    std::vector<Triangle> all = of_x;
-    all.insert(all.end(), of_y.begin(), of_y.end());
-    std::vector<Exact_point> points;
-    const std::vector<Triangle> named = name_common_points(all, points);
-    const Triangle_conflict conflict(points, have_wide_exponents(points));
+    if (of_x.empty() || of_y.empty())
+      return false;
+    const Triangle_conflict conflict(surface_.input().mesh.points, has_wide_exponents_);
     std::vector<Bbox_3> boxes_of_y;
-    for (std::size_t i = of_x.size(); i < named.size(); ++i)
-      boxes_of_y.push_back(conflict.box(named[i]));
+    boxes_of_y.reserve(of_y.size());
+    for (const Triangle& t : of_y)
+      boxes_of_y.push_back(conflict.box(t));
     Box_hierarchy hierarchy;
     hierarchy.build(std::move(boxes_of_y));
-    std::size_t left = max_pairs(named.size());
+    std::size_t left = max_pairs(of_x.size() + of_y.size());
     bool found = false;
     for (std::size_t i = 0; i < of_x.size() && !found && left > 0; ++i)
-      hierarchy.for_each_overlapping(conflict.box(named[i]), [&](Index j) {
+      hierarchy.for_each_overlapping(conflict.box(of_x[i]), [&](Index j) {
         if (found || left == 0)
           return;
         --left;
         ++tests;
-        const Triangle& other = named[of_x.size() + j];
-        found = !have_common_corner(named[i], other) && conflict(named[i], other);
+        found = !have_common_corner(of_x[i], of_y[j]) && conflict(of_x[i], of_y[j]);
       });
     return found;
   }
@@ -311,27 +309,11 @@ private:
     return triangles;
   }
 
-  // Numbers the corners from 0 and creates their points.
-  std::vector<Triangle> name_common_points(std::vector<Triangle> triangles, std::vector<Exact_point>& points) const
-  {
-    std::vector<Index> used;
-    for (const Triangle& t : triangles)
-      used.insert(used.end(), t.begin(), t.end());
-    sort_unique(used);
-    for (const Index v : used) {
-      const Vector& p = surface_.point(v);
-      points.emplace_back(p[0], p[1], p[2]);
-    }
-    for (Triangle& t : triangles)
-      for (Index& v : t)
-        v = Index(std::lower_bound(used.begin(), used.end(), v) - used.begin());
-    return triangles;
-  }
-
   const Clustered_faces& surface_;
   Input_surface input_;
   const Cluster_boxes boxes_;
   std::vector<Vector> normals_;
+  const bool has_wide_exponents_;
   Repair_budget& budget_;
   std::unordered_map<std::uint64_t, bool> intersecting_; // tested pairs of clusters
 };

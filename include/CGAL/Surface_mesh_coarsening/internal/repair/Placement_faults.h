@@ -92,11 +92,7 @@ public:
   bool is_reversed(Index t) const { return is_reversed_[t]; }
 
   // Updates the position of a vertex. The change may be undone if no search has begun since.
-  void follow(Index v)
-  {
-    const Vector q = output_(positions_[v]);
-    points_[v] = Exact_point(in_unit(q[0]), in_unit(q[1]), in_unit(q[2]));
-  }
+  void follow(Index v) { points_[v] = in_unit(output_(positions_[v])); }
 
   // Updates the faults of triangles after a permanent change.
   void update(const std::vector<Index>& triangles)
@@ -127,10 +123,8 @@ public:
     for (const Index v : vertices)
       for (const Index t : coarse_.around(v))
         region += conflict.box(coarse_.triangles()[t]);
-    for (const Index v : vertices) {
-      const Vector q = output_(surface_.cluster_centroid(v));
-      region += Exact_point(in_unit(q[0]), in_unit(q[1]), in_unit(q[2])).bbox();
-    }
+    for (const Index v : vertices)
+      region += box_of_point(in_unit(output_(surface_.cluster_centroid(v))));
     region = grown(region, 0.25 * (std::max)({region.x_span(), region.y_span(), region.z_span()}));
     near_.clear();
     boxes_.for_each_overlapping(region, [this](Index t) { near_.push_back(t); });
@@ -183,7 +177,11 @@ private:
     return (std::min)(largest, least - least_normal);
   }
 
-  double in_unit(double x) const { return exponent_ == 0 ? x : std::ldexp(x, -exponent_); }
+  Vector in_unit(const Vector& p) const
+  {
+    const auto scaled = [this](double x) { return std::ldexp(x, -exponent_); };
+    return exponent_ == 0 ? p : Vector{{scaled(p[0]), scaled(p[1]), scaled(p[2])}};
+  }
 
   Triangle_conflict exact_test() const { return Triangle_conflict(points_, has_wide_exponents_); }
 
@@ -322,7 +320,7 @@ private:
   const std::vector<Vector>& positions_;
   const Output_coordinates output_;
   const int exponent_;
-  std::vector<Exact_point> points_; // of the vertices, with the coordinates of the output in this unit
+  std::vector<Vector> points_; // of the vertices, with the coordinates of the output in this unit
   bool has_wide_exponents_ = false, has_coarse_coordinates_ = false;
   Box_hierarchy boxes_;
   std::vector<std::vector<Index> > conflicts_; // the triangles that intersect each triangle where the input does not
