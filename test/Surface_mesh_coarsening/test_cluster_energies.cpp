@@ -177,8 +177,8 @@ Labels minimized(const Graph& mesh, std::size_t n, const Energy& energy, bool ch
   if (checks) {
     double sum = 0;
     const SMC::internal::Clustering_state& state = clustering.state();
-    for (const double x : internal::cluster_energies(energy, state.working_input(), *state.labels, n))
-      sum += x;
+    for (const auto& x : internal::cluster_sums(energy, state.working_input(), *state.labels, n))
+      sum += x.energy;
     check_near(sum, before, 1e-9 * before, "the energy from scratch");
     BOOST_CHECK_LT(before, clustering.report().initial_energy);
   }
@@ -350,8 +350,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(gains_of_moves, Energy, Energies)
     evaluation.add_up(input, labels, sums, internal::Run_context());
     const auto total = [&] {
       double sum = 0;
-      for (const double x : internal::cluster_energies(Energy(), input, labels, n))
-        sum += x;
+      for (const auto& x : internal::cluster_sums(Energy(), input, labels, n))
+        sum += x.energy;
       return sum;
     };
     const double before = total();
@@ -536,9 +536,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(regularization, Energy, Energies)
     clustering.grow();
     clustering.minimize();
     double sum = 0;
-    for (const double y : internal::cluster_energies(SMC::Weighted_inertia_energy<SMC::Uniform_weight>(),
-                                                     clustering.state().working_input(), *clustering.state().labels, 60))
-      sum += y;
+    for (const auto& y : internal::cluster_sums(SMC::Weighted_inertia_energy<SMC::Uniform_weight>(),
+                                                clustering.state().working_input(), *clustering.state().labels, 60))
+      sum += y.energy;
     return sum;
   };
   BOOST_CHECK_LT(inertia_with(10), inertia_with(1e-3));
