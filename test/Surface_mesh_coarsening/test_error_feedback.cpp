@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(only_the_distance_counts)
     std::string name;
     std::size_t vertices;
     double factor; // by which the distance falls
-  } cases[] = {{"fandisk.off", 648, 0.7}, {"elephant.off", 277, 0.95}, {"blobby.off", 202, 1}};
+  } cases[] = {{"fandisk.off", 648, 0.55}, {"elephant.off", 277, 0.93}, {"blobby.off", 202, 1}};
   const auto closest = SMC::parameters::vertex_placement(SMC::Fitted_placement(5, 0));
   for (const auto& c : cases) {
     BOOST_TEST_CONTEXT(c.name)
@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(only_the_distance_counts)
       BOOST_TEST(output.number_of_vertices() == c.vertices);
       BOOST_TEST(CGAL::is_valid_polygon_mesh(output));
       BOOST_TEST(CGAL::is_closed(output));
-      BOOST_TEST(report.exchanged_vertices == 0);
+      BOOST_TEST(report.exchanged_vertices > 0);
       SMC::coarsen_mesh(input, c.vertices, by_default);
       const auto q = SMC::measure_coarsening(input, output, 20000), other = SMC::measure_coarsening(input, by_default, 20000);
       BOOST_TEST(q.rms_distance < c.factor * other.rms_distance);
@@ -155,6 +155,28 @@ BOOST_AUTO_TEST_CASE(only_the_distance_counts)
       BOOST_TEST(are_equal(output, again));
 #endif
     }
+  }
+}
+
+// A smaller goal for the mean angle lowers the distance.
+BOOST_AUTO_TEST_CASE(distance_is_traded_for_angles)
+{
+  const std::pair<std::string, std::size_t> cases[] = {{"fandisk.off", 648}, {"elephant.off", 277}};
+  for (const auto& [name, vertices] : cases) {
+    const Mesh input = data_mesh(name);
+    double distance = 0, angle = 0;
+    for (const double goal : {0, 33, 38, 40})
+      BOOST_TEST_CONTEXT(name << ", goal of " << goal << " degrees")
+      {
+        Mesh output;
+        SMC::coarsen_mesh(input, vertices, output, SMC::parameters::vertex_placement(SMC::Fitted_placement(5, goal)));
+        const SMC::Coarsening_quality q = SMC::measure_coarsening(input, output, 20000);
+        BOOST_TEST(q.rms_distance > distance);
+        BOOST_TEST(q.mean_smallest_angle > angle);
+        BOOST_TEST(q.mean_smallest_angle >= goal);
+        distance = q.rms_distance;
+        angle = q.mean_smallest_angle;
+      }
   }
 }
 

@@ -122,8 +122,8 @@ po::options_description method_options()
      "densities run from 1 on flat parts to R on the sharpest ones, and to 4 R on borders; the weight variance does well with 3")
     ("placement", text("P")->default_value(default_placement()), joined(placement_names()).c_str())
     ("angle", text("A")->default_value(number_text(Defaults::mean_angle)),
-     "with the placement fitted: the mean of the triangles' smallest angles to aim at, in degrees from 0 to 60; below 30, only "
-     "the distance counts")
+     "with the placement fitted: the mean of the triangles' smallest angles to aim at, in degrees from 0 to 60; smaller angles "
+     "bring the surfaces closer")
     ("error-feedback", text("R")->default_value(std::to_string(Defaults::error_feedback)),
      "with the placement fitted: in R rounds, relocate vertices to places of large distance; with 0, the densities alone "
      "distribute the vertices")

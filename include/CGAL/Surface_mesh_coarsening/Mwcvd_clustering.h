@@ -104,7 +104,7 @@ public:
   }
 
   /// lets later calls of `seed_faces_or_cells()`, `seed_from_ratio()` and `seed_from_number_of_faces()` choose between faces and
-  /// cells for a placement. With a `Fitted_placement` for which only the distance counts, cells are used for every number. With
+  /// cells for a placement. With a `Fitted_placement` for a mean angle below 30 degrees, cells are used for every number. With
   /// other placements than `Fitted_placement`, faces are used. `coarsen_mesh()` calls this function.
   /// \tparam Placement a model of `VertexPlacement` or `GlobalVertexPlacement`
   template <class Placement>

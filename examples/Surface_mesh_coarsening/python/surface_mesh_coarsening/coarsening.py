@@ -272,8 +272,8 @@ def coarsen(
     paper: whether to run the method as printed in the paper: placement "centroid", maximum_density 50 (weight "variance": 3),
         error_feedback 0, repair_output False and convergence_tolerance 0 unless given, no densities for borders, merging by area,
         and the check by boundary-edge counts
-    mean_angle: with the placement "fitted", the mean of the triangles' smallest angles to aim at, in degrees from 0 to 60; below
-        30, only the distance counts
+    mean_angle: with the placement "fitted", the mean of the triangles' smallest angles to aim at, in degrees from 0 to 60;
+        smaller angles bring the surfaces closer
     error_feedback: with the placement "fitted", rounds that relocate vertices to places of large distance; 8 by
         default, 0 with `density`
     minimum_component_area: removes connected components of smaller area

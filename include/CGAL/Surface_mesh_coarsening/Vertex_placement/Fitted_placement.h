@@ -27,9 +27,10 @@ namespace Surface_mesh_coarsening {
 /// flipped. Flips with the best ratio of the decrease of the distance to the loss in angles come first, until the mean
 /// over the triangles of the smallest angle has decreased to a bound.
 ///
-/// With a goal of less than 30 degrees, only the distance counts: the clusters of `coarsen_mesh()` are dual cells of vertices,
-/// merged by quadrics, movements that increase the distance are taken back, and vertices are not exchanged (parameter
-/// `error_feedback`). With the goal 0, the mean is about 33 degrees on smooth models, and less at sharp edges.
+/// With a goal below the default of 40 degrees, each movement of a vertex is judged: if the distance around the vertex increases by
+/// more than the change of the angles is worth, the vertex moves back. With a goal of less than 30 degrees, the clusters of
+/// `coarsen_mesh()` are dual cells of vertices, merged by quadrics. With the goal 0, the mean is 33 to 36 degrees on smooth
+/// models, and less at sharp edges.
 ///
 /// If features are kept, polylines are fitted to the feature lines together with the surface; corners do not move.
 class Fitted_placement
@@ -69,8 +70,8 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  // Whether vertices may be exchanged.
-  bool exchanges() const { return mean_angle_ >= internal::min_angle_of_exchange; }
+  // Whether any number of clusters consist of cells of vertices.
+  bool prefers_cells() const { return mean_angle_ < internal::min_angle_of_faces; }
 
   // The same with rounds that exchange vertices. Returns the mesh before these rounds.
   internal::Plain_fit place_and_exchange(const internal::Clustered_faces& clusters, const Border_arcs& border,

@@ -54,7 +54,7 @@ struct Clustering_state
   // Set by the preparation:
   Run_context context;
   bool may_cluster_cells = false; // whether the weight is the default and densities are not given
-  double share_for_cells = min_share_of_cells; // 0 if only the distance counts
+  double share_for_cells = min_share_of_cells; // 0 if long clusters are preferred
   bool subdivides_input = false, repairs_output = true;
   bool follows_paper = false; // parameter `paper_rules`
   std::size_t exchange_rounds = 0; // the number of rounds that relocate vertices to regions of large error
@@ -98,7 +98,7 @@ template <class Placement>
 void choose_items_for(const Placement& placement, Clustering_state& state)
 {
   if constexpr (exchanges_vertices<Placement>)
-    state.share_for_cells = placement.exchanges() ? min_share_of_cells : 0;
+    state.share_for_cells = placement.prefers_cells() ? 0 : min_share_of_cells;
   else
     state.may_cluster_cells = false;
 }

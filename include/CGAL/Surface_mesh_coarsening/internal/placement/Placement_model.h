@@ -85,12 +85,10 @@ Placement_model placement_model(const Placement& placement)
       positions = to_vectors(points);
     };
   if constexpr (exchanges_vertices<Placement>)
-    if (placement.exchanges())
-      model.exchanging = [&placement](const Clustered_faces& clusters, const Border_arcs& border,
-                                      std::vector<Triangle>& triangles, std::vector<Vector>& positions,
-                                      const Vertex_relocation& relocation) {
-        return placement.place_and_exchange(clusters, border, triangles, positions, relocation);
-      };
+    model.exchanging = [&placement](const Clustered_faces& clusters, const Border_arcs& border, std::vector<Triangle>& triangles,
+                                    std::vector<Vector>& positions, const Vertex_relocation& relocation) {
+      return placement.place_and_exchange(clusters, border, triangles, positions, relocation);
+    };
   if constexpr (has_start<Placement>) {
     model.start = [](const Clustered_faces& clusters, std::size_t cluster) -> Vector {
       return to_vector(typename Placement::Start()(Clustered_surface(clusters), cluster));

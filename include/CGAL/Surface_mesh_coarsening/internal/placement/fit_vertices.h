@@ -56,10 +56,11 @@ struct Plain_fit : Fitted_mesh
   double error_after_exchange = 0;
 };
 
-// With a smaller goal for the mean angle, only the distance counts: movements are judged, and vertices are not exchanged.
-constexpr double min_angle_of_exchange = 30;
+// With a smaller goal for the mean angle, cells of vertices are clustered instead of faces: they are merged by quadrics, which makes
+// long clusters.
+constexpr double min_angle_of_faces = 30;
 
-// If the clusters are more than this part of the cells of vertices, only the distance counts, too: few faces lie under a triangle,
+// If the clusters are more than this part of the cells of vertices, only the distance counts: few faces lie under a triangle,
 // and flips for angles would leave them.
 constexpr double min_share_of_dense = 0.3;
 

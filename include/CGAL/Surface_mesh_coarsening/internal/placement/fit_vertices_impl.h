@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_VERTICES_IMPL_H
 
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
+#include <CGAL/Surface_mesh_coarsening/defaults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
@@ -97,8 +98,8 @@ class Vertex_fit
 public:
   // `mean_angle` is the goal in degrees.
   Vertex_fit(Coarse_mesh& mesh, double mean_angle)
-    : mesh_(mesh), mean_angle_(mean_angle), judges_movements_(mean_angle < min_angle_of_exchange),
-      keeps_vertices_(has_all_vertices(mesh.surface())), fit_(mesh), flips_(mesh), exchange_(mesh), angles_(mesh),
+    : mesh_(mesh), mean_angle_(mean_angle), judges_movements_(mean_angle < Coarsening_defaults::mean_angle),
+      keeps_vertices_(has_all_vertices(mesh.surface())), fit_(mesh), flips_(mesh, mean_angle), exchange_(mesh), angles_(mesh),
       planes_(mesh, fit_)
   {}
 
@@ -155,7 +156,7 @@ private:
   static constexpr double coarse_tolerance = 1e-2, fine_tolerance = 1e-3;
 
   // The fit is linear between feet, so a vertex may move too far, in particular near sharp edges. If movements are judged, vertices
-  // around which the distance has increased move half of the way back, then all of the way.
+  // around which the cost has increased move half of the way back, then all of the way.
   void move_vertices(double tolerance)
   {
     std::vector<Vector>& positions = mesh_.positions();
@@ -164,32 +165,38 @@ private:
     fit_.move_vertices(tolerance);
     for (std::size_t x = 0; x < positions.size(); ++x)
       positions[x] = mesh_.within_bounds(Index(x), positions[x]);
-    has_feet_ = false;
     if (judges_movements_)
       for (const double part : {0.5, 0.})
         retreat(before, costs, part);
   }
 
-  // Keeps `part` of the movement of vertices around which the distance has increased.
+  // Keeps `part` of the movement of vertices around which the cost has increased by more than rounding errors.
   void retreat(const std::vector<Vector>& before, const std::vector<double>& costs, double part)
   {
+    constexpr double rounding = 1e-9;
+    has_feet_ = false;
     find_feet(step_);
     const std::vector<double> costs_now = costs_of_triangles();
     std::vector<Vector>& positions = mesh_.positions();
     for (std::size_t x = 0; x < positions.size(); ++x) {
-      double change = 0;
-      for (const Index t : mesh_.around(Index(x)))
+      double change = 0, size = 0;
+      for (const Index t : mesh_.around(Index(x))) {
         change += costs_now[t] - costs[t];
-      if (change > 0)
-        positions[x] = part * positions[x] + (1 - part) * before[x];
+        size += std::abs(costs_now[t]) + std::abs(costs[t]);
+      }
+      if (change > rounding * size)
+        positions[x] = mesh_.within_bounds(Index(x), part * positions[x] + (1 - part) * before[x]);
     }
-    has_feet_ = false;
   }
 
+  // Returns the contributions of the triangles to the squared distance, without the worth of their angles.
   std::vector<double> costs_of_triangles() const
   {
+    Angle_worth worth = flips_.worth();
+    if (!mesh_.may_relocate())
+      worth.narrow_rate = 0; // as in flips
     std::vector<double> costs(mesh_.triangles().size());
-    for_each_number(mesh_.context(), costs.size(), [&](Index t) { costs[t] = mesh_.samples().cost(t); });
+    for_each_number(mesh_.context(), costs.size(), [&](Index t) { costs[t] = mesh_.cost(t, worth); });
     return costs;
   }
 
