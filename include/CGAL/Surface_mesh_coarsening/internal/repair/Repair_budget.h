@@ -28,7 +28,7 @@ class Repair_budget
 public:
   // If several outputs are repaired, each receives one of so many parts.
   explicit Repair_budget(std::size_t faces, std::size_t parts = 1)
-    : all_((tests_per_face * faces + more_tests_per_face * (std::min)(faces, faces_with_more)) / parts), left_(all_)
+    : all_((tests_per_face * faces + tests_of_output) / parts), left_(all_)
   {}
 
   // A repair takes at most three quarters of what is left, so that other clusterings can be tried, too.
@@ -58,8 +58,7 @@ public:
 
 private:
   // With 2,500 tests a face, helmet.off keeps three pairs of intersecting triangles at 10 % of its vertices; with these, none.
-  // Its 1,000 faces have no budget to spare; larger meshes need no more than the first number for each further face.
-  static constexpr std::size_t tests_per_face = 3000, more_tests_per_face = 250, faces_with_more = 1000;
+  static constexpr std::size_t tests_per_face = 3000, tests_of_output = 250000;
   static constexpr std::size_t max_tests_of_repair = 16000000; // one or two seconds
 
   std::size_t all_, left_, left_of_repair_ = 0, left_for_input_ = 0;
