@@ -70,7 +70,7 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  // Whether any number of clusters consist of cells of vertices.
+  // Whether clusters consist of cells of vertices at any number of them.
   bool prefers_cells() const { return mean_angle_ < internal::min_angle_of_faces; }
 
   // The same with rounds that exchange vertices. Returns the mesh before these rounds.
