@@ -27,8 +27,8 @@ namespace Surface_mesh_coarsening {
 /// flipped. Flips with the best ratio of the decrease of the distance to the loss in angles come first, until the mean
 /// over the triangles of the smallest angle has decreased to a bound.
 ///
-/// With a goal below the default of 40 degrees, each movement of a vertex is judged: if the distance around the vertex increases by
-/// more than the change of the angles is worth, the vertex moves back. With a goal of less than 30 degrees, the clusters of
+/// With a goal below the default of 40 degrees, each movement of a vertex is judged: if the distance around the vertex increases
+/// by more than the change of the angles is worth, the vertex moves back. With a goal of less than 30 degrees, the clusters of
 /// `coarsen_mesh()` are dual cells of vertices, merged by quadrics. With the goal 0, the mean is 33 to 36 degrees on smooth
 /// models, and less at sharp edges.
 ///

@@ -107,8 +107,8 @@ private:
   }
 
   // Returns the work of the bounds of a trial, in comparisons of points with triangles and boxes. For distances from .003 to .02,
-  // twelve models need 1,600 for each triangle. Fans of large polygons need more: with 4,000, a prism of 160 sides has 81 vertices
-  // within .01 of its diagonal instead of 50.
+  // twelve models need 1,600 for each triangle. Fans of large polygons need more: with 4,000, a prism of 160 sides has 81
+  // vertices within .01 of its diagonal instead of 50.
   std::size_t work_of_trial() const
   {
     constexpr std::size_t work_of_triangle = 6000, min_triangles = 100;
