@@ -127,7 +127,8 @@ public:
     const Clustering_state& state = clustering_.state();
     const Placed_level placed = levels_.place(level, placement_model(placement), state.repairs_output,
                                               output_coordinates<Traits>(state.frame));
-    Face_graph_filler<Output, NamedParameters> filler(placed.positions, state.frame, placed.triangles, output, np, state.context);
+    Face_graph_filler<Output, NamedParameters> filler(output_points<Output>(placed.positions, state.frame, np), placed.triangles,
+                                                      output, np, state.context);
     state.context.throw_if_cancelled();
     filler.commit();
   }

@@ -73,7 +73,7 @@ public:
                     const NamedParameters2& np2 = parameters::default_values())
     : mesh_(mesh), coarse_(coarse), numbering_(internal::numbering(mesh, np1)),
       coarse_numbering_(internal::numbering(coarse, np2)),
-      surfaces_(internal::make_surface_correspondence(mesh, numbering_, clusters, np1, coarse, coarse_numbering_, np2))
+      surfaces_(internal::clustered_arrays(mesh, np1, numbering_, clusters, coarse_numbering_), coarse, coarse_numbering_, np2)
   {}
 
   /// \cond SKIP_IN_MANUAL
@@ -87,7 +87,7 @@ public:
   template <class VertexSourceMap>
   void write_sources(VertexSourceMap sources)
   {
-    for (std::size_t x = 0; x < surfaces_.number_of_vertices(); ++x)
+    for (std::size_t x = 0; x < surfaces_.positions().size(); ++x)
       put(sources, coarse_numbering_.vertices[x], location(surfaces_.sources()[x]));
   }
 
@@ -102,18 +102,16 @@ public:
   void transfer_vertex_property(From from, To to, Transfer_policy policy = Transfer_policy::INTERPOLATED)
   {
     typedef Value<From> Type;
-    if (policy == Transfer_policy::INTERPOLATED) {
-      for (std::size_t x = 0; x < surfaces_.number_of_vertices(); ++x)
-        put(to, coarse_numbering_.vertices[x], value_in_face<Type>(location(surfaces_.sources()[x]), [&](auto h) {
-              return Type(get(from, source(h, mesh_)));
-            }));
-      return;
-    }
-    tally_by_cluster<Type>(policy, to, [&](Index f, const auto& add) {
-      const internal::Flat_mesh& m = surfaces_.mesh();
+    const auto read = [&](auto h) { return Type(get(from, source(h, mesh_))); };
+    transfer_to_vertices<Type>(policy, to, [&](Index f, const auto& add) {
+      const internal::Flat_mesh& m = surfaces_.mesh;
       for (const Index c : m.corners(f))
-        add(surfaces_.area(f) / m.degree(f), Type(get(from, numbering_.vertices[m.corner_vertex[c]])));
-    }, [&](const internal::Nearest_point& p) { return Type(get(from, nearest_corner(location(p), mesh_))); });
+        add(surfaces_.area[f] / m.degree(f), Type(get(from, numbering_.vertices[m.corner_vertex[c]])));
+    }, [&](const internal::Nearest_point& p) {
+      const Surface_location<FaceGraph> l = location(p);
+      return policy == Transfer_policy::INTERPOLATED ? value_in_face<Type>(l, read)
+                                                     : read(internal::halfedge_from_nearest_corner(l, mesh_));
+    });
   }
 
   /// transfers values of faces to vertices: each vertex receives a value from the faces of its cluster.
@@ -122,13 +120,8 @@ public:
   {
     typedef Value<From> Type;
     const auto value = [&](Index f) { return Type(get(from, numbering_.faces[f])); };
-    if (policy == Transfer_policy::INTERPOLATED) {
-      for (std::size_t x = 0; x < surfaces_.number_of_vertices(); ++x)
-        put(to, coarse_numbering_.vertices[x], value(surfaces_.sources()[x].face));
-      return;
-    }
-    tally_by_cluster<Type>(policy, to, [&](Index f, const auto& add) { add(surfaces_.area(f), value(f)); },
-                           [&](const internal::Nearest_point& p) { return value(p.face); });
+    transfer_to_vertices<Type>(policy, to, [&](Index f, const auto& add) { add(surfaces_.area[f], value(f)); },
+                               [&](const internal::Nearest_point& p) { return value(p.face); });
   }
 
   /// transfers values of faces to faces. An interpolated value is the value of the face that is nearest to the center of the
@@ -139,26 +132,25 @@ public:
   {
     typedef Value<From> Type;
     const auto value = [&](Index f) { return Type(get(from, numbering_.faces[f])); };
-    if (policy == Transfer_policy::INTERPOLATED)
-      for (std::size_t t = 0; t < surfaces_.triangles().size(); ++t)
-        put(to, coarse_numbering_.faces[t], value(surfaces_.triangle_sources()[t].face));
-    else if (policy == Transfer_policy::MAJORITY) {
-      std::vector<internal::Majority<Type> > votes(surfaces_.triangles().size());
-      for (std::size_t f = 0; f < numbering_.faces.size(); ++f)
-        if (surfaces_.triangles_of_faces()[f] != internal::NONE)
-          votes[surfaces_.triangles_of_faces()[f]].add(surfaces_.area(Index(f)), value(Index(f)));
-      for (std::size_t t = 0; t < votes.size(); ++t)
-        put(to, coarse_numbering_.faces[t], votes[t].empty() ? value(surfaces_.triangle_sources()[t].face) : votes[t].value());
-    } else {
-      const auto densities = cluster_densities<Type>([&](Index f, const auto& add) { add(surfaces_.area(f), value(f)); });
+    const std::vector<internal::Triangle>& triangles = surfaces_.triangles();
+    if (policy == Transfer_policy::CONSERVATIVE) {
+      const auto densities = cluster_densities<Type>([&](Index f, const auto& add) { add(surfaces_.area[f], value(f)); });
       if constexpr (internal::has_means<Type>)
-        for (std::size_t t = 0; t < surfaces_.triangles().size(); ++t) {
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
           internal::Weighted_sum<Type> mean;
-          for (const Index x : surfaces_.triangles()[t])
+          for (const Index x : triangles[t])
             mean.add(1. / 3, densities[x]);
           put(to, coarse_numbering_.faces[t], mean.value());
         }
+      return;
     }
+    std::vector<internal::Majority<Type> > votes(triangles.size());
+    if (policy == Transfer_policy::MAJORITY)
+      for (std::size_t f = 0; f < numbering_.faces.size(); ++f)
+        if (surfaces_.triangles_of_faces()[f] != internal::NONE)
+          votes[surfaces_.triangles_of_faces()[f]].add(surfaces_.area[f], value(Index(f)));
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      put(to, coarse_numbering_.faces[t], votes[t].empty() ? value(surfaces_.triangle_sources()[t].face) : votes[t].value());
   }
 
   /// transfers values of edges to edges: the source is the edge nearest to the midpoint of the coarse edge, in the face nearest
@@ -168,7 +160,8 @@ public:
   {
     for (const auto e : edges(coarse_)) {
       const auto h = halfedge(e, coarse_);
-      const std::array<Index, 2> ends{{coarse_number(source(h, coarse_)), coarse_number(target(h, coarse_))}};
+      const std::array<Index, 2> ends{
+        {coarse_numbering_.number_of(source(h, coarse_)), coarse_numbering_.number_of(target(h, coarse_))}};
       put(to, e, get(from, edge_nearest_to(surfaces_.center(ends), surfaces_.triangle_source(ends).face)));
     }
   }
@@ -204,14 +197,9 @@ public:
   /// @}
 
 private:
-  Index coarse_number(typename Coarse_graph_traits::vertex_descriptor v) const
-  {
-    return coarse_numbering_.number_of(v);
-  }
-
   Surface_location<FaceGraph> location(const internal::Nearest_point& p) const
   {
-    return internal::surface_location(mesh_, numbering_, surfaces_.mesh(), p, p.face);
+    return internal::surface_location(mesh_, numbering_, surfaces_.mesh, p, p.face);
   }
 
   // `value(h)` returns the value at the source of halfedge `h` of the face.
@@ -237,10 +225,10 @@ private:
   auto cluster_densities(const Visit& visit) const
   {
     if constexpr (internal::has_means<Type>) {
-      std::vector<internal::Weighted_sum<Type> > densities(surfaces_.number_of_vertices());
+      std::vector<internal::Weighted_sum<Type> > densities(surfaces_.positions().size());
       Index last = internal::NONE, taker = internal::NONE;
       for (std::size_t f = 0; f < numbering_.faces.size(); ++f) {
-        const Index x = surfaces_.cluster(Index(f));
+        const Index x = surfaces_.cluster[f];
         if (x == internal::NONE)
           continue;
         if (x != last)
@@ -258,9 +246,9 @@ private:
     }
   }
 
-  // `value_at(p)` returns the value for a cluster without faces, from its nearest point `p`.
+  // `value_at(p)` returns the value at the nearest point `p` to a vertex. A majority without votes is this value, too.
   template <class Type, class To, class Visit, class Nearest>
-  void tally_by_cluster(Transfer_policy policy, To to, const Visit& visit, const Nearest& value_at)
+  void transfer_to_vertices(Transfer_policy policy, To to, const Visit& visit, const Nearest& value_at)
   {
     if (policy == Transfer_policy::CONSERVATIVE) {
       const auto densities = cluster_densities<Type>(visit);
@@ -269,10 +257,11 @@ private:
           put(to, coarse_numbering_.vertices[x], densities[x].value());
       return;
     }
-    for (std::size_t x = 0; x < surfaces_.number_of_vertices(); ++x) {
+    for (std::size_t x = 0; x < surfaces_.positions().size(); ++x) {
       internal::Majority<Type> votes;
-      for (const Index f : surfaces_.faces(Index(x)))
-        visit(f, [&](double weight, const Type& value) { votes.add(weight, value); });
+      if (policy == Transfer_policy::MAJORITY)
+        for (const Index f : surfaces_.faces(Index(x)))
+          visit(f, [&](double weight, const Type& value) { votes.add(weight, value); });
       put(to, coarse_numbering_.vertices[x], votes.empty() ? value_at(surfaces_.sources()[x]) : votes.value());
     }
   }
@@ -280,14 +269,12 @@ private:
   typename Graph_traits::edge_descriptor edge_nearest_to(const internal::Vector& p, Index face) const
   {
     using namespace internal;
-    const auto point = [&](auto v) -> const internal::Vector& {
-      return surfaces_.mesh().points[numbering_.number_of(v)];
-    };
+    const auto point = [&](auto v) -> const internal::Vector& { return surfaces_.mesh.points[numbering_.number_of(v)]; };
     auto nearest = halfedge(numbering_.faces[face], mesh_);
     double least = -1;
     for (const auto h : halfedges_around_face(nearest, mesh_)) {
       const internal::Vector &a = point(source(h, mesh_)), &b = point(target(h, mesh_));
-      const double t = internal::closest_on_segment(p, a, b);
+      const double t = closest_on_segment(p, a, b);
       const internal::Vector d = p - ((1 - t) * a + t * b);
       if (least < 0 || dot(d, d) < least) {
         least = dot(d, d);
@@ -301,17 +288,17 @@ private:
   void transfer_corners(From from, To to, const IsSeam& is_seam)
   {
     typedef Value<From> Type;
-    const internal::Flat_mesh& m = surfaces_.mesh();
+    const internal::Flat_mesh& m = surfaces_.mesh;
     std::vector<bool> seams(m.corner_vertex.size(), false);
     for (std::size_t f = 0; f < numbering_.faces.size(); ++f)
       for (const auto h : halfedges_around_face(halfedge(numbering_.faces[f], mesh_), mesh_))
         if (!is_border(opposite(h, mesh_), mesh_))
           seams[m.corner_of(Index(f), numbering_.number_of(source(h, mesh_)))] = is_seam(h);
     internal::Chart_sectors sectors(surfaces_, seams);
-    for (std::size_t x = 0; x < surfaces_.number_of_vertices(); ++x)
+    for (std::size_t x = 0; x < surfaces_.positions().size(); ++x)
       sectors.for_each_corner_at(Index(x), [&](Index t, const internal::Nearest_point& p) {
         auto h = halfedge(coarse_numbering_.faces[t], coarse_);
-        while (coarse_number(target(h, coarse_)) != x)
+        while (coarse_numbering_.number_of(target(h, coarse_)) != x)
           h = next(h, coarse_);
         put(to, h, value_in_face<Type>(location(p), [&](auto corner) { return Type(get(from, prev(corner, mesh_))); }));
       });

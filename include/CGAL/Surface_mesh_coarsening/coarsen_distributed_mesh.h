@@ -43,7 +43,8 @@ Distributed_report coarsen_piece(const boost::mpi::communicator& communicator, c
   std::optional<Face_graph_filler<OutputFaceGraph, NamedParametersOut> > filler;
   on_all_ranks(communicator, [&] {
     if (coarsening.has_output())
-      filler.emplace(coarsening.dual().positions, coarsening.frame(), coarsening.dual().triangles, output, np_out, choice);
+      filler.emplace(output_points<OutputFaceGraph>(coarsening.dual().positions, coarsening.frame(), np_out),
+                     coarsening.dual().triangles, output, np_out, choice);
     choice.throw_if_cancelled();
   });
   on_all_ranks(communicator, [&] {

@@ -40,8 +40,7 @@ Distance_report coarsen_to_goal(const FaceGraph& input, Distance_goal goal, Outp
   if (!(goal.end.tolerance >= 0))
     throw Invalid_input("the convergence tolerance is " + std::to_string(goal.end.tolerance));
 
-  const auto source_map = get_parameter(np_out, internal_np::vertex_source);
-  check_input_stays<std::decay_t<decltype(source_map)> >(input, output);
+  check_input_stays<NamedParametersOut>(input, output);
   Distance_report report;
   Clustering clustering(typename Clustering::Accepted(), input, np_in);
   const Placement placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
@@ -49,10 +48,10 @@ Distance_report coarsen_to_goal(const FaceGraph& input, Distance_goal goal, Outp
   Clustering_state& state = clustering.state();
   const Placed_dual dual =
     find_within_distance(state, placement_model(placement), output_coordinates<Traits>(state.frame), goal, report);
-  Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
+  Vertex_sources<FaceGraph, NamedParametersOut> sources(np_out);
   emit(state, dual, output, np_out, [&](const std::vector<Vector>& positions) {
     const std::vector<Index> clusters = clusters_of_base_faces(state);
-    sources.find(input, clustering.numbering(), state.base_input(), clusters, positions, state.context);
+    sources.find(input, clustering, clusters, positions);
     write_face_clusters(clustering.numbering(), clusters, get_parameter(np_in, internal_np::face_cluster));
     write_vertex_clusters(clustering.numbering(), state.base_input(), clusters, report.vertices,
                           get_parameter(np_in, internal_np::vertex_to_cluster));

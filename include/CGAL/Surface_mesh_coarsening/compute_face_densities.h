@@ -70,7 +70,7 @@ void compute_face_densities(const FaceGraph& mesh, FaceDensityMap densities,
   const internal::Density_choice choice = internal::density_choice(np);
   internal::Flat_mesh m = internal::flat_connectivity(mesh, n);
   internal::copy_points(mesh, np, n, m);
-  const std::vector<double> values = internal::densities_of(n, m, choice, CGAL::internal_np::Param_not_found());
+  const std::vector<double> values = internal::compute_densities(m, choice.maximum, choice.at_borders, internal::Run_context());
   for (std::size_t i = 0; i < values.size(); ++i)
     put(densities, n.faces[i], Value(values[i]));
 }

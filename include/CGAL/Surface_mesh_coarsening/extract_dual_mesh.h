@@ -19,18 +19,6 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-template <class FaceGraph, class DensityMap>
-std::vector<double> densities_or_one(const Numbering<FaceGraph>& n, const Flat_mesh& m, const DensityMap& map)
-{
-  return densities_of(n, m, {1, false}, map);
-}
-template <class FaceGraph>
-std::vector<double> densities_or_one(const Numbering<FaceGraph>& n, const Flat_mesh&,
-                                     const CGAL::internal_np::Param_not_found&)
-{
-  return std::vector<double>(n.faces.size(), 1.);
-}
-
 struct Dual_soup
 {
   std::vector<Vector> positions;
@@ -50,7 +38,10 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
   Dual_soup dual;
   input.mesh = flat_connectivity(mesh, n);
   dual.frame = copy_points(mesh, np, n, input.mesh);
-  input.density = densities_or_one(n, input.mesh, get_parameter(np, internal_np::face_density));
+  if constexpr (has_parameter<internal_np::face_density_t, NamedParameters>)
+    input.density = read_densities(n, get_parameter(np, internal_np::face_density));
+  else
+    input.density.assign(n.faces.size(), 1);
   compute_areas_and_centroids(input);
   Cluster_labels labels(input.mesh);
   const auto names = label_clusters(n, clusters, labels);
@@ -63,7 +54,7 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
   Repair_counts counts;
   const Placement placement = choose_parameter<Placement>(get_parameter(np, internal_np::vertex_placement_p));
   const Clustered_faces surface(input, labels, names.size());
-  dual.positions = place_vertices(surface, Border_arcs(surface), placement_model(placement),
+  dual.positions = place_vertices({surface, Border_arcs(surface), placement_model(placement)},
                                   choose_parameter(get_parameter(np, internal_np::repair_output_p), true),
                                   output_coordinates<typename GetGeomTraits<FaceGraph, NamedParameters>::type>(dual.frame),
                                   dual.triangles, counts);
@@ -102,8 +93,8 @@ void extract_dual_mesh(const FaceGraph& mesh, const FaceClusterMap& clusters, Ou
 {
   internal::accept_parameters<NamedParametersOut, internal::Geometry_parameters>();
   const internal::Dual_soup dual = internal::dual_of_clusters(mesh, clusters, np_in);
-  internal::Face_graph_filler<OutputFaceGraph, NamedParametersOut>(dual.positions, dual.frame, dual.triangles, output, np_out)
-    .commit();
+  auto points = internal::output_points<OutputFaceGraph>(dual.positions, dual.frame, np_out);
+  internal::Face_graph_filler<OutputFaceGraph, NamedParametersOut>(std::move(points), dual.triangles, output, np_out).commit();
 }
 
 /// \ingroup PkgSurfaceMeshCoarseningRef

@@ -127,29 +127,20 @@ inline double smallest_angle(const Triangle_mesh& mesh, Triangle_mesh::Face_inde
   return smallest;
 }
 
-struct Distance_statistics
+struct Statistics
 {
   double sum = 0, sum_of_squares = 0, maximum = 0;
-  double sum_of_normal_deviations = 0, sum_of_squared_normal_deviations = 0, maximum_normal_deviation = 0;
   std::size_t samples = 0;
 
-  void add(double squared_distance, double normal_deviation)
+  void add(double value, double squared_value)
   {
-    sum += std::sqrt(squared_distance);
-    sum_of_squares += squared_distance;
-    maximum = (std::max)(maximum, std::sqrt(squared_distance));
-    sum_of_normal_deviations += normal_deviation;
-    sum_of_squared_normal_deviations += square(normal_deviation);
-    maximum_normal_deviation = (std::max)(maximum_normal_deviation, normal_deviation);
+    sum += value;
+    sum_of_squares += squared_value;
+    maximum = (std::max)(maximum, value);
     ++samples;
   }
-  double rms() const { return std::sqrt(mean_of(sum_of_squares)); }
-  double mean() const { return mean_of(sum); }
-  double rms_normal_deviation() const { return std::sqrt(mean_of(sum_of_squared_normal_deviations)); }
-  double mean_normal_deviation() const { return mean_of(sum_of_normal_deviations); }
-
-private:
-  double mean_of(double total) const { return samples == 0 ? 0 : total / double(samples); }
+  double rms() const { return samples == 0 ? 0 : std::sqrt(sum_of_squares / double(samples)); }
+  double mean() const { return samples == 0 ? 0 : sum / double(samples); }
 };
 
 // Calls `visit(i, u, v)` for `samples` samples that are distributed over elements by size: the number of the element, and a point
@@ -173,29 +164,6 @@ void for_each_sample(const std::vector<double>& sizes, std::size_t samples, cons
   }
 }
 
-inline Distance_statistics distances(const Triangle_mesh& from, const Triangle_mesh& to, std::size_t samples)
-{
-  Aabb_tree<Triangle_primitive> tree(to.faces().begin(), to.faces().end(), to);
-  tree.accelerate_distance_queries();
-  std::vector<double> areas;
-  std::vector<Triangle_mesh::Face_index> faces(from.faces().begin(), from.faces().end());
-  areas.reserve(faces.size());
-  for (const auto f : faces)
-    areas.push_back(0.5 * std::sqrt(normal(from, f).squared_length()));
-  Distance_statistics statistics;
-  for_each_sample(areas, samples, [&](std::size_t i, double u, double v) {
-    if (u + v > 1) {
-      u = 1 - u;
-      v = 1 - v;
-    }
-    const auto p = corners(from, faces[i]);
-    const auto sample = p[0] + u * (p[1] - p[0]) + v * (p[2] - p[0]);
-    const auto closest = tree.closest_point_and_primitive(sample);
-    statistics.add(squared_distance(sample, closest.first), angle(normal(from, faces[i]), normal(to, closest.second)));
-  });
-  return statistics;
-}
-
 inline Segments border_segments(const Triangle_mesh& mesh)
 {
   Segments segments;
@@ -205,10 +173,10 @@ inline Segments border_segments(const Triangle_mesh& mesh)
   return segments;
 }
 
-inline Distance_statistics border_distances(const Triangle_mesh& from, const Triangle_mesh& to, std::size_t samples)
+inline Statistics border_distances(const Triangle_mesh& from, const Triangle_mesh& to, std::size_t samples)
 {
   const Segments border = border_segments(from), other = border_segments(to);
-  Distance_statistics statistics;
+  Statistics statistics;
   if (border.empty() || other.empty())
     return statistics;
   Aabb_tree<Segment_primitive> tree(other.begin(), other.end());
@@ -217,7 +185,8 @@ inline Distance_statistics border_distances(const Triangle_mesh& from, const Tri
   for (const auto& s : border)
     lengths.push_back(std::sqrt(s.squared_length()));
   for_each_sample(lengths, samples, [&](std::size_t i, double u, double) {
-    statistics.add(tree.squared_distance(border[i].source() + u * border[i].to_vector()), 0);
+    const double d = tree.squared_distance(border[i].source() + u * border[i].to_vector());
+    statistics.add(std::sqrt(d), d);
   });
   return statistics;
 }
@@ -277,8 +246,27 @@ namespace internal {
 
 inline Surface_error surface_error(const Triangle_mesh& from, const Triangle_mesh& to, std::size_t samples)
 {
-  const Distance_statistics s = distances(from, to, samples);
-  return {s.rms(),         s.mean(), s.maximum, s.rms_normal_deviation(), s.mean_normal_deviation(), s.maximum_normal_deviation};
+  Aabb_tree<Triangle_primitive> tree(to.faces().begin(), to.faces().end(), to);
+  tree.accelerate_distance_queries();
+  std::vector<double> areas;
+  std::vector<Triangle_mesh::Face_index> faces(from.faces().begin(), from.faces().end());
+  areas.reserve(faces.size());
+  for (const auto f : faces)
+    areas.push_back(0.5 * std::sqrt(normal(from, f).squared_length()));
+  Statistics distances, angles;
+  for_each_sample(areas, samples, [&](std::size_t i, double u, double v) {
+    if (u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    const auto p = corners(from, faces[i]);
+    const auto sample = p[0] + u * (p[1] - p[0]) + v * (p[2] - p[0]);
+    const auto closest = tree.closest_point_and_primitive(sample);
+    const double d = squared_distance(sample, closest.first), a = angle(normal(from, faces[i]), normal(to, closest.second));
+    distances.add(std::sqrt(d), d);
+    angles.add(a, square(a));
+  });
+  return {distances.rms(), distances.mean(), distances.maximum, angles.rms(), angles.mean(), angles.maximum};
 }
 
 inline Surface_error larger_of(const Surface_error& a, const Surface_error& b)
@@ -291,13 +279,6 @@ inline Surface_error larger_of(const Surface_error& a, const Surface_error& b)
           (std::max)(a.maximum_normal_deviation, b.maximum_normal_deviation)};
 }
 
-inline void measure_surfaces(const Triangle_mesh& a, const Triangle_mesh& b, std::size_t samples, Coarsening_quality& quality)
-{
-  quality.from_mesh = surface_error(a, b, samples);
-  quality.from_coarse = surface_error(b, a, samples);
-  static_cast<Surface_error&>(quality) = larger_of(quality.from_mesh, quality.from_coarse);
-}
-
 inline void measure_borders(const Triangle_mesh& a, const Triangle_mesh& b, std::size_t samples, Coarsening_quality& quality)
 {
   if (is_closed(a) != is_closed(b)) {
@@ -305,7 +286,7 @@ inline void measure_borders(const Triangle_mesh& a, const Triangle_mesh& b, std:
       std::numeric_limits<double>::infinity();
     return;
   }
-  const Distance_statistics forth = border_distances(a, b, samples), back = border_distances(b, a, samples);
+  const Statistics forth = border_distances(a, b, samples), back = border_distances(b, a, samples);
   quality.border_rms_distance = (std::max)(forth.rms(), back.rms());
   quality.border_mean_distance = (std::max)(forth.mean(), back.mean());
   quality.border_maximum_distance = (std::max)(forth.maximum, back.maximum);
@@ -359,7 +340,9 @@ Coarsening_quality measure_coarsening(const FaceGraph& mesh, const CoarseFaceGra
   const int exponent = internal::scale_to_unit_size(a, b);
   Coarsening_quality quality;
   quality.diagonal = internal::diagonal(a);
-  internal::measure_surfaces(a, b, number_of_samples, quality);
+  quality.from_mesh = internal::surface_error(a, b, number_of_samples);
+  quality.from_coarse = internal::surface_error(b, a, number_of_samples);
+  static_cast<Surface_error&>(quality) = internal::larger_of(quality.from_mesh, quality.from_coarse);
   internal::measure_borders(a, b, number_of_samples, quality);
   quality.smallest_angle = 180;
   for (const auto f : faces(b)) {

@@ -207,7 +207,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_level Level_hierarchy::place(std::siz
 {
   Placed_level placed{labels(level), history_.triangles(level), {}, {}};
   const Clustered_faces surface(pieces_of(state_), placed.labels, level, state_.context);
-  placed.positions = place_vertices(surface, Border_arcs(surface, !state_.follows_paper), placement, with_repair,
+  placed.positions = place_vertices({surface, Border_arcs(surface, !state_.follows_paper), placement}, with_repair,
                                     output_coordinates, placed.triangles, placed.counts);
   return placed;
 }

@@ -72,8 +72,8 @@ public:
     if (!context.repairs_output)
       return;
     Repair_budget budget(input.mesh.number_of_faces());
-    dual.counts = repair_placement(surface, border, context.placement, context.output_coordinates(context.frame), dual.triangles,
-                                   dual.positions, budget);
+    dual.counts = repair_placement({surface, border, context.placement}, context.output_coordinates(context.frame),
+                                   dual.triangles, dual.positions, budget);
   }
 
 private:

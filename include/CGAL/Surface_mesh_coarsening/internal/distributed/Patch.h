@@ -147,7 +147,7 @@ private:
   void list_corners()
   {
     mesh_ = Flat_mesh();
-    mesh_.first_corner.assign(1, 0);
+    mesh_.first_corner.push_back(0);
     const Index corners = Index(faces_.corner.size());
     face_of_.reserve(corners);
     vertex_of_.reserve(corners);

@@ -70,7 +70,7 @@ template <class FaceGraph, class VertexNumberMap, class NamedParameters>
 auto source_of_graph(const FaceGraph& graph, const VertexNumberMap& numbers, const NamedParameters& np)
 {
   return [&](const auto& receive) {
-    const Vertex_coordinates<FaceGraph, NamedParameters> coordinates(graph, np);
+    const auto coordinates = vertex_coordinates(graph, np);
     std::vector<std::uint64_t> vertices;
     std::vector<Vector> points;
     for (const auto f : faces(graph)) {

@@ -5,7 +5,6 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_graph.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh_builder.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/subdivision.h>
 
 #include <memory>

@@ -98,7 +98,7 @@ template <class FaceGraph, class NamedParameters>
 void keep_exact_corners(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
                         const std::vector<Index>& corners, const Flat_mesh& m, Local_frame& frame)
 {
-  const Vertex_coordinates<FaceGraph, NamedParameters> coordinates(mesh, np);
+  const auto coordinates = vertex_coordinates(mesh, np);
   auto exact = std::make_shared<Exact_points>();
   for (const Index v : corners)
     exact->emplace_back(m.points[v], coordinates(n.vertices[v]));

@@ -120,56 +120,35 @@ inline std::vector<Vector> unit_normals(const Flat_mesh& m, const Run_context& c
   return normals;
 }
 
-// The deviation of section 5.2 before the mapping: for each face, the mean length of the difference between its normal and
-// the normals of the faces around its vertices. A pair of faces counts once for each common vertex. Faces without a
+// Computes the deviation of section 5.2 before the mapping: for each face, the mean length of the difference between its normal
+// and the normals of the faces around its vertices. A pair of faces counts once for each common vertex. Faces without a
 // normal have no deviation. At a vertex of very high degree, each face is compared with a fixed number of evenly spread
 // faces, which keeps the time linear.
-class Normal_deviation
-{
-public:
-  Normal_deviation(const Flat_mesh& mesh, const std::vector<Vector>& normals) : mesh_(mesh), normals_(normals) {}
-
-  double operator()(Index f) const
-  {
-    const Vector& n = normals_[f];
-    double sum = 0;
-    std::size_t pairs = 0;
-    for (const Index c : mesh_.corners(f)) {
-      const Index v = mesh_.corner_vertex[c], begin = mesh_.first_in_star[v];
-      const Index valence = mesh_.first_in_star[v + 1] - begin, compared = (std::min)(valence, max_compared);
-      pairs += compared;
-      for (Index j = 0; j < compared; ++j)
-        sum += difference(n, normals_[mesh_.star[begin + place(j, valence)]]);
-    }
-    return n == none ? 0 : sum / double(pairs);
-  }
-
-private:
-  //! [valence]
-  static constexpr Index max_compared = 256;
-  //! [valence]
-  static constexpr Vector none{{0, 0, 0}};
-
-  static Index place(Index j, Index valence)
-  {
-    return valence <= max_compared ? j : Index(std::uint64_t(j) * valence / max_compared);
-  }
-
-  static double difference(const Vector& n, const Vector& other)
-  {
-    return other == none ? 0 : length(n - other);
-  }
-
-  const Flat_mesh& mesh_;
-  const std::vector<Vector>& normals_;
-};
-
 inline std::vector<double> mean_normal_deviations(const Flat_mesh& m, const Run_context& context = Run_context())
 {
+  //! [valence]
+  constexpr Index max_compared = 256;
+  //! [valence]
+  constexpr Vector none{{0, 0, 0}};
   const std::vector<Vector> normals = unit_normals(m, context);
-  const Normal_deviation deviation(m, normals);
-  std::vector<double> deviations(m.number_of_faces());
-  for_each_number(context, deviations.size(), [&](Index f) { deviations[f] = deviation(f); });
+  std::vector<double> deviations(m.number_of_faces(), 0);
+  for_each_number(context, deviations.size(), [&](Index f) {
+    if (normals[f] == none)
+      return;
+    double sum = 0;
+    std::size_t pairs = 0;
+    for (const Index c : m.corners(f)) {
+      const Index v = m.corner_vertex[c], begin = m.first_in_star[v], valence = m.first_in_star[v + 1] - begin;
+      const Index compared = (std::min)(valence, max_compared);
+      pairs += compared;
+      for (Index j = 0; j < compared; ++j) {
+        const Index place = valence == compared ? j : Index(std::uint64_t(j) * valence / max_compared);
+        const Vector& other = normals[m.star[begin + place]];
+        sum += other == none ? 0 : length(normals[f] - other);
+      }
+    }
+    deviations[f] = sum / double(pairs);
+  });
   return deviations;
 }
 

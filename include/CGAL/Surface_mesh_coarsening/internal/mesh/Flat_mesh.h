@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_FLAT_MESH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_FLAT_MESH_H
 
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
@@ -12,11 +13,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+inline void check_countable(std::size_t n, const char* what)
+{
+  // The upper half of the range is reserved for the labels of border loops.
+  if (n >= NONE / 2)
+    throw Invalid_input("the mesh has " + std::to_string(n) + " " + what + ", more than the " +
+                        std::to_string(NONE / 2 - 1) + " that can be numbered");
+}
 
 // The first corner of each face. Stores nothing while all faces are triangles.
 class Corner_offsets
@@ -32,12 +42,6 @@ public:
     if (is_listed_)
       offsets_.push_back(offset);
     ++size_;
-  }
-  void assign(std::size_t n, Index offset)
-  {
-    *this = Corner_offsets();
-    for (std::size_t i = 0; i < n; ++i)
-      push_back(offset);
   }
 
 private:
@@ -121,6 +125,11 @@ struct Flat_mesh
     while (corner_vertex[c] != v)
       ++c;
     return c;
+  }
+  // Returns the corner before the same edge in the face across the edge after corner `c`; NONE on the border.
+  Index opposite_corner(Index f, Index c) const
+  {
+    return face_across[c] == NONE ? NONE : corner_of(face_across[c], corner_vertex[next_corner(f, c)]);
   }
   // Returns the end of the border edge that begins at border vertex `v` and has its face on the left.
   Index next_on_border(Index v) const

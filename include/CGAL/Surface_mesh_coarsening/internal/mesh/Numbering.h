@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
@@ -15,15 +16,90 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
 
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/transform_iterator.hpp>
+
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+template <class FaceGraph>
+struct Is_surface_mesh : std::false_type
+{};
+template <class Point>
+struct Is_surface_mesh<CGAL::Surface_mesh<Point> > : std::true_type
+{};
+
+// The faces or vertices of a face graph in the order of their numbers, and these numbers. Elements of a `Surface_mesh` without
+// removed elements already have consecutive numbers, so nothing is stored for them.
+template <class FaceGraph, class Descriptor, class Number_property>
+class Numbered_elements
+{
+  static constexpr bool is_indexed = Is_surface_mesh<FaceGraph>::value;
+  typedef typename boost::property_map<FaceGraph, Number_property>::const_type Number_map;
+
+  struct Element
+  {
+    const Numbered_elements* elements;
+    Descriptor operator()(std::size_t i) const { return (*elements)[i]; }
+  };
+
+public:
+  typedef boost::transform_iterator<Element, boost::counting_iterator<std::size_t> > iterator;
+
+  // For elements numbered from 0 to `n` by the mesh.
+  void assign_numbered(std::size_t n) { size_ = n; }
+
+  void assign(const FaceGraph& mesh, std::vector<Descriptor> elements, const Run_context& context)
+  {
+    list_ = std::move(elements);
+    size_ = list_.size();
+    if constexpr (is_indexed)
+      number_.assign(size_ == 0 ? 0 : std::size_t(*std::max_element(list_.begin(), list_.end())) + 1, NONE);
+    else
+      number_ = get(Number_property(), mesh);
+    for (std::size_t i = 0; i < size_; ++i) {
+      context.poll();
+      if constexpr (is_indexed)
+        number_[list_[i]] = Index(i);
+      else
+        put(number_, list_[i], Index(i));
+    }
+  }
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  iterator begin() const { return {boost::counting_iterator<std::size_t>(0), Element{this}}; }
+  iterator end() const { return {boost::counting_iterator<std::size_t>(size_), Element{this}}; }
+
+  Descriptor operator[](std::size_t i) const
+  {
+    if constexpr (is_indexed)
+      return list_.empty() ? Descriptor(typename Descriptor::size_type(i)) : list_[i];
+    else
+      return list_[i];
+  }
+  Index number_of(Descriptor element) const
+  {
+    if constexpr (is_indexed)
+      return list_.empty() ? Index(element) : number_[element];
+    else
+      return get(number_, element);
+  }
+
+private:
+  std::vector<Descriptor> list_;
+  std::size_t size_ = 0;
+  std::conditional_t<is_indexed, std::vector<Index>, Number_map> number_;
+};
 
 // The numbers of the faces and vertices of a face graph in the arrays. Vertices are numbered in the order of iteration, and
 // faces in the order of iteration or by the caller's face index map.
@@ -33,90 +109,19 @@ struct Numbering
   typedef typename boost::graph_traits<FaceGraph>::face_descriptor face_descriptor;
   typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor vertex_descriptor;
 
-  std::vector<face_descriptor> faces;
-  std::vector<vertex_descriptor> vertices;
-  typename boost::property_map<FaceGraph, dynamic_face_property_t<Index> >::const_type face_number;
-  typename boost::property_map<FaceGraph, dynamic_vertex_property_t<Index> >::const_type vertex_number;
+  Numbered_elements<FaceGraph, face_descriptor, dynamic_face_property_t<Index> > faces;
+  Numbered_elements<FaceGraph, vertex_descriptor, dynamic_vertex_property_t<Index> > vertices;
 
-  Index number_of(face_descriptor f) const { return get(face_number, f); }
-  Index number_of(vertex_descriptor v) const { return get(vertex_number, v); }
+  Index number_of(face_descriptor f) const { return faces.number_of(f); }
+  Index number_of(vertex_descriptor v) const { return vertices.number_of(v); }
 };
 
-// The elements of a `Surface_mesh` without removed elements already have consecutive numbers.
-template <class Descriptor>
-class Descriptor_list
+template <class Face, class FaceIndexMap>
+void sort_by_map(std::vector<Face>& faces, const FaceIndexMap& index, const Run_context& context)
 {
-public:
-  void assign_numbered(std::size_t n) { size_ = n; }
-  template <class Iterator>
-  void assign(Iterator begin, Iterator end)
-  {
-    list_.assign(begin, end);
-    size_ = list_.size();
-  }
-  std::size_t size() const { return size_; }
-  bool empty() const { return size_ == 0; }
-  Descriptor operator[](std::size_t i) const
-  {
-    typedef typename Descriptor::size_type Number;
-    return list_.empty() ? Descriptor(Number(i)) : list_[i];
-  }
-
-  class iterator
-  {
-  public:
-    iterator(const Descriptor_list& list, std::size_t i) : list_(&list), i_(i) {}
-    Descriptor operator*() const { return (*list_)[i_]; }
-    iterator& operator++()
-    {
-      ++i_;
-      return *this;
-    }
-    bool operator!=(const iterator& other) const { return i_ != other.i_; }
-
-  private:
-    const Descriptor_list* list_;
-    std::size_t i_;
-  };
-  iterator begin() const { return {*this, 0}; }
-  iterator end() const { return {*this, size_}; }
-  void swap(std::vector<Descriptor>& ordered) { list_.swap(ordered); }
-
-private:
-  std::vector<Descriptor> list_;
-  std::size_t size_ = 0;
-};
-
-template <class Point>
-struct Numbering<CGAL::Surface_mesh<Point> >
-{
-  typedef CGAL::Surface_mesh<Point> Mesh;
-  typedef typename Mesh::Face_index face_descriptor;
-  typedef typename Mesh::Vertex_index vertex_descriptor;
-
-  Descriptor_list<face_descriptor> faces;
-  Descriptor_list<vertex_descriptor> vertices;
-  std::vector<Index> face_number, vertex_number; // empty if numbered by the mesh
-
-  Index number_of(face_descriptor f) const { return face_number.empty() ? Index(f) : face_number[f]; }
-  Index number_of(vertex_descriptor v) const { return vertex_number.empty() ? Index(v) : vertex_number[v]; }
-};
-
-inline void check_countable(std::size_t n, const char* what)
-{
-  // The upper half of the range is reserved for the labels of border loops.
-  if (n >= NONE / 2)
-    throw Invalid_input("the mesh has " + std::to_string(n) + " " + what + ", more than the " +
-                        std::to_string(NONE / 2 - 1) + " that can be numbered");
-}
-
-template <class FaceGraph, class FaceIndexMap>
-void number_faces_by_map(const FaceGraph&, const FaceIndexMap& index, Numbering<FaceGraph>& numbering, const Run_context& context)
-{
-  const auto none = boost::graph_traits<FaceGraph>::null_face();
-  std::vector<bool> taken(numbering.faces.size(), false);
-  std::vector<typename Numbering<FaceGraph>::face_descriptor> ordered(numbering.faces.size(), none);
-  for (const auto f : numbering.faces) {
+  std::vector<bool> taken(faces.size(), false);
+  std::vector<Face> ordered(faces);
+  for (const Face f : faces) {
     context.poll();
     const std::size_t i = std::size_t(get(index, f));
     if (i >= ordered.size() || taken[i])
@@ -125,64 +130,39 @@ void number_faces_by_map(const FaceGraph&, const FaceIndexMap& index, Numbering<
     taken[i] = true;
     ordered[i] = f;
   }
-  numbering.faces.swap(ordered);
+  faces.swap(ordered);
 }
-
-template <class FaceGraph>
-void number_faces_by_map(const FaceGraph&, const CGAL::internal_np::Param_not_found&, Numbering<FaceGraph>&, const Run_context&)
-{}
 
 template <class FaceGraph, class FaceIndexMap>
-Numbering<FaceGraph> number_elements(const FaceGraph& mesh, const FaceIndexMap& index, const Run_context& context)
-{
-  Numbering<FaceGraph> n;
-  n.faces.assign(faces(mesh).begin(), faces(mesh).end());
-  n.vertices.assign(vertices(mesh).begin(), vertices(mesh).end());
-  check_countable(n.faces.size(), "faces");
-  check_countable(n.vertices.size(), "vertices");
-  number_faces_by_map(mesh, index, n, context);
-  n.face_number = get(dynamic_face_property_t<Index>(), mesh);
-  n.vertex_number = get(dynamic_vertex_property_t<Index>(), mesh);
-  for (std::size_t i = 0; i < n.faces.size(); ++i) {
-    context.poll();
-    put(n.face_number, n.faces[i], Index(i));
-  }
-  for (std::size_t i = 0; i < n.vertices.size(); ++i) {
-    context.poll();
-    put(n.vertex_number, n.vertices[i], Index(i));
-  }
-  return n;
-}
-
-template <class Point, class FaceIndexMap>
-Numbering<CGAL::Surface_mesh<Point> > number_elements(const CGAL::Surface_mesh<Point>& mesh, const FaceIndexMap& index,
-                                                      const Run_context& context)
+Numbering<FaceGraph> number_elements(const FaceGraph& mesh, [[maybe_unused]] const FaceIndexMap& index,
+                                     const Run_context& context)
 {
   constexpr bool has_index = !std::is_same<FaceIndexMap, CGAL::internal_np::Param_not_found>::value;
-  Numbering<CGAL::Surface_mesh<Point> > n;
-  check_countable(mesh.number_of_faces(), "faces");
-  check_countable(mesh.number_of_vertices(), "vertices");
-  if (has_index || mesh.number_of_removed_faces() > 0) {
-    n.faces.assign(mesh.faces_begin(), mesh.faces_end());
-    number_faces_by_map(mesh, index, n, context);
-    n.face_number.assign(mesh.number_of_faces() + mesh.number_of_removed_faces(), NONE);
-    for (std::size_t i = 0; i < n.faces.size(); ++i) {
-      context.poll();
-      n.face_number[n.faces[i]] = Index(i);
-    }
-  } else {
-    n.faces.assign_numbered(mesh.number_of_faces());
+  const auto all_faces = faces(mesh);
+  const auto all_vertices = vertices(mesh);
+  const std::size_t number_of_faces = std::size_t(std::distance(all_faces.begin(), all_faces.end())),
+                    number_of_vertices = std::size_t(std::distance(all_vertices.begin(), all_vertices.end()));
+  check_countable(number_of_faces, "faces");
+  check_countable(number_of_vertices, "vertices");
+  bool has_face_numbers = false, has_vertex_numbers = false;
+  if constexpr (Is_surface_mesh<FaceGraph>::value) {
+    has_face_numbers = !has_index && mesh.number_of_removed_faces() == 0;
+    has_vertex_numbers = mesh.number_of_removed_vertices() == 0;
   }
-  if (mesh.number_of_removed_vertices() > 0) {
-    n.vertices.assign(mesh.vertices_begin(), mesh.vertices_end());
-    n.vertex_number.assign(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), NONE);
-    for (std::size_t i = 0; i < n.vertices.size(); ++i) {
-      context.poll();
-      n.vertex_number[n.vertices[i]] = Index(i);
-    }
+  typedef Numbering<FaceGraph> Elements;
+  Elements n;
+  if (has_face_numbers) {
+    n.faces.assign_numbered(number_of_faces);
   } else {
-    n.vertices.assign_numbered(mesh.number_of_vertices());
+    std::vector<typename Elements::face_descriptor> list(all_faces.begin(), all_faces.end());
+    if constexpr (has_index)
+      sort_by_map(list, index, context);
+    n.faces.assign(mesh, std::move(list), context);
   }
+  if (has_vertex_numbers)
+    n.vertices.assign_numbered(number_of_vertices);
+  else
+    n.vertices.assign(mesh, std::vector<typename Elements::vertex_descriptor>(all_vertices.begin(), all_vertices.end()), context);
   return n;
 }
 
@@ -218,8 +198,9 @@ void list_faces(const FaceGraph& mesh, const Numbering<FaceGraph>& n, std::size_
 }
 
 template <class FaceGraph>
-void copy_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, Flat_mesh& m, const Run_context& context)
+Flat_mesh flat_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, const Run_context& context = Run_context())
 {
+  Flat_mesh m;
   m.first_corner.reserve(n.faces.size() + 1);
   m.first_corner.push_back(0);
   m.corner_vertex.reserve(3 * n.faces.size());
@@ -235,6 +216,8 @@ void copy_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, Fla
         m.first_corner.push_back(Index(corners += degree));
     });
   check_countable(m.corner_vertex.size(), "face corners");
+  complete_topology(m, n.vertices.size(), context);
+  return m;
 }
 
 } // namespace internal

@@ -3,9 +3,10 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_COMPLETE_MESH_IMPL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_COMPLETE_MESH_IMPL_H
 
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh_builder.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 
 #include <algorithm>
@@ -13,13 +14,171 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <queue>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+class Flat_mesh_topology
+{
+public:
+  Flat_mesh_topology(Flat_mesh& m, const Run_context& context) : m_(m), context_(context) {}
+
+  // Computes stars and loops.
+  void complete_stars(std::size_t number_of_vertices)
+  {
+    const std::size_t wrong_face = first_of(context_, m_.number_of_faces(), [&](Index f) { return !fault_of(f).empty(); });
+    if (wrong_face < m_.number_of_faces())
+      throw Invalid_input("face " + std::to_string(wrong_face) + fault_of(Index(wrong_face)));
+    m_.first_in_star.assign(number_of_vertices + 1, 0);
+    for (const Index v : m_.corner_vertex)
+      ++m_.first_in_star[v + 1];
+    std::partial_sum(m_.first_in_star.begin(), m_.first_in_star.end(), m_.first_in_star.begin());
+    m_.star.resize(m_.corner_vertex.size());
+    const std::vector<Index> start = first_faces_of_stars();
+    const std::size_t wrong = first_of(context_, number_of_vertices, [&](Index v) { return !walk_star(v, start[v]); });
+    if (wrong < number_of_vertices)
+      throw Invalid_input("vertex " + std::to_string(wrong) +
+                          " is not a manifold vertex: the faces around it form more than one fan");
+    number_loops();
+  }
+
+  void number_components()
+  {
+    std::vector<Index> number(m_.number_of_faces(), NONE), reached;
+    m_.components.clear();
+    for (std::size_t seed = 0; seed < m_.number_of_faces(); ++seed) {
+      if (number[seed] != NONE)
+        continue;
+      const Index id = Index(m_.components.size());
+      number[seed] = id;
+      flood_fill(m_, Index(seed), reached, context_, [&](Index, Index g) {
+        const bool is_new = number[g] == NONE;
+        number[g] = id;
+        return is_new;
+      });
+      m_.components.push_back(component_of(reached));
+    }
+    m_.component.set(std::move(number), m_.components.size());
+    Index loops = 0; // they are numbered in the order of their first vertices
+    for (std::size_t v = 0; v < m_.number_of_vertices(); ++v) {
+      if (m_.first_in_star[v] == m_.first_in_star[v + 1])
+        continue;
+      Component& component = m_.components[m_.component[m_.star[m_.first_in_star[v]]]];
+      ++component.vertices;
+      if (m_.loop[v] == loops) {
+        ++component.loops;
+        ++loops;
+      }
+    }
+  }
+
+private:
+  // Returns the fault as the end of a sentence; an empty text if there is none.
+  std::string fault_of(Index f) const
+  {
+    if (m_.degree(f) < 3)
+      return " has " + std::to_string(m_.degree(f)) + " sides";
+    for (const Index c : m_.corners(f))
+      if (m_.face_across[c] == f)
+        return " is its own neighbor across an edge";
+    const Index v = vertex_visited_twice(f);
+    return v == NONE ? "" : " visits vertex " + std::to_string(v) + " twice";
+  }
+
+  // Returns NONE if there is none.
+  Index vertex_visited_twice(Index f) const
+  {
+    const auto begin = m_.corner_vertex.begin() + m_.first_corner[f], end = begin + m_.degree(f);
+    if (end - begin <= 8) {
+      for (auto i = begin; i != end; ++i)
+        if (std::find(i + 1, end, *i) != end)
+          return *i;
+      return NONE;
+    }
+    std::vector<Index> sorted(begin, end);
+    std::sort(sorted.begin(), sorted.end());
+    const auto pair = std::adjacent_find(sorted.begin(), sorted.end());
+    return pair == sorted.end() ? NONE : *pair;
+  }
+
+  // Returns the face where each star begins; NONE for isolated vertices.
+  std::vector<Index> first_faces_of_stars()
+  {
+    std::vector<Index> start(m_.number_of_vertices(), NONE);
+    m_.loop.assign(m_.number_of_vertices(), NONE);
+    for (std::size_t f = m_.number_of_faces(); f-- > 0;) {
+      context_.poll();
+      for (const Index c : m_.corners(f)) {
+        const Index v = m_.corner_vertex[c];
+        if (m_.face_across[c] == NONE) {
+          if (m_.loop[v] != NONE)
+            throw Invalid_input("vertex " + std::to_string(v) + " lies on the border twice");
+          m_.loop[v] = 0; // on a loop, which is numbered later
+          start[v] = Index(f);
+        } else if (m_.loop[v] == NONE) {
+          start[v] = Index(f);
+        }
+      }
+    }
+    return start;
+  }
+
+  // Returns whether the faces around the vertex form one fan, closed or from border to border.
+  bool walk_star(Index v, Index f)
+  {
+    const Index begin = m_.first_in_star[v], end = m_.first_in_star[v + 1];
+    if (begin == end)
+      return true;
+    const Index first = f;
+    Index i = begin;
+    do {
+      m_.star[i++] = f;
+      f = m_.face_across[m_.previous_corner(f, m_.corner_of(f, v))];
+    } while (f != NONE && f != first && i != end);
+    const bool closed = m_.loop[v] == NONE;
+    return i == end && (closed ? f == first : f == NONE);
+  }
+
+  void number_loops()
+  {
+    std::vector<bool> done(m_.number_of_vertices(), false);
+    Index loops = 0;
+    for (std::size_t v = 0; v < m_.number_of_vertices(); ++v) {
+      if (m_.loop[v] == NONE || done[v])
+        continue;
+      for (Index w = Index(v); !done[w]; w = m_.next_on_border(w)) {
+        context_.poll();
+        done[w] = true;
+        m_.loop[w] = loops;
+      }
+      ++loops;
+    }
+  }
+
+  // Counts faces and edges.
+  Component component_of(const std::vector<Index>& faces) const
+  {
+    Component component;
+    component.faces = faces.size();
+    std::size_t corners = 0, border_edges = 0;
+    for (const Index f : faces)
+      for (const Index c : m_.corners(f)) {
+        ++corners;
+        border_edges += m_.face_across[c] == NONE;
+      }
+    component.edges = (corners + border_edges) / 2;
+    return component;
+  }
+
+  Flat_mesh& m_;
+  const Run_context& context_;
+};
 
 // Raises the deviations of faces near the border in proportion to the curvature of the border, at most to four times the
 // largest deviation. The largest deviation scales the densities and does not change.
@@ -156,13 +315,15 @@ private:
 CGAL_SURFACE_MESH_COARSENING_INLINE void complete_topology(Flat_mesh& mesh, std::size_t number_of_vertices,
                                                            const Run_context& context)
 {
-  Flat_mesh_topology::complete(mesh, number_of_vertices, context);
+  Flat_mesh_topology topology(mesh, context);
+  topology.complete_stars(number_of_vertices);
+  topology.number_components();
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE void complete_stars(Flat_mesh& mesh, std::size_t number_of_vertices,
                                                         const Run_context& context)
 {
-  Flat_mesh_topology::complete_stars(mesh, number_of_vertices, context);
+  Flat_mesh_topology(mesh, context).complete_stars(number_of_vertices);
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<double> compute_densities(const Flat_mesh& mesh, double maximum, bool at_borders,

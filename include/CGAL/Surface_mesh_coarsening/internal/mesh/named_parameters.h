@@ -84,56 +84,45 @@ constexpr void accept_parameters()
   static_assert(Checked_pack<Parameter_lists<Lists...>, NamedParameters>::value, "");
 }
 
-struct Geometry_parameters
-  : Parameter_list<CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t>
-{};
-
-struct Order_parameters
-  : Parameter_list<CGAL::internal_np::face_index_t>
-{};
-
-struct Density_parameters
-  : Parameter_list<internal_np::maximum_density_t, internal_np::paper_rules_t>
-{};
+typedef Parameter_list<CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t> Geometry_parameters;
+typedef Parameter_list<CGAL::internal_np::face_index_t> Order_parameters;
+typedef Parameter_list<internal_np::maximum_density_t, internal_np::paper_rules_t> Density_parameters;
 
 // The maps of features of a mesh, which are read or written.
-struct Feature_map_parameters
-  : Parameter_list<CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::vertex_is_constrained_t,
-                   CGAL::internal_np::face_patch_t>
-{};
+typedef Parameter_list<CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::vertex_is_constrained_t,
+                       CGAL::internal_np::face_patch_t>
+  Feature_map_parameters;
 
 // The parameters of all functions that cluster a mesh.
-struct Clustering_parameters
-  : Parameter_lists<Geometry_parameters, Order_parameters, Density_parameters, Feature_map_parameters,
-                    Parameter_list<internal_np::face_density_t, internal_np::cluster_weight_t, internal_np::cluster_energy_t,
-                                   internal_np::subdivide_input_t, internal_np::repair_output_t, internal_np::error_feedback_t,
-                                   internal_np::feature_angle_t, CGAL::internal_np::visitor_t> >
-{};
+typedef Parameter_lists<Geometry_parameters, Order_parameters, Density_parameters, Feature_map_parameters,
+                        Parameter_list<internal_np::face_density_t, internal_np::cluster_weight_t, internal_np::cluster_energy_t,
+                                       internal_np::subdivide_input_t, internal_np::repair_output_t,
+                                       internal_np::error_feedback_t, internal_np::feature_angle_t,
+                                       CGAL::internal_np::visitor_t> >
+  Clustering_parameters;
 
 // The parameters of all functions that compute a coarser mesh.
-struct Coarsening_parameters
-  : Parameter_lists<Clustering_parameters,
-                    Parameter_list<CGAL::internal_np::number_of_iterations_t, internal_np::convergence_tolerance_t,
-                                   internal_np::vertex_placement_t, internal_np::face_cluster_t,
-                                   internal_np::vertex_to_cluster_t> >
-{};
+typedef Parameter_lists<Clustering_parameters,
+                        Parameter_list<CGAL::internal_np::number_of_iterations_t, internal_np::convergence_tolerance_t,
+                                       internal_np::vertex_placement_t, internal_np::face_cluster_t,
+                                       internal_np::vertex_to_cluster_t> >
+  Coarsening_parameters;
 
-struct Output_parameters
-  : Parameter_lists<Geometry_parameters, Feature_map_parameters, Parameter_list<internal_np::vertex_source_t> >
-{};
+typedef Parameter_lists<Geometry_parameters, Feature_map_parameters, Parameter_list<internal_np::vertex_source_t> >
+  Output_parameters;
 
 using CGAL::parameters::choose_parameter;
 using CGAL::parameters::get_parameter;
-using CGAL::parameters::get_parameter_reference;
 
 template <class Parameter, class NamedParameters, class Default>
 using Parameter_type =
   std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<Parameter, NamedParameters, Default>::type>;
 
+template <class Type>
+constexpr bool is_given = !std::is_same<Type, CGAL::internal_np::Param_not_found>::value;
+
 template <class Parameter, class NamedParameters>
-constexpr bool has_parameter =
-  !std::is_same<Parameter_type<Parameter, NamedParameters, CGAL::internal_np::Param_not_found>,
-                CGAL::internal_np::Param_not_found>::value;
+constexpr bool has_parameter = is_given<Parameter_type<Parameter, NamedParameters, CGAL::internal_np::Param_not_found> >;
 
 // Whether the map of a parameter, if it is given, has the keys and values; a sentence of the compiler says so otherwise.
 template <class Tag, class Key, class Value, class NamedParameters>
@@ -166,50 +155,25 @@ Numbering<FaceGraph> numbering(const FaceGraph& mesh, const NamedParameters& np,
   return number_elements(mesh, get_parameter(np, CGAL::internal_np::face_index), context);
 }
 
-template <class FaceGraph>
-Flat_mesh flat_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, const Run_context& context = Run_context())
-{
-  Flat_mesh m;
-  copy_connectivity(mesh, n, m, context);
-  complete_topology(m, n.vertices.size(), context);
-  return m;
-}
-
+// Returns a function that reads the coordinates of vertices by the caller's point map and traits.
 template <class FaceGraph, class NamedParameters>
-auto point_map(const FaceGraph& mesh, const NamedParameters& np)
+auto vertex_coordinates(const FaceGraph& mesh, const NamedParameters& np)
 {
-  return choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                          get_const_property_map(CGAL::vertex_point, mesh));
-}
-
-// Reads the coordinates of vertices by the caller's point map and traits.
-template <class FaceGraph, class NamedParameters>
-class Vertex_coordinates
-{
-public:
-  Vertex_coordinates(const FaceGraph& mesh, const NamedParameters& np)
-    : traits_(choose_parameter<Traits>(get_parameter(np, CGAL::internal_np::geom_traits))), points_(point_map(mesh, np))
-  {}
-
-  Vector operator()(typename boost::graph_traits<FaceGraph>::vertex_descriptor v) const
-  {
-    const auto& p = get(points_, v);
-    return {{CGAL::to_double(traits_.compute_x_3_object()(p)), CGAL::to_double(traits_.compute_y_3_object()(p)),
-             CGAL::to_double(traits_.compute_z_3_object()(p))}};
-  }
-
-private:
   typedef typename GetGeomTraits<FaceGraph, NamedParameters>::type Traits;
-
-  const Traits traits_;
-  const decltype(point_map(std::declval<const FaceGraph&>(), std::declval<const NamedParameters&>())) points_;
-};
+  return [traits = Traits(choose_parameter<Traits>(get_parameter(np, CGAL::internal_np::geom_traits))),
+          points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                    get_const_property_map(CGAL::vertex_point, mesh))](auto v) {
+    const auto& p = get(points, v);
+    return Vector{{CGAL::to_double(traits.compute_x_3_object()(p)), CGAL::to_double(traits.compute_y_3_object()(p)),
+                   CGAL::to_double(traits.compute_z_3_object()(p))}};
+  };
+}
 
 template <class FaceGraph, class NamedParameters>
 Local_frame copy_points(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n, Flat_mesh& m,
                   const Run_context& context = Run_context())
 {
-  const Vertex_coordinates<FaceGraph, NamedParameters> coordinates(mesh, np);
+  const auto coordinates = vertex_coordinates(mesh, np);
   m.points.reserve(n.vertices.size());
   for (const auto v : n.vertices) {
     context.poll();
@@ -235,8 +199,8 @@ Density_choice density_choice(const NamedParameters& np)
 
 // Checks and returns the caller's densities.
 template <class FaceGraph, class DensityMap>
-std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&, const Density_choice&,
-                                 const DensityMap& map, const Run_context& context = Run_context())
+std::vector<double> read_densities(const Numbering<FaceGraph>& n, const DensityMap& map,
+                                   const Run_context& context = Run_context())
 {
   std::vector<double> densities;
   densities.reserve(n.faces.size());
@@ -251,14 +215,6 @@ std::vector<double> densities_of(const Numbering<FaceGraph>& n, const Flat_mesh&
   return densities;
 }
 
-// Computes the densities of section 5.2, raised near borders.
-template <class FaceGraph>
-std::vector<double> densities_of(const Numbering<FaceGraph>&, const Flat_mesh& m, const Density_choice& choice,
-                                 const CGAL::internal_np::Param_not_found&, const Run_context& context = Run_context())
-{
-  return compute_densities(m, choice.maximum, choice.at_borders, context);
-}
-
 template <class FaceGraph, class NamedParameters>
 Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
                                   Local_frame& frame, const Run_context& context)
@@ -269,7 +225,10 @@ Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& 
   if (n.faces.empty())
     throw Invalid_input("the input has no faces");
   frame = copy_points(mesh, np, n, input.mesh, context);
-  input.density = densities_of(n, input.mesh, choice, get_parameter(np, internal_np::face_density), context);
+  if constexpr (has_parameter<internal_np::face_density_t, NamedParameters>)
+    input.density = read_densities(n, get_parameter(np, internal_np::face_density), context);
+  else
+    input.density = compute_densities(input.mesh, choice.maximum, choice.at_borders, context);
   compute_areas_and_centroids(input, context);
   return input;
 }

@@ -123,7 +123,7 @@ auto output_points(const std::vector<Vector>& positions, const Local_frame& fram
 template <class Output, class NamedParameters>
 class Face_graph_filler
 {
-  typedef decltype(output_points<Output>(std::vector<Vector>(), Local_frame(), std::declval<NamedParameters>())) Points;
+  typedef std::vector<typename GetGeomTraits<Output, NamedParameters>::type::Point_3> Points;
 
   Output& output_;
   const NamedParameters& np_;
@@ -131,11 +131,9 @@ class Face_graph_filler
   std::vector<std::array<std::size_t, 3> > polygons_;
 
 public:
-  Face_graph_filler(const std::vector<Vector>& positions, const Local_frame& frame, const std::vector<Triangle>& triangles,
-                    Output& output, const NamedParameters& np, const Run_context& context = Run_context())
-    : output_(output),
-      np_(np),
-      points_(output_points<Output>(positions, frame, np))
+  Face_graph_filler(Points points, const std::vector<Triangle>& triangles, Output& output, const NamedParameters& np,
+                    const Run_context& context = Run_context())
+    : output_(output), np_(np), points_(std::move(points))
   {
     polygons_.reserve(triangles.size());
     for (const Triangle& t : triangles) {
@@ -170,9 +168,7 @@ class Face_graph_filler<Surface_mesh<Point>, NamedParameters>
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Face_index Face;
-  typedef decltype(output_points<Mesh>(std::vector<Vector>(), Local_frame(), std::declval<NamedParameters>())) Points;
-
-  static constexpr bool has_own_map = has_parameter<CGAL::internal_np::vertex_point_t, NamedParameters>;
+  typedef std::vector<typename GetGeomTraits<Mesh, NamedParameters>::type::Point_3> Points;
 
   Mesh& mesh_;
   const NamedParameters& np_;
@@ -184,12 +180,9 @@ class Face_graph_filler<Surface_mesh<Point>, NamedParameters>
   size_type faces() const { return size_type(halfedges_.of_face.size()); }
 
 public:
-  Face_graph_filler(const std::vector<Vector>& positions, const Local_frame& frame, const std::vector<Triangle>& triangles,
-                    Mesh& mesh, const NamedParameters& np, const Run_context& context = Run_context())
-    : mesh_(mesh),
-      np_(np),
-      points_(output_points<Mesh>(positions, frame, np)),
-      halfedges_(triangles, positions.size(), context)
+  Face_graph_filler(Points points, const std::vector<Triangle>& triangles, Mesh& mesh, const NamedParameters& np,
+                    const Run_context& context = Run_context())
+    : mesh_(mesh), np_(np), points_(std::move(points)), halfedges_(triangles, points_.size(), context)
   {
     if (!mesh_.has_garbage())
       reserve();
@@ -225,7 +218,7 @@ private:
   // Resizes the mesh to its final number of elements.
   void put_points()
   {
-    if constexpr (has_own_map) {
+    if constexpr (has_parameter<CGAL::internal_np::vertex_point_t, NamedParameters>) {
       // The caller's map may throw. Until it has accepted all points, the mesh only has additional elements.
       const auto map = get_parameter(np_, CGAL::internal_np::vertex_point);
       const size_type v = mesh_.number_of_vertices(), e = mesh_.number_of_edges(), f = mesh_.number_of_faces();

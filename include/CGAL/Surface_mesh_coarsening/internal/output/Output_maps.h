@@ -46,59 +46,54 @@ inline std::vector<long long> regions(const Flat_mesh& m, const Feature_edges& e
   return region;
 }
 
+// Calls `visit(x, arc)` for the edges of feature lines: `arc` is the arc of the line in the cluster after cluster `x`.
+template <class Visit>
+void for_each_line_edge(const Coarse_features* features, const Visit& visit)
+{
+  if (!features)
+    return;
+  for (const Coarse_features::Line& line : features->lines()) {
+    const std::size_t n = line.arcs.size();
+    for (std::size_t i = line.is_loop ? 0 : 1; i < n; ++i)
+      visit(line.arcs[(i + n - 1) % n].cluster, line.arcs[i]);
+  }
+}
+
+// A coarse mesh with the features that it keeps.
+struct Featured_output
+{
+  const std::vector<Triangle>& triangles; // in the order of the faces
+  const Coarse_features* features;        // null without features
+  const Featured_input& input;
+  const Cluster_labels& labels;          // of the clustered mesh
+  const std::vector<long long>& patches; // of the faces of the caller's mesh; if empty, regions are numbered instead
+};
+
 // The patches of the triangles of a coarse mesh, whose edges may have been flipped and whose vertices may have been exchanged.
 // Lines separate patches. A triangle at a line belongs to the patch on the same side of the line in the input. The other
 // triangles belong to the patch of their neighbors.
-class Triangle_patches
+class Triangle_patches : Featured_output
 {
 public:
-  // `labels` are the labels of the clustered mesh, `patches` the patches of the faces of the caller's mesh. If `patches` is
-  // empty, regions are numbered instead.
-  Triangle_patches(const std::vector<Triangle>& triangles, const Coarse_features* features, const Featured_input& input,
-                   const Cluster_labels& labels, const std::vector<long long>& patches)
-    : triangles_(triangles), input_(input), labels_(labels), patches_(patches),
-      pieces_(input.cells ? input.cells->pieces() : input.items)
+  explicit Triangle_patches(const Featured_output& output)
+    : Featured_output(output), pieces_(input.cells ? input.cells->pieces() : input.items)
   {
     if (patches.empty() && input.cells)
       regions_ = regions(input.cells->base().mesh, input.cells->edges());
-    if (features)
-      for (const Coarse_features::Line& line : features->lines())
-        add_line(line);
   }
 
   std::vector<long long> run() const
   {
     std::vector<Index> face = faces_at_lines();
-    std::vector<Index> reached;
-    for (std::size_t t = 0; t < face.size(); ++t)
-      if (face[t] != NONE)
-        reached.push_back(Index(t));
-    spread(face, reached);
+    spread(face);
     const std::vector<Index> some = some_faces();
-    for (std::size_t t = 0; t < face.size(); ++t)
-      if (face[t] == NONE)
-        face[t] = some[triangles_[t][0]]; // this component has no lines
     std::vector<long long> result;
-    for (const Index f : face)
-      result.push_back(patch_of(f));
+    for (std::size_t t = 0; t < face.size(); ++t)
+      result.push_back(patch_of(face[t] == NONE ? some[triangles[t][0]] : face[t])); // without face, the component has no lines
     return result;
   }
 
 private:
-  typedef std::pair<Index, Index> Side; // of a triangle, from one cluster to the next
-
-  // Finds the faces on both sides of each edge of the line, at the point where the line enters the next cluster.
-  void add_line(const Coarse_features::Line& line)
-  {
-    const std::size_t n = line.arcs.size();
-    for (std::size_t i = line.is_loop ? 0 : 1; i < n; ++i) {
-      const Coarse_features::Arc& arc = line.arcs[i];
-      const Index previous = line.arcs[(i + n - 1) % n].cluster;
-      face_at_side_[{previous, arc.cluster}] = face_left_of(arc.vertices[0], arc.vertices[1]);
-      face_at_side_[{arc.cluster, previous}] = face_left_of(arc.vertices[1], arc.vertices[0]);
-    }
-  }
-
   // NONE on the border.
   Index face_left_of(Index source, Index target) const
   {
@@ -109,22 +104,33 @@ private:
     return NONE;
   }
 
+  // Finds the faces on both sides of each edge of a line, at the point where the line enters the next cluster.
   std::vector<Index> faces_at_lines() const
   {
-    std::vector<Index> face(triangles_.size(), NONE);
+    std::map<std::pair<Index, Index>, Index> face_at_side; // of a triangle, from one cluster to the next
+    for_each_line_edge(features, [&](Index previous, const Coarse_features::Arc& arc) {
+      face_at_side[{previous, arc.cluster}] = face_left_of(arc.vertices[0], arc.vertices[1]);
+      face_at_side[{arc.cluster, previous}] = face_left_of(arc.vertices[1], arc.vertices[0]);
+    });
+    std::vector<Index> face(triangles.size(), NONE);
     for (std::size_t t = 0; t < face.size(); ++t)
       for (std::size_t i = 0; i < 3; ++i) {
-        const auto found = face_at_side_.find({triangles_[t][i], triangles_[t][(i + 1) % 3]});
-        if (found != face_at_side_.end())
+        const auto found = face_at_side.find({triangles[t][i], triangles[t][(i + 1) % 3]});
+        if (found != face_at_side.end())
           face[t] = found->second;
       }
     return face;
   }
 
-  void spread(std::vector<Index>& face, std::vector<Index>& reached) const
+  // Gives triangles the faces of their neighbors.
+  void spread(std::vector<Index>& face) const
   {
-    const auto source = [this](Index side) { return triangles_[side / 3][side % 3]; };
-    const std::vector<Index> opposite = opposite_sides(triangles_.size(), number_of_clusters(), source);
+    std::vector<Index> reached;
+    for (std::size_t t = 0; t < face.size(); ++t)
+      if (face[t] != NONE)
+        reached.push_back(Index(t));
+    const auto source = [this](Index side) { return triangles[side / 3][side % 3]; };
+    const std::vector<Index> opposite = opposite_sides(triangles.size(), number_of_clusters(), source);
     for (std::size_t k = 0; k < reached.size(); ++k)
       for (Index side = 3 * reached[k]; side < 3 * reached[k] + 3; ++side) {
         const Index t = opposite[side] == NONE ? NONE : opposite[side] / 3;
@@ -138,7 +144,7 @@ private:
   std::size_t number_of_clusters() const
   {
     Index last = 0;
-    for (const Triangle& t : triangles_)
+    for (const Triangle& t : triangles)
       last = (std::max)({last, t[0], t[1], t[2]});
     return std::size_t(last) + 1;
   }
@@ -148,7 +154,7 @@ private:
   {
     std::vector<Index> some(number_of_clusters(), NONE);
     for (std::size_t f = 0; f < pieces_.mesh.number_of_faces(); ++f) {
-      const Index label = labels_[input_.cells ? input_.cells->polygon(Index(f)) : Index(f)];
+      const Index label = labels[input.cells ? input.cells->polygon(Index(f)) : Index(f)];
       if (label < some.size())
         some[label] = Index(f);
     }
@@ -157,86 +163,42 @@ private:
 
   long long patch_of(Index face) const
   {
-    if (!patches_.empty())
-      return patches_[pieces_.parent_of(face)];
-    return regions_.empty() ? pieces_.mesh.component[face] : regions_[input_.cells->base_face(face)];
+    if (!patches.empty())
+      return patches[pieces_.parent_of(face)];
+    return regions_.empty() ? pieces_.mesh.component[face] : regions_[input.cells->base_face(face)];
   }
 
-  const std::vector<Triangle>& triangles_;
-  const Featured_input& input_;
-  const Cluster_labels& labels_;
-  const std::vector<long long>& patches_;
   const Clustering_input& pieces_;
   std::vector<long long> regions_;
-  std::map<Side, Index> face_at_side_;
 };
 
-template <class Output>
-auto vertices_of(const Output& output)
-{
-  return std::vector<typename boost::graph_traits<Output>::vertex_descriptor>(vertices(output).begin(), vertices(output).end());
-}
-
-template <class Output, class Vertices>
-auto halfedge_between(const Output& output, const Vertices& vertices, Index x, Index y)
-{
-  return halfedge(vertices[x], vertices[y], output).first;
-}
-
-template <class Output, class Map>
-void write_patches(const Output& output, const Map& map, const std::vector<Triangle>& triangles,
-                   const Coarse_features* features, const Featured_input& input, const Cluster_labels& labels,
-                   const std::vector<long long>& patches)
-{
-  typedef typename boost::property_traits<Map>::value_type Value;
-  const auto v = vertices_of(output);
-  const std::vector<long long> patch = Triangle_patches(triangles, features, input, labels, patches).run();
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    put(map, face(halfedge_between(output, v, triangles[t][0], triangles[t][1]), output), static_cast<Value>(patch[t]));
-}
-template <class Output>
-void write_patches(const Output&, const CGAL::internal_np::Param_not_found&, const std::vector<Triangle>&,
-                   const Coarse_features*, const Featured_input&, const Cluster_labels&, const std::vector<long long>&)
-{}
-
-template <class Output, class Map>
-void write_lines(const Output& output, const Map& map, const Coarse_features* features)
-{
-  const auto v = vertices_of(output);
-  for (const auto e : edges(output))
-    put(map, e, false);
-  if (!features)
-    return;
-  for (const Coarse_features::Line& line : features->lines()) {
-    const std::size_t n = line.arcs.size();
-    for (std::size_t i = line.is_loop ? 0 : 1; i < n; ++i)
-      put(map, edge(halfedge_between(output, v, line.arcs[(i + n - 1) % n].cluster, line.arcs[i].cluster), output), true);
-  }
-}
-template <class Output>
-void write_lines(const Output&, const CGAL::internal_np::Param_not_found&, const Coarse_features*)
-{}
-
-template <class Output, class Map>
-void write_corners(const Output& output, const Map& map, const Coarse_features* features)
-{
-  std::size_t i = 0;
-  for (const auto v : vertices(output))
-    put(map, v, features && features->corners()[i++] != NONE);
-}
-template <class Output>
-void write_corners(const Output&, const CGAL::internal_np::Param_not_found&, const Coarse_features*)
-{}
-
-// Writes the maps that the parameters of the output request. `triangles` are the triangles of `output` in order.
+// Writes the maps that the parameters of the output request.
 template <class Output, class NamedParameters>
-void write_features(const Output& output, const NamedParameters& np, const std::vector<Triangle>& triangles,
-                    const Coarse_features* features, const Featured_input& input, const Cluster_labels& labels,
-                    const std::vector<long long>& patches)
+void write_features(const Output& output, const NamedParameters& np, const Featured_output& coarse)
 {
-  write_patches(output, get_parameter(np, CGAL::internal_np::face_patch), triangles, features, input, labels, patches);
-  write_lines(output, get_parameter(np, CGAL::internal_np::edge_is_constrained), features);
-  write_corners(output, get_parameter(np, CGAL::internal_np::vertex_is_constrained), features);
+  typedef typename boost::graph_traits<Output>::vertex_descriptor Vertex;
+  const std::vector<Vertex> v(vertices(output).begin(), vertices(output).end());
+  const auto halfedge_between = [&](Index x, Index y) { return halfedge(v[x], v[y], output).first; };
+  if constexpr (has_parameter<CGAL::internal_np::face_patch_t, NamedParameters>) {
+    auto map = get_parameter(np, CGAL::internal_np::face_patch);
+    typedef typename boost::property_traits<decltype(map)>::value_type Value;
+    const std::vector<long long> patch = Triangle_patches(coarse).run();
+    for (std::size_t t = 0; t < patch.size(); ++t)
+      put(map, face(halfedge_between(coarse.triangles[t][0], coarse.triangles[t][1]), output), static_cast<Value>(patch[t]));
+  }
+  if constexpr (has_parameter<CGAL::internal_np::edge_is_constrained_t, NamedParameters>) {
+    auto map = get_parameter(np, CGAL::internal_np::edge_is_constrained);
+    for (const auto e : edges(output))
+      put(map, e, false);
+    for_each_line_edge(coarse.features, [&](Index previous, const Coarse_features::Arc& arc) {
+      put(map, edge(halfedge_between(previous, arc.cluster), output), true);
+    });
+  }
+  if constexpr (has_parameter<CGAL::internal_np::vertex_is_constrained_t, NamedParameters>) {
+    auto map = get_parameter(np, CGAL::internal_np::vertex_is_constrained);
+    for (std::size_t i = 0; i < v.size(); ++i)
+      put(map, v[i], coarse.features && coarse.features->corners()[i] != NONE);
+  }
 }
 
 // Returns the cluster of each vertex of a mesh: among the clusters of the incident faces, the cluster of largest area there, and
@@ -266,79 +228,67 @@ inline std::vector<Index> clusters_of_vertices(const Flat_mesh& m, const std::ve
   return result;
 }
 
-// Writes the clusters of the faces of the input.
+// Write the clusters of the faces and vertices of the input.
 template <class FaceGraph, class Map>
 void write_face_clusters(const Numbering<FaceGraph>& numbering, const std::vector<Index>& clusters, const Map& map)
 {
-  typedef typename boost::property_traits<Map>::value_type Value;
-  for (std::size_t f = 0; f < clusters.size(); ++f)
-    put(map, numbering.faces[f], Value(clusters[f]));
+  if constexpr (is_given<Map>)
+    for (std::size_t f = 0; f < clusters.size(); ++f)
+      put(map, numbering.faces[f], typename boost::property_traits<Map>::value_type(clusters[f]));
 }
-template <class FaceGraph>
-void write_face_clusters(const Numbering<FaceGraph>&, const std::vector<Index>&, const CGAL::internal_np::Param_not_found&)
-{}
 
 template <class FaceGraph, class Map>
 void write_vertex_clusters(const Numbering<FaceGraph>& numbering, const Clustering_input& input,
                            const std::vector<Index>& clusters, std::size_t number, const Map& map)
 {
-  typedef typename boost::property_traits<Map>::value_type Value;
-  const std::vector<Index> of_vertex = clusters_of_vertices(input.mesh, input.area, clusters, Index(number));
-  const auto& vertices = numbering.vertices;
-  for (std::size_t v = 0; v < vertices.size(); ++v)
-    put(map, vertices[v], Value(of_vertex[v]));
+  if constexpr (is_given<Map>) {
+    const std::vector<Index> of_vertex = clusters_of_vertices(input.mesh, input.area, clusters, Index(number));
+    for (std::size_t v = 0; v < numbering.vertices.size(); ++v)
+      put(map, numbering.vertices[v], typename boost::property_traits<Map>::value_type(of_vertex[v]));
+  }
 }
-template <class FaceGraph>
-void write_vertex_clusters(const Numbering<FaceGraph>&, const Clustering_input&, const std::vector<Index>&, std::size_t,
-                           const CGAL::internal_np::Param_not_found&)
-{}
 
 // Throws Invalid_input if sources are requested and the output replaces the input.
-template <class Map, class FaceGraph, class Output>
+template <class NamedParametersOut, class FaceGraph, class Output>
 void check_input_stays(const FaceGraph& input, const Output& output)
 {
-  const bool has_map = !std::is_same<Map, CGAL::internal_np::Param_not_found>::value;
+  constexpr bool has_map = has_parameter<internal_np::vertex_source_t, NamedParametersOut>;
   if (has_map && static_cast<const void*>(&input) == static_cast<const void*>(&output))
     throw Invalid_input("a vertex_source_map was given, but the output is the input, which the sources would lie on");
 }
 
 // Finds the sources of the vertices on the input before the output changes, and writes them after the output has its
 // vertices.
-template <class FaceGraph, class Map>
+template <class FaceGraph, class NamedParametersOut>
 class Vertex_sources
 {
 public:
-  explicit Vertex_sources(const Map& map) : map_(map) {}
+  explicit Vertex_sources(const NamedParametersOut& np) : map_(get_parameter(np, internal_np::vertex_source)) {}
 
-  void find(const FaceGraph& mesh, const Numbering<FaceGraph>& numbering, const Clustering_input& input,
-            const std::vector<Index>& clusters, const std::vector<Vector>& positions, const Run_context& context)
+  template <class Clustering>
+  void find(const FaceGraph& mesh, const Clustering& clustering, const std::vector<Index>& clusters,
+            const std::vector<Vector>& positions)
   {
-    locations_ = surface_locations(mesh, numbering, input, clusters, positions, context);
+    if constexpr (is_given<Map>)
+      locations_ = surface_locations(mesh, clustering.numbering(), clustering.state().base_input(), clusters, positions,
+                                     clustering.state().context);
   }
 
   template <class Output>
   void write(const Output& output)
   {
-    std::size_t i = 0;
-    for (const auto v : vertices(output))
-      put(map_, v, std::move(locations_[i++]));
+    if constexpr (is_given<Map>) {
+      std::size_t i = 0;
+      for (const auto v : vertices(output))
+        put(map_, v, std::move(locations_[i++]));
+    }
   }
 
 private:
+  typedef Parameter_type<internal_np::vertex_source_t, NamedParametersOut, CGAL::internal_np::Param_not_found> Map;
+
   Map map_;
   std::vector<Surface_location<FaceGraph> > locations_;
-};
-
-template <class FaceGraph>
-class Vertex_sources<FaceGraph, CGAL::internal_np::Param_not_found>
-{
-public:
-  explicit Vertex_sources(const CGAL::internal_np::Param_not_found&) {}
-  void find(const FaceGraph&, const Numbering<FaceGraph>&, const Clustering_input&, const std::vector<Index>&,
-            const std::vector<Vector>&, const Run_context&)
-  {}
-  template <class Output>
-  void write(const Output&) {}
 };
 
 } // namespace internal

@@ -29,26 +29,33 @@ inline Vector checked_position(const Clustered_faces& surface, std::size_t clust
   return inside;
 }
 
+struct Placement_input
+{
+  const Clustered_faces& surface;
+  const Border_arcs& border;
+  const Placement_model& placement;
+};
+
 // Places the vertices of the clusters. Vertices of clusters on the border lie on the border. A global placement may flip edges
 // of the triangles.
-inline std::vector<Vector> place_vertices(const Clustered_faces& surface, const Border_arcs& border,
-                                          const Placement_model& placement, std::vector<Triangle>& triangles)
+inline std::vector<Vector> place_vertices(const Placement_input& input, std::vector<Triangle>& triangles)
 {
-  const Run_context context = placement.may_run_in_parallel ? surface.context() : surface.context().on_one_thread();
+  const Clustered_faces& surface = input.surface;
+  const Run_context context = input.placement.may_run_in_parallel ? surface.context() : surface.context().on_one_thread();
   context.stage_begins(Coarsening_stage::PLACEMENT);
   std::vector<Vector> positions(surface.number_of_clusters());
-  border.place(positions);
-  if (placement.local) {
+  input.border.place(positions);
+  if (input.placement.local) {
     for_each_chunk(context, positions.size(), 16, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t x = begin; x < end; ++x) {
         if (!context.is_parallel())
           context.poll(surface.faces(x).size());
-        if (!border.is_on_border(x))
-          positions[x] = placement.local(surface, x);
+        if (!input.border.is_on_border(x))
+          positions[x] = input.placement.local(surface, x);
       }
     });
   } else {
-    placement.global(surface, border, triangles, positions);
+    input.placement.global(surface, input.border, triangles, positions);
   }
   for (std::size_t x = 0; x < positions.size(); ++x)
     positions[x] = checked_position(surface, x, positions[x]);
@@ -57,29 +64,26 @@ inline std::vector<Vector> place_vertices(const Clustered_faces& surface, const 
 }
 
 // Moves vertices and flips edges where triangles intersect that do not in the input, or face away from the surface.
-inline Repair_counts repair_placement(const Clustered_faces& surface, const Border_arcs& border,
-                                      const Placement_model& placement, const Output_coordinates& output_coordinates,
+inline Repair_counts repair_placement(const Placement_input& input, const Output_coordinates& output_coordinates,
                                       std::vector<Triangle>& triangles, std::vector<Vector>& positions, Repair_budget& budget)
 {
-  surface.context().stage_begins(Coarsening_stage::REPAIR);
-  Placement_repair repair(surface, border, output_coordinates, triangles, positions, budget);
-  if (placement.is_at_input_vertices)
+  input.surface.context().stage_begins(Coarsening_stage::REPAIR);
+  Placement_repair repair(input.surface, input.border, output_coordinates, triangles, positions, budget);
+  if (input.placement.is_at_input_vertices)
     repair.stay_at_input_vertices();
   const Repair_counts counts = repair.run();
-  surface.context().stage_ends(Coarsening_stage::REPAIR);
+  input.surface.context().stage_ends(Coarsening_stage::REPAIR);
   return counts;
 }
 
 // Places the vertices, and repairs the placement on request.
-inline std::vector<Vector> place_vertices(const Clustered_faces& surface, const Border_arcs& border,
-                                          const Placement_model& placement, bool with_repair,
+inline std::vector<Vector> place_vertices(const Placement_input& input, bool with_repair,
                                           const Output_coordinates& output_coordinates, std::vector<Triangle>& triangles,
                                           Repair_counts& counts)
 {
-  std::vector<Vector> positions = place_vertices(surface, border, placement, triangles);
-  Repair_budget budget(surface.input().mesh.number_of_faces());
-  counts = with_repair ? repair_placement(surface, border, placement, output_coordinates, triangles, positions, budget)
-                       : Repair_counts();
+  std::vector<Vector> positions = place_vertices(input, triangles);
+  Repair_budget budget(input.surface.input().mesh.number_of_faces());
+  counts = with_repair ? repair_placement(input, output_coordinates, triangles, positions, budget) : Repair_counts();
   return positions;
 }
 

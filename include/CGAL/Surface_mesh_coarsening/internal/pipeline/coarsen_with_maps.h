@@ -32,8 +32,7 @@ Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& outp
                                             const Seed& seed)
 {
   typedef Parameter_type<internal_np::vertex_placement_t, NPIn, Fitted_placement> Placement;
-  const auto source_map = get_parameter(np_out, internal_np::vertex_source);
-  check_input_stays<std::decay_t<decltype(source_map)> >(input, output);
+  check_input_stays<NPOut>(input, output);
   Clustering clustering(typename Clustering::Accepted(), input, np_in);
   const Placement placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
   clustering.choose_items_for(placement);
@@ -44,7 +43,7 @@ Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& outp
                       choose_parameter(get_parameter(np_in, internal_np::convergence_tolerance_p),
                                        Coarsening_defaults::convergence_tolerance));
   clustering.end_minimization();
-  Vertex_sources<FaceGraph, std::decay_t<decltype(source_map)> > sources(source_map);
+  Vertex_sources<FaceGraph, NPOut> sources(np_out);
   clustering.extract_embedded_dual_mesh(
     output, placement, np_out,
     [&](const std::vector<Vector>& positions) {
@@ -52,7 +51,7 @@ Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& outp
                               has_parameter<internal_np::vertex_to_cluster_t, NPIn>;
       const Clustering_state& state = clustering.state();
       const std::vector<Index> clusters = are_wanted ? clusters_of_base_faces(state) : std::vector<Index>();
-      sources.find(input, clustering.numbering(), state.base_input(), clusters, positions, state.context);
+      sources.find(input, clustering, clusters, positions);
       write_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
       write_boundary_counts(clustering, get_parameter(np_in, internal_np::vertex_boundary_count));
       write_vertex_clusters(clustering.numbering(), state.base_input(), clusters, state.number_of_clusters(),

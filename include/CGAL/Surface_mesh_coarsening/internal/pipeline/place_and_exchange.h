@@ -92,7 +92,8 @@ inline Repair_counts repaired(const Clustering_state& state, const Bordered_surf
 {
   if (!state.repairs_output)
     return Repair_counts();
-  return repair_placement(*surface.faces, surface.border, placement, output_coordinates, dual.triangles, dual.positions, budget);
+  return repair_placement({*surface.faces, surface.border, placement}, output_coordinates, dual.triangles, dual.positions,
+                          budget);
 }
 
 // Places the vertices and repairs the placement.
@@ -104,7 +105,7 @@ inline Placed_dual place(const Clustering_state& state, const Placement_model& p
   const std::unique_ptr<Bordered_surface> surface = bordered_surface(state, dual);
   dual.triangles = dual_triangles(labels(state), state.context);
   state.context.stage_ends(Coarsening_stage::TRIANGULATION);
-  dual.positions = place_vertices(*surface->faces, surface->border, placement, dual.triangles);
+  dual.positions = place_vertices({*surface->faces, surface->border, placement}, dual.triangles);
   dual.counts = repaired(state, *surface, placement, output_coordinates, dual, budget);
   state.context.throw_if_cancelled();
   return dual;

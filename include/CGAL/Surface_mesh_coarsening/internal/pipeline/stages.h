@@ -128,11 +128,12 @@ template <class Output, class NamedParameters, class Before>
 void emit(Clustering_state& state, const Placed_dual& dual, Output& output, const NamedParameters& np, const Before& before)
 {
   report_placement(state.report, dual.triangles, dual.positions, dual.counts, dual.clusterings);
-  Face_graph_filler<Output, NamedParameters> filler(dual.positions, state.frame, dual.triangles, output, np, state.context);
+  Face_graph_filler<Output, NamedParameters> filler(output_points<Output>(dual.positions, state.frame, np), dual.triangles,
+                                                    output, np, state.context);
   state.context.throw_if_cancelled();
   before(dual.positions);
   filler.commit();
-  write_features(output, np, dual.triangles, dual.pieces->features(), state.featured_input(), labels(state), state.patches);
+  write_features(output, np, {dual.triangles, dual.pieces->features(), state.featured_input(), labels(state), state.patches});
 }
 
 } // namespace internal

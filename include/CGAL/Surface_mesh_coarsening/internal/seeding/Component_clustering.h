@@ -258,8 +258,9 @@ public:
     Flat_mesh cut_mesh = cutting.run();
     new_labels.clear();
     for (std::size_t i = 0; i < cutting.old_face().size(); ++i) {
-      const Index f = cutting.old_face()[i], c = cutting.old_corner()[i];
-      new_labels.push_back(c == NONE ? labels_[f] : label_of_first(m.corner_vertex[c]));
+      const Index c = cutting.old_corner()[cut_mesh.first_corner[i]];
+      const bool is_cut_off = c != NONE && is_cut_[c];
+      new_labels.push_back(is_cut_off ? label_of_first(m.corner_vertex[c]) : labels_[cutting.old_face()[i]]);
     }
     return cut_input(input_, std::move(cut_mesh), cutting.old_face());
   }

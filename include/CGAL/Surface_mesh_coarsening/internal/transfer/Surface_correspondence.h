@@ -22,42 +22,107 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
+struct Clustered_arrays
+{
+  Flat_mesh mesh;
+  std::vector<double> area;
+  std::vector<Vector> centroid;
+  std::vector<Index> cluster; // per face; NONE if it corresponds to nothing
+  Local_frame frame;
+};
+
+template <class FaceGraph, class NamedParameters, class FaceClusterMap, class CoarseNumbering>
+Clustered_arrays clustered_arrays(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
+                                  const FaceClusterMap& map, const CoarseNumbering& coarse)
+{
+  Clustered_arrays result;
+  result.mesh = flat_connectivity(mesh, n);
+  if (n.faces.empty() || coarse.faces.empty())
+    throw Invalid_input("there is nothing to transfer between meshes of which one has no faces");
+  result.frame = copy_points(mesh, np, n, result.mesh);
+  bool is_any = false;
+  for (std::size_t f = 0; f < n.faces.size(); ++f) {
+    const Face_geometry g = face_geometry(result.mesh, Index(f));
+    result.area.push_back(g.area);
+    result.centroid.push_back(g.centroid);
+    const std::size_t x = std::size_t(get(map, n.faces[f])), clusters = coarse.vertices.size();
+    if (x > clusters)
+      throw Invalid_input("the cluster of face " + std::to_string(f) + " is " + std::to_string(x) + ", but the coarse mesh has " +
+                          std::to_string(clusters) + " vertices");
+    result.cluster.push_back(x == clusters ? NONE : Index(x));
+    is_any = is_any || x != clusters;
+  }
+  if (!is_any)
+    throw Invalid_input("no face has a cluster");
+  return result;
+}
+
+// Returns the corners of the faces of a triangle mesh, in the order of the numbering.
+template <class FaceGraph>
+std::vector<Triangle> numbered_triangles(const FaceGraph& mesh, const Numbering<FaceGraph>& n)
+{
+  std::vector<Triangle> triangles;
+  for (const auto f : n.faces) {
+    std::vector<Index> corners;
+    for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
+      corners.push_back(n.number_of(source(h, mesh)));
+    if (corners.size() != 3)
+      throw Invalid_input("face " + std::to_string(triangles.size()) + " of the coarse mesh has " +
+                          std::to_string(corners.size()) + " sides");
+    triangles.push_back({{corners[0], corners[1], corners[2]}});
+  }
+  return triangles;
+}
+
+// Returns the points of a mesh in the frame of another mesh.
+template <class FaceGraph, class NamedParameters>
+std::vector<Vector> points_in_frame(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
+                                    const Local_frame& frame)
+{
+  const auto coordinates = vertex_coordinates(mesh, np);
+  std::vector<Vector> positions;
+  positions.reserve(n.vertices.size());
+  for (const auto v : n.vertices) {
+    const Vector q = coordinates(v);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!std::isfinite(q[i]))
+        throw Invalid_input("coordinate " + std::to_string(i) + " of vertex " + std::to_string(positions.size()) +
+                            " of the coarse mesh is " + std::to_string(q[i]));
+    positions.push_back(frame.to_local(q));
+  }
+  return positions;
+}
+
 // A clustered mesh and its coarse mesh in arrays, and the correspondence between their elements.
-class Surface_correspondence
+class Surface_correspondence : public Clustered_arrays
 {
 public:
-  // Faces of cluster NONE have no correspondence. Coordinates of both meshes have the same origin.
-  Surface_correspondence(Flat_mesh mesh, std::vector<double> areas, std::vector<Vector> centroids, std::vector<Index> clusters,
-                    std::vector<Vector> positions, std::vector<Triangle> triangles)
-    : mesh_(std::move(mesh)), area_(std::move(areas)), centroid_(std::move(centroids)), cluster_(std::move(clusters)),
-      position_(std::move(positions)), triangles_(std::move(triangles)), around_(position_.size()),
-      dual_area_(position_.size(), 0),
-      faces_(numbers_below(Index(cluster_.size())), position_.size(), [this](Index f) { return cluster_[f]; }),
-      search_(mesh_, faces_)
+  template <class CoarseFaceGraph, class NamedParameters>
+  Surface_correspondence(Clustered_arrays clustered, const CoarseFaceGraph& coarse, const Numbering<CoarseFaceGraph>& n,
+                         const NamedParameters& np)
+    : Clustered_arrays(std::move(clustered)), position_(points_in_frame(coarse, np, n, frame)),
+      triangles_(numbered_triangles(coarse, n)), around_(position_.size()), dual_area_(position_.size(), 0),
+      faces_(numbers_below(Index(cluster.size())), position_.size(), [this](Index f) { return cluster[f]; }),
+      search_(mesh, faces_)
   {
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       for (const Index x : triangles_[t]) {
         around_[x].push_back(Index(t));
-        dual_area_[x] += area_of_triangle(Index(t)) / 3;
+        dual_area_[x] += 0.5 * length(normal_of(position_, triangles_[t])) / 3;
       }
   }
 
   Surface_correspondence(const Surface_correspondence&) = delete; // its members refer to each other
   Surface_correspondence& operator=(const Surface_correspondence&) = delete;
 
-  const Flat_mesh& mesh() const { return mesh_; }
-  double area(Index f) const { return area_[f]; }
-  Index cluster(Index f) const { return cluster_[f]; }
-  const Vector& position(Index x) const { return position_[x]; }
+  const std::vector<Vector>& positions() const { return position_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<Index>& around(Index x) const { return around_[x]; }
-  std::size_t number_of_vertices() const { return position_.size(); }
   Bucketed_items<Index>::Range faces(Index x) const { return faces_[x]; }
   const Nearest_point_search& search() const { return search_; }
 
   // Returns a third of the area of the triangles around a vertex.
   double dual_area(Index x) const { return dual_area_[x]; }
-  double area_of_triangle(Index t) const { return 0.5 * length(normal_of(position_, triangles_[t])); }
   Vector center(const std::array<Index, 2>& edge) const { return 0.5 * (position_[edge[0]] + position_[edge[1]]); }
   Vector center(const Triangle& t) const { return (1. / 3) * (position_[t[0]] + position_[t[1]] + position_[t[2]]); }
 
@@ -95,8 +160,8 @@ public:
   const std::vector<Index>& triangles_of_faces()
   {
     if (triangle_of_face_.empty())
-      for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f)
-        triangle_of_face_.push_back(cluster_[f] == NONE ? NONE : nearest_around(cluster_[f], centroid_[f]));
+      for (std::size_t f = 0; f < cluster.size(); ++f)
+        triangle_of_face_.push_back(cluster[f] == NONE ? NONE : nearest_around(cluster[f], centroid[f]));
     return triangle_of_face_;
   }
 
@@ -107,19 +172,18 @@ public:
     if (dual_area_[x] > 0)
       return x;
     std::vector<Index> queue(1, x);
-    std::vector<bool> seen;
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      if (dual_area_[queue[i]] > 0)
-        return queue[i];
-      seen.resize(position_.size(), false);
-      seen[x] = true;
+    std::vector<bool> seen(position_.size(), false);
+    seen[x] = true;
+    for (std::size_t i = 0; i < queue.size(); ++i)
       for (const Index t : around_[queue[i]])
-        for (const Index y : triangles_[t])
-          if (!seen[y]) {
-            seen[y] = true;
-            queue.push_back(y);
-          }
-    }
+        for (const Index y : triangles_[t]) {
+          if (seen[y])
+            continue;
+          if (dual_area_[y] > 0)
+            return y;
+          seen[y] = true;
+          queue.push_back(y);
+        }
     return x;
   }
 
@@ -140,10 +204,6 @@ private:
     return nearest;
   }
 
-  Flat_mesh mesh_;
-  std::vector<double> area_;
-  std::vector<Vector> centroid_;
-  std::vector<Index> cluster_;
   std::vector<Vector> position_;
   std::vector<Triangle> triangles_;
   std::vector<std::vector<Index> > around_;
@@ -154,73 +214,6 @@ private:
   std::vector<Nearest_point> sources_, triangle_sources_;
   std::vector<Index> triangle_of_face_;
 };
-
-// Returns the corners of the faces of a triangle mesh, in the order of the numbering.
-template <class FaceGraph>
-std::vector<Triangle> numbered_triangles(const FaceGraph& mesh, const Numbering<FaceGraph>& n)
-{
-  std::vector<Triangle> triangles;
-  for (const auto f : n.faces) {
-    std::vector<Index> corners;
-    for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
-      corners.push_back(n.number_of(source(h, mesh)));
-    if (corners.size() != 3)
-      throw Invalid_input("face " + std::to_string(triangles.size()) + " of the coarse mesh has " +
-                          std::to_string(corners.size()) + " sides");
-    triangles.push_back({{corners[0], corners[1], corners[2]}});
-  }
-  return triangles;
-}
-
-// Returns the points of a mesh in the frame of another mesh.
-template <class FaceGraph, class NamedParameters>
-std::vector<Vector> points_in_frame(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
-                                    const Local_frame& frame)
-{
-  const Vertex_coordinates<FaceGraph, NamedParameters> coordinates(mesh, np);
-  std::vector<Vector> positions;
-  positions.reserve(n.vertices.size());
-  for (const auto v : n.vertices) {
-    const Vector q = coordinates(v);
-    for (std::size_t i = 0; i < 3; ++i)
-      if (!std::isfinite(q[i]))
-        throw Invalid_input("coordinate " + std::to_string(i) + " of vertex " + std::to_string(positions.size()) +
-                            " of the coarse mesh is " + std::to_string(q[i]));
-    positions.push_back(frame.to_local(q));
-  }
-  return positions;
-}
-
-template <class FaceGraph, class FaceClusterMap, class NamedParameters1, class CoarseFaceGraph, class NamedParameters2>
-Surface_correspondence make_surface_correspondence(const FaceGraph& mesh, const Numbering<FaceGraph>& n,
-                                                   const FaceClusterMap& map, const NamedParameters1& np1,
-                                                   const CoarseFaceGraph& coarse, const Numbering<CoarseFaceGraph>& coarse_n,
-                                                   const NamedParameters2& np2)
-{
-  Flat_mesh m = flat_connectivity(mesh, n);
-  if (n.faces.empty() || coarse_n.faces.empty())
-    throw Invalid_input("there is nothing to transfer between meshes of which one has no faces");
-  const Local_frame frame = copy_points(mesh, np1, n, m);
-  std::vector<double> areas;
-  std::vector<Vector> centroids;
-  std::vector<Index> clusters;
-  bool is_any = false;
-  for (std::size_t f = 0; f < n.faces.size(); ++f) {
-    const Face_geometry g = face_geometry(m, Index(f));
-    areas.push_back(g.area);
-    centroids.push_back(g.centroid);
-    const std::size_t x = std::size_t(get(map, n.faces[f]));
-    if (x > coarse_n.vertices.size())
-      throw Invalid_input("the cluster of face " + std::to_string(f) + " is " + std::to_string(x) + ", but the coarse mesh has " +
-                          std::to_string(coarse_n.vertices.size()) + " vertices");
-    clusters.push_back(x == coarse_n.vertices.size() ? NONE : Index(x));
-    is_any = is_any || clusters.back() != NONE;
-  }
-  if (!is_any)
-    throw Invalid_input("no face has a cluster");
-  return Surface_correspondence(std::move(m), std::move(areas), std::move(centroids), std::move(clusters),
-                           points_in_frame(coarse, np2, coarse_n, frame), numbered_triangles(coarse, coarse_n));
-}
 
 // Finds the points from which the corners of coarse triangles take values if the values have seams.
 //
@@ -233,7 +226,7 @@ class Chart_sectors
 public:
   // `is_seam` states, for each corner of the mesh, whether the edge after it is a seam.
   Chart_sectors(Surface_correspondence& surfaces, const std::vector<bool>& is_seam)
-    : surfaces_(surfaces), mesh_(surfaces.mesh()), is_seam_(is_seam), stamp_(mesh_.number_of_faces(), NONE),
+    : surfaces_(surfaces), mesh_(surfaces.mesh), is_seam_(is_seam), stamp_(mesh_.number_of_faces(), NONE),
       sector_(mesh_.number_of_faces(), NONE)
   {}
 
@@ -247,10 +240,10 @@ public:
     for (const Index t : surfaces_.around(x)) {
       const Index face = surfaces_.triangle_sources()[t].face;
       const Index sector = is_cut && stamp_[face] == x ? sector_[face] : 0;
-      const auto found = nearest_in_sector.find(sector);
-      visit(t, found != nearest_in_sector.end()
-                 ? found->second
-                 : nearest_in_sector.emplace(sector, nearest_in(x, is_cut ? sector : NONE)).first->second);
+      const auto [found, is_new] = nearest_in_sector.emplace(sector, Nearest_point());
+      if (is_new)
+        found->second = nearest_in(x, is_cut ? sector : NONE);
+      visit(t, found->second);
     }
   }
 
@@ -276,8 +269,8 @@ private:
   {
     bool is_cut = false;
     for (const Index f : faces_)
-      for (Index c = mesh_.first_corner[f]; c != mesh_.first_corner[f + 1] && !is_cut; ++c)
-        is_cut = is_seam_[c] && mesh_.face_across[c] != NONE && stamp_[mesh_.face_across[c]] == x;
+      for (const Index c : mesh_.corners(f))
+        is_cut = is_cut || (is_seam_[c] && mesh_.face_across[c] != NONE && stamp_[mesh_.face_across[c]] == x);
     if (!is_cut)
       return false;
     Index sectors = 0;
@@ -285,18 +278,12 @@ private:
       if (sector_[first] != NONE)
         continue;
       sector_[first] = sectors;
-      stack_.assign(1, first);
-      while (!stack_.empty()) {
-        const Index f = stack_.back();
-        stack_.pop_back();
-        for (const Index c : mesh_.corners(f)) {
-          const Index g = mesh_.face_across[c];
-          if (g != NONE && !is_seam_[c] && stamp_[g] == x && sector_[g] == NONE) {
-            sector_[g] = sectors;
-            stack_.push_back(g);
-          }
-        }
-      }
+      flood_fill(mesh_, first, reached_, Run_context(), [&](Index c, Index g) {
+        const bool is_new = !is_seam_[c] && stamp_[g] == x && sector_[g] == NONE;
+        if (is_new)
+          sector_[g] = sectors;
+        return is_new;
+      });
       ++sectors;
     }
     return true;
@@ -308,15 +295,15 @@ private:
     Nearest_point nearest;
     for (const Index f : faces_)
       if (sector == NONE || sector_[f] == sector)
-        improve(mesh_, surfaces_.position(x), f, nearest);
-    return nearest.face == NONE ? surfaces_.search()(surfaces_.position(x), x) : nearest;
+        improve(mesh_, surfaces_.positions()[x], f, nearest);
+    return nearest.face == NONE ? surfaces_.search()(surfaces_.positions()[x], x) : nearest;
   }
 
   Surface_correspondence& surfaces_;
   const Flat_mesh& mesh_;
   const std::vector<bool>& is_seam_;
   std::vector<Index> stamp_, sector_; // per face
-  std::vector<Index> faces_, stack_;
+  std::vector<Index> faces_, reached_;
 };
 
 } // namespace internal

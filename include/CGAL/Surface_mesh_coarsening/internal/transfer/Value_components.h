@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -32,6 +33,9 @@ Number to_number(double x)
   }
 }
 
+template <class Value>
+constexpr bool is_number = std::is_arithmetic<Value>::value && !std::is_same<Value, bool>::value;
+
 // The numbers of a value, if its type has means.
 template <class Value, class = void>
 struct Value_components
@@ -40,7 +44,7 @@ struct Value_components
 };
 
 template <class Value>
-struct Value_components<Value, std::enable_if_t<std::is_arithmetic<Value>::value && !std::is_same<Value, bool>::value> >
+struct Value_components<Value, std::enable_if_t<is_number<Value> > >
 {
   static constexpr std::size_t size = 1;
   static double get(const Value& value, std::size_t) { return double(value); }
@@ -60,16 +64,14 @@ struct Value_components<CGAL::IO::Color>
 };
 
 template <class Number, std::size_t n>
-struct Value_components<std::array<Number, n>,
-                        std::enable_if_t<std::is_arithmetic<Number>::value && !std::is_same<Number, bool>::value> >
+struct Value_components<std::array<Number, n>, std::enable_if_t<is_number<Number> > >
 {
   static constexpr std::size_t size = n;
   static double get(const std::array<Number, n>& value, std::size_t i) { return double(value[i]); }
   static std::array<Number, n> make(const std::array<double, n>& x)
   {
     std::array<Number, n> value;
-    for (std::size_t i = 0; i < n; ++i)
-      value[i] = to_number<Number>(x[i]);
+    std::transform(x.begin(), x.end(), value.begin(), to_number<Number>);
     return value;
   }
 };
@@ -102,8 +104,6 @@ class Weighted_sum
   typedef Value_components<Value> Components;
 
 public:
-  Weighted_sum() { sum_.fill(0); }
-
   void add(double weight, const Value& value)
   {
     for (std::size_t i = 0; i < sum_.size(); ++i)
@@ -117,7 +117,7 @@ public:
   Value value() const { return Components::make(sum_); }
 
 private:
-  std::array<double, Components::size> sum_;
+  std::array<double, Components::size> sum_{};
 };
 
 } // namespace internal
