@@ -57,9 +57,7 @@ inline std::vector<std::size_t> apportion(std::size_t total, std::vector<double>
   const double all_most = double(std::accumulate(most.begin(), most.end(), std::size_t(0)));
   for (std::size_t i = 0; i < n; ++i)
     shares[i] = (all_shares > 0 ? shares[i] / all_shares : 0) + 1e-9 * double(most[i]) / all_most;
-  const auto clamped = [&](std::size_t i, double x) {
-    return (std::min)((std::max)(x, double(least[i])), double(most[i]));
-  };
+  const auto clamped = [&](std::size_t i, double x) { return std::clamp(x, double(least[i]), double(most[i])); };
   // Finds by bisection the factor at which the clamped shares add up to the total, up to rounding errors.
   double low = 0, high = 1;
   const auto sum_at = [&](double factor) {
@@ -119,29 +117,20 @@ public:
   // g have irreducible triangulations of at most 26 g - 4 vertices (Joret and Wood: Irreducible triangulations are small, 2010).
   // With b border loops the number is also linear in g and b (Boulch, Colin de Verdiere, Nakamoto: Irreducible triangulations of
   // surfaces with boundary, 2013). Features keep clusters apart; these results do not bound the additional clusters.
-  static std::size_t sufficient_clusters(const Component& c)
-  {
-    return 8 + 26 * c.genus() + 8 * c.loops + 4 * c.feature_clusters;
-  }
+  static std::size_t sufficient_clusters(const Component& c) { return 8 + 26 * c.genus() + 8 * c.loops + 4 * c.feature_clusters; }
 
-  // Restarts for `wanted` clusters.
-  void begin(const Component& component, std::size_t wanted)
+  // Restarts for `wanted` clusters: with the seeds of level `level`, if given, in the standard method.
+  void begin(const Component& component, std::size_t wanted, Index level = NONE)
   {
-    aim_at(component, wanted);
-    if (has_nearest() && wanted >= nearest_ && wanted < enough_) {
+    enough_ = sufficient_clusters(component);
+    faces_ = component.faces;
+    wanted_ = wanted;
+    lowest_end_ = (std::numeric_limits<std::size_t>::max)();
+    if (level == NONE && has_nearest() && wanted >= nearest_ && wanted < enough_) {
       go_to_nearest();
       return;
     }
-    on_schedule_ = wanted < enough_;
-    from_pieces_ = component.faces < wanted;
-    go_to_first();
-  }
-
-  // Restarts with the seeds of level `level`, in the standard method.
-  void begin(const Component& component, std::size_t wanted, Index level)
-  {
-    aim_at(component, wanted);
-    on_schedule_ = false;
+    on_schedule_ = level == NONE && wanted < enough_;
     from_pieces_ = component.faces < wanted;
     go_to_first();
     level_ = level;
@@ -225,14 +214,6 @@ private:
   {
     const std::size_t faces_of_all_levels = 2000000, faces = from_pieces_ ? 3 * faces_ : faces_;
     return (std::max)(std::size_t(2), faces_of_all_levels / faces);
-  }
-
-  void aim_at(const Component& component, std::size_t wanted)
-  {
-    enough_ = sufficient_clusters(component);
-    faces_ = component.faces;
-    wanted_ = wanted;
-    lowest_end_ = (std::numeric_limits<std::size_t>::max)();
   }
 
   void go_to_first()
