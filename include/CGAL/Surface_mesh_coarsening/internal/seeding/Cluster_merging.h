@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -40,10 +39,8 @@ struct Clustered_component
 // How clusters are merged.
 struct Merging_method
 {
-  // Whether three clusters may be merged at a time. If not, the order of merges does not depend on the required number, and the
-  // size is the area.
-  bool by_threes = false;
-  bool by_area = false; // whether the size is the area in any case
+  bool by_threes = false; // whether three clusters may be merged at a time; if not, the order does not depend on the number
+  bool by_area = false;   // whether the size is the area, not the mass
   // Whether pairs are merged whose union adds least to the residuals of their quadrics, as an edge collapse does (Garland and
   // Heckbert: Surface simplification using quadric error metrics, 1997).
   bool by_quadrics = false;
@@ -67,9 +64,7 @@ public:
     : context_(context),
       component_(component),
       dual_(component.labels, component.faces, component.clusters, context),
-      by_threes_(method.by_threes),
-      by_area_(method.by_area || !method.by_threes),
-      may_join_at_vertices_(method.may_join_at_vertices),
+      method_(method),
       count_(component.clusters),
       merged_into_(count_),
       size_(count_),
@@ -78,7 +73,7 @@ public:
     std::iota(merged_into_.begin(), merged_into_.end(), Index(0));
     for (const Index f : component.faces) {
       Size& size = size_[component.labels[f]];
-      const double mass = by_area_ ? input.area[f] : input.mass(f);
+      const double mass = method_.by_area ? input.area[f] : input.mass(f);
       size.mass += mass;
       size.faces += input.number_of_faces_in(f);
       mass_of_all_ += mass;
@@ -95,7 +90,7 @@ public:
     wanted_ = wanted;
     const std::size_t before = count_;
     merge_while_possible();
-    if (may_join_at_vertices_ && excess() > 0) {
+    if (method_.may_join_at_vertices && excess() > 0) {
       const std::size_t in_arcs = count_;
       joins_at_vertices_ = true;
       merge_while_possible();
@@ -210,8 +205,8 @@ private:
   {
     double least = -1;
     const auto offer = [&](double size) { least = least < 0 || size < least ? size : least; };
-    if (by_threes_ && excess() > 1) {
-      if (by_area_)
+    if (method_.by_threes && excess() > 1) {
+      if (method_.by_area)
         for_each_triple_around(t, [&](const Triple& x) { offer(x.size); });
       if (least >= 0)
         return least;
@@ -230,7 +225,7 @@ private:
   // A cluster that is already large, such as a single face as large as many other clusters, is not enlarged unnecessarily.
   bool may_be_third(Index merged, Index third) const
   {
-    return by_area_ || (size_[merged] + size_[third]).mass <= 4 * mean_mass();
+    return method_.by_area || (size_[merged] + size_[third]).mass <= 4 * mean_mass();
   }
 
   bool is_candidate(Edge e) const
@@ -252,22 +247,22 @@ private:
   double number_of(const Size& x) const
   {
     const double mass_of_faces = x.faces / faces_of_round_cluster * mean_mass();
-    return rounded_for_comparison(by_area_ ? x.mass : (std::min)(x.mass, mass_of_faces));
+    return rounded_for_comparison(method_.by_area ? x.mass : (std::min)(x.mass, mass_of_faces));
   }
 
   void work_off()
   {
     while (!queue_.empty() && excess() > 0) {
       context_.poll();
-      const Candidate candidate = queue_.top();
+      const auto [key, t] = queue_.top();
       queue_.pop();
-      is_queued_[candidate.second] = false;
-      if (!dual_.is_triangle(candidate.second))
+      is_queued_[t] = false;
+      if (!dual_.is_triangle(t))
         continue;
-      if (candidate.first < key_of(candidate.second))
-        enqueue(candidate.second); // the clusters have grown in the meantime
+      if (key < key_of(t))
+        enqueue(t); // the clusters have grown in the meantime
       else
-        merge_at(candidate.second);
+        merge_at(t);
     }
     queue_ = Queue();
     is_queued_.assign(is_queued_.size(), false);
@@ -308,27 +303,19 @@ private:
       }
   }
 
-  std::optional<Triple> smallest_triple_around(Index t)
-  {
-    std::optional<Triple> smallest;
-    for_each_triple_around(t, [&](const Triple& x) {
-      if ((!smallest || x < *smallest) && dual_.may_contract(x.arc))
-        smallest = x;
-    });
-    return smallest;
-  }
-
   void merge_at(Index t)
   {
-    const std::array<Index, 3> corners{{dual_.source(3 * t), dual_.source(3 * t + 1), dual_.source(3 * t + 2)}};
-    const bool three = by_threes_ && excess() > 1;
-    std::optional<Triple> triple;
-    if (three && by_area_)
-      triple = smallest_triple_around(t);
+    const bool three = method_.by_threes && excess() > 1;
+    std::optional<Triple> triple; // the smallest
+    if (three && method_.by_area)
+      for_each_triple_around(t, [&](const Triple& x) {
+        if ((!triple || x < *triple) && dual_.may_contract(x.arc))
+          triple = x;
+      });
     const Edge e = triple ? triple->arc : smallest_edge_of(t);
     if (e == NONE)
       return;
-    const Index third = triple ? triple->third : corners[(e + 2) % 3];
+    const Index third = triple ? triple->third : dual_.source(Dual_surface::previous(e));
     Index merged = merge(e);
     if (three && !dual_.is_cap(third) && may_be_third(merged, third)) {
       Edge to_third = NONE;
@@ -372,7 +359,8 @@ private:
   const Clustered_component component_;
   Dual_surface dual_;
   std::optional<Feature_merging> features_;
-  bool by_threes_, by_area_, may_join_at_vertices_, joins_at_vertices_ = false;
+  const Merging_method method_;
+  bool joins_at_vertices_ = false;
   std::size_t count_, wanted_ = 0;
   std::vector<Index> common_vertices_;     // of the merges of three clusters
   mutable std::vector<Index> merged_into_; // with path compression

@@ -107,7 +107,7 @@ public:
       return result;
     Merging_method method;
     method.by_threes = !plan.is_on_schedule() && !merges_by_quadrics_;
-    method.by_area = merges_by_area_;
+    method.by_area = merges_by_area_ || !method.by_threes;
     method.by_quadrics = merges_by_quadrics_;
     method.may_join_at_vertices = plan.from_pieces() && plan.is_on_schedule() && !cells_;
     Cluster_merging merging(input_, {labels, faces, clusters, growth.rules()}, method, context_);

@@ -163,13 +163,13 @@ public:
   // may not begin with these seeds. Returns whether another attempt remains. If not, nearest() is the smallest attainable number.
   bool revise(Index level, std::size_t seeds, std::size_t reached)
   {
-    if (on_schedule_ && reached > wanted_ && reached < nearest_) {
+    if (!on_schedule_)
+      return leave_standard_method(level, reached);
+    if (reached > wanted_ && reached < nearest_) {
       nearest_ = reached;
       nearest_level_ = level;
       nearest_from_pieces_ = from_pieces_;
     }
-    if (!on_schedule_)
-      return leave_usual_way(level, reached);
     const bool is_no_progress = reached == 0 || reached >= lowest_end_;
     levels_without_progress_ = is_no_progress ? levels_without_progress_ + 1 : 0;
     if (!is_no_progress)
@@ -231,7 +231,7 @@ private:
     from_pieces_ = nearest_from_pieces_;
   }
 
-  bool leave_usual_way(Index level, std::size_t reached)
+  bool leave_standard_method(Index level, std::size_t reached)
   {
     if (reached == 0 && !from_pieces_)
       return take_pieces();
