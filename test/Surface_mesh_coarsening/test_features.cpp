@@ -166,7 +166,6 @@ struct Prepared
   SMC::internal::Numbering<Mesh> numbering;
   SMC::internal::Local_frame frame;
   SMC::internal::Featured_input input;
-  std::vector<long long> patches;
 
   explicit Prepared(const Model& model)
   {
@@ -174,7 +173,7 @@ struct Prepared
     const auto np = model.parameters();
     numbering = SMC::internal::numbering(model.mesh, np);
     input.items = clustering_input(model.mesh, np, numbering, frame, Run_context());
-    read_features(model.mesh, np, numbering, input, frame, patches, Run_context());
+    keep_features(input, read_features(model.mesh, np, numbering, input.items.mesh), Run_context());
   }
 };
 
@@ -185,7 +184,7 @@ Graph graph_of(const Model& model)
     return Graph();
   std::set<Edge> lines;
   std::set<Vertex> corners;
-  p.input.cells->edges().for_each_edge(p.input.cells->base().mesh, [&](Index v, Index w, Index, Index) {
+  p.input.cells->edges().for_each_edge(p.input.cells->base().mesh, [&](Index v, Index w) {
     lines.insert(model.mesh.edge(model.mesh.halfedge(p.numbering.vertices[v], p.numbering.vertices[w])));
   });
   for (std::size_t v = 0; v < p.numbering.vertices.size(); ++v)
@@ -634,7 +633,7 @@ BOOST_AUTO_TEST_CASE(labels_of_faces_at_features)
       around.insert(output.labels[f]);
     BOOST_TEST(around.size() == 1u);
   }
-  p.input.cells->edges().for_each_edge(p.input.cells->base().mesh, [&](Index v, Index w, Index, Index) {
+  p.input.cells->edges().for_each_edge(p.input.cells->base().mesh, [&](Index v, Index w) {
     const auto h = model.mesh.halfedge(p.numbering.vertices[v], p.numbering.vertices[w]);
     BOOST_TEST(output.labels[model.mesh.face(h)] == output.labels[model.mesh.face(model.mesh.opposite(h))]);
   });
@@ -651,7 +650,7 @@ BOOST_AUTO_TEST_CASE(detection)
     std::size_t found = 0;
     const Prepared p(model);
     if (p.input.cells)
-      p.input.cells->edges().for_each_edge(p.input.cells->base().mesh, [&](Index v, Index w, Index, Index) {
+      p.input.cells->edges().for_each_edge(p.input.cells->base().mesh, [&](Index v, Index w) {
         ++found;
         BOOST_TEST(sharp[mesh.edge(mesh.halfedge(Vertex(v), Vertex(w)))]);
       });
@@ -668,7 +667,7 @@ BOOST_AUTO_TEST_CASE(faces_of_zero_area)
   const Prepared p(model);
   std::set<std::pair<Index, Index> > edges;
   BOOST_REQUIRE(p.input.cells);
-  p.input.cells->edges().for_each_edge(p.input.cells->base().mesh, [&](Index v, Index w, Index, Index) {
+  p.input.cells->edges().for_each_edge(p.input.cells->base().mesh, [&](Index v, Index w) {
     edges.insert(std::minmax(v, w));
   });
   BOOST_TEST((edges == std::set<std::pair<Index, Index> >{{0, 2}, {1, 2}}));

@@ -211,7 +211,7 @@ function(check_phrase page phrase header code)
   endif()
 endfunction()
 
-check_phrase(${manual} "or turns by more than 60 degrees" internal/features/Feature_edges.h "dot(a, b) < 0.5 * std::sqrt")
+check_phrase(${manual} "or turns by more than 60 degrees" internal/features/find_features_impl.h "dot(a, b) < 0.5 * std::sqrt")
 check_phrase(${theory} "uses the seeds of the largest level that gives twice this number" internal/seeding/Component_plan.h
   "seeds_per_cluster = 2;")
 check_phrase(Robustness.txt "The mesh is clustered at most six times" internal/pipeline/stages_impl.h "max_repetitions = 4;")

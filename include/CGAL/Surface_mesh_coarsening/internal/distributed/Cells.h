@@ -117,8 +117,7 @@ private:
     for (const Index f : seeds)
       growth.plant(f, cells_++);
     growth.run();
-    cells_ = growth.cover(faces, cells_);
-    Cluster_splitting<std::vector<Index> > splitting(labels_, faces, cells_, context_, nullptr, single_);
+    Cluster_splitting<std::vector<Index> > splitting(growth, faces, growth.cover(faces, cells_), single_);
     splitting.run();
     cells_ = splitting.number_of_clusters();
   }

@@ -7,10 +7,12 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
 
+#include <CGAL/utility.h>
+
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -49,11 +51,9 @@ public:
   // The vertex at the corner of each cluster; NONE without a corner.
   const std::vector<Index>& corners() const { return corner_of_; }
   const std::vector<Line>& lines() const { return lines_; }
-  bool is_edge(Index x, Index y) const { return std::binary_search(edges_.begin(), edges_.end(), key(x, y)); }
+  bool is_edge(Index x, Index y) const { return std::binary_search(edges_.begin(), edges_.end(), make_sorted_pair(x, y)); }
 
 private:
-  static std::uint64_t key(Index x, Index y) { return (std::uint64_t((std::min)(x, y)) << 32) | (std::max)(x, y); }
-
   Index label(Index node) const
   {
     const Flat_mesh& m = cells_.pieces().mesh;
@@ -62,29 +62,27 @@ private:
 
   void add_line(const Feature_line& line)
   {
-    const std::size_t n = line.nodes.size();
-    std::size_t begin = 0; // if the line is a loop, it begins at a crossing
-    while (line.is_loop && begin < n && label(line.nodes[begin]) == label(line.nodes[(begin + n - 1) % n]))
-      ++begin;
-    Line coarse;
-    coarse.is_loop = line.is_loop;
+    std::vector<Index> nodes = line.nodes;
+    const std::size_t n = nodes.size();
+    if (line.is_loop) { // begins at a crossing
+      std::size_t begin = 0;
+      while (begin < n && label(nodes[begin]) == label(nodes[(begin + n - 1) % n]))
+        ++begin;
+      std::rotate(nodes.begin(), nodes.begin() + std::ptrdiff_t(begin), nodes.end());
+    }
+    Line coarse{{{label(nodes[0]), {}}}, line.is_loop};
+    if (line.is_loop)
+      coarse.arcs[0].vertices.push_back(cells_.middle(nodes[n - 1], nodes[0]));
     for (std::size_t i = 0; i < n; ++i) {
-      const Index node = line.nodes[(begin + i) % n];
-      const bool has_previous = i > 0 || line.is_loop;
-      const Index previous = has_previous ? line.nodes[(begin + i + n - 1) % n] : NONE;
-      if (i == 0 || label(node) != label(previous)) {
-        coarse.arcs.push_back({label(node), {}});
-        if (has_previous)
-          coarse.arcs.back().vertices.push_back(cells_.middle(previous, node));
-      }
+      const Index node = nodes[i], next = nodes[(i + 1) % n];
       coarse.arcs.back().vertices.push_back(cells_.graph().vertex(node));
-      if (i + 1 == n && !line.is_loop)
-        break;
-      const Index next = line.nodes[(begin + i + 1) % n];
-      if (label(next) != label(node)) {
-        coarse.arcs.back().vertices.push_back(cells_.middle(node, next));
-        edges_.push_back(key(label(node), label(next)));
-      }
+      if ((i + 1 == n && !line.is_loop) || label(node) == label(next))
+        continue;
+      const Index middle = cells_.middle(node, next);
+      coarse.arcs.back().vertices.push_back(middle);
+      edges_.push_back(make_sorted_pair(label(node), label(next)));
+      if (i + 1 < n)
+        coarse.arcs.push_back({label(next), {middle}});
     }
     lines_.push_back(coarse);
   }
@@ -93,7 +91,7 @@ private:
   const Cluster_labels& labels_;
   std::vector<Index> corner_of_;
   std::vector<Line> lines_;
-  std::vector<std::uint64_t> edges_;
+  std::vector<std::pair<Index, Index> > edges_;
 };
 
 // The faces with geometry and their clusters: the clustered faces or, if features are kept, the pieces of the cells.
@@ -111,7 +109,7 @@ public:
     labels_of_pieces_->recount();
     if (input.cells->has_features())
       features_.emplace(*input.cells, *labels_of_pieces_, clusters);
-    if (input.cells->extent() == Feature_cells::AT_ALL_VERTICES)
+    if (has_vertex_cells(input))
       find_single_cells(*input.cells, clusters);
   }
 
@@ -144,8 +142,8 @@ private:
 };
 
 // Returns the cluster of a face of the caller's mesh: the cluster of its largest part. If features are kept, the first corner of
-// the face takes precedence, then the first end of a feature edge of the face. So the faces around a corner have the cluster of the
-// corner, and both faces of a feature edge have the same cluster, unless a face has several corners or feature edges.
+// the face takes precedence, then the first end of a feature edge of the face. So the faces around a corner have the cluster of
+// the corner, and both faces of a feature edge have the same cluster, unless a face has several corners or feature edges.
 inline std::size_t cluster_of_face(const Featured_input& input, const Cluster_labels& labels, Index f)
 {
   const Feature_cells* const cells = input.cells.get();

@@ -7,6 +7,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/subdivision.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -20,8 +22,8 @@ namespace internal {
 // Builds the mesh to be clustered if there are features, or if the dual cells of all vertices are clustered. Subdivides the faces
 // around the nodes of the feature graph, or all faces, into one quadrilateral per corner, and joins the quadrilaterals around a
 // vertex to one polygon, its cell. Each feature edge then lies in at most two clusters of these polygons. If there are two, they
-// meet in an arc across the midpoint of the edge. Hence rules for cells keep features: see Feature_rules. If each cell of a vertex
-// is a cluster, the dual of the clusters is the original mesh.
+// meet in an arc across the midpoint of the edge. Hence rules for cells keep features: see Feature_rules. If each cell of a
+// vertex is a cluster, the dual of the clusters is the original mesh.
 //
 // The polygons of this mesh have sums but no geometry. The surface is given by `pieces`, whose faces form the
 // polygons.
@@ -170,7 +172,11 @@ private:
     result.mesh = join_pieces(context);
     sum_up(result);
     count_in_components(result.mesh);
-    find_border(result.mesh);
+    for (std::size_t f = 0; f < result.mesh.number_of_faces(); ++f) {
+      const Number_range corners = result.mesh.corners(f);
+      is_at_border_.push_back(
+        std::any_of(corners.begin(), corners.end(), [&](Index c) { return result.mesh.face_across[c] == NONE; }));
+    }
     return result;
   }
 
@@ -279,15 +285,6 @@ private:
       component_of(line.nodes[0]).feature_clusters += line.is_loop ? line.min_crossings : line.min_crossings - 1;
     for (std::size_t i = 0; i < m.components.size(); ++i)
       m.components[i].original_vertices = base_.mesh.components[i].max_clusters();
-  }
-
-  void find_border(const Flat_mesh& m)
-  {
-    is_at_border_.assign(m.number_of_faces(), false);
-    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
-      for (const Index c : m.corners(f))
-        if (m.face_across[c] == NONE)
-          is_at_border_[f] = true;
   }
 
   Clustering_input base_, pieces_;

@@ -3,9 +3,12 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_GRAPH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_GRAPH_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/features/Feature_edges.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+
+#include <CGAL/utility.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -13,6 +16,81 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+// The feature edges inside a mesh, and the corners, where feature lines end or meet.
+struct Feature_edges
+{
+  typedef std::vector<std::vector<Index> > Neighbors; // per vertex, along feature edges
+
+  std::vector<char> is_feature; // for the edge after each corner of a face; equal for both faces of the edge
+  std::vector<char> is_corner;  // per vertex
+
+  explicit Feature_edges(const Flat_mesh& m)
+    : is_feature(m.corner_vertex.size(), false), is_corner(m.number_of_vertices(), false) {}
+
+  bool empty() const
+  {
+    const auto is_set = [](char c) { return c != 0; };
+    return std::none_of(is_feature.begin(), is_feature.end(), is_set) && std::none_of(is_corner.begin(), is_corner.end(), is_set);
+  }
+
+  // Calls `visit(v, w)` for each feature edge with its ends.
+  template <class Visit>
+  void for_each_edge(const Flat_mesh& m, const Visit& visit) const
+  {
+    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+      for (const Index c : m.corners(f))
+        if (is_feature[c] && f < m.face_across[c])
+          visit(m.corner_vertex[c], m.corner_vertex[m.next_corner(Index(f), c)]);
+  }
+
+  // Returns the ends of the feature edges at each vertex.
+  Neighbors neighbors(const Flat_mesh& m) const
+  {
+    Neighbors neighbors(m.number_of_vertices());
+    for_each_edge(m, [&](Index v, Index w) {
+      neighbors[v].push_back(w);
+      neighbors[w].push_back(v);
+    });
+    return neighbors;
+  }
+
+  // Returns the features after star_subdivision() of chosen faces.
+  Feature_edges in_fans(const Flat_mesh& m, const std::vector<char>& is_cut, const Flat_mesh& fans) const
+  {
+    std::vector<Index> old_corner;
+    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+      for (const Index c : m.corners(f)) {
+        old_corner.push_back(c);
+        old_corner.insert(old_corner.end(), is_cut[f] ? 2 : 0, NONE);
+      }
+    return cut(fans, old_corner);
+  }
+
+  // Returns the features after Quad_subdivision of the faces of the chosen components.
+  Feature_edges subdivided(const Flat_mesh& m, const std::vector<bool>& chosen, const Flat_mesh& subdivision) const
+  {
+    std::vector<Index> old_corner;
+    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+      for (const Index c : m.corners(f)) {
+        old_corner.push_back(c);
+        if (chosen[m.component[f]])
+          old_corner.insert(old_corner.end(), {NONE, NONE, m.previous_corner(Index(f), c)});
+      }
+    return cut(subdivision, old_corner);
+  }
+
+  // Returns the features after a subdivision that keeps the vertices. `old_corner` is, for the edge after each new corner, the
+  // corner before the edge that contains it; NONE for new edges.
+  Feature_edges cut(const Flat_mesh& pieces, const std::vector<Index>& old_corner) const
+  {
+    Feature_edges result(pieces);
+    std::copy(is_corner.begin(), is_corner.end(), result.is_corner.begin());
+    for (std::size_t i = 0; i < old_corner.size(); ++i)
+      result.is_feature[i] = old_corner[i] != NONE && is_feature[old_corner[i]];
+    return result;
+  }
+};
 
 // A feature line from corner to corner, or a loop. Its edges connect consecutive nodes.
 struct Feature_line
@@ -32,19 +110,24 @@ class Feature_graph
 public:
   Feature_graph(const Flat_mesh& m, const Feature_edges& edges) : node_of_vertex_(m.number_of_vertices(), NONE)
   {
-    add_corners(m, edges);
-    const Neighbors neighbors = edges.neighbors(m);
+    for (std::size_t v = 0; v < m.number_of_vertices(); ++v)
+      if (edges.is_corner[v])
+        add_node(Index(v), NONE);
+    number_of_corners_ = nodes_.size();
+    beside_corner_.resize(number_of_corners_);
+    const Feature_edges::Neighbors neighbors = edges.neighbors(m);
     for (Index i = 0; i < number_of_corners_; ++i)
-      for (const Index next : neighbors[vertex_[i]])
-        trace_from_corner(vertex_[i], next, neighbors);
+      for (const Index next : neighbors[vertex(i)])
+        if (is_first_end(vertex(i), next))
+          trace(vertex(i), next, neighbors);
     for (std::size_t v = 0; v < neighbors.size(); ++v)
       if (!neighbors[v].empty() && node_of_vertex_[v] == NONE)
-        trace_loop(Index(v), neighbors);
+        trace(Index(v), neighbors[v][0], neighbors);
     apportion_crossings(m);
   }
 
-  std::size_t number_of_nodes() const { return vertex_.size(); }
-  Index vertex(Index node) const { return vertex_[node]; }
+  std::size_t number_of_nodes() const { return nodes_.size(); }
+  Index vertex(Index node) const { return nodes_[node].vertex; }
   // Returns NONE if the vertex is not a node.
   Index node_of_vertex(Index v) const { return v < node_of_vertex_.size() ? node_of_vertex_[v] : NONE; }
   bool is_corner(Index node) const { return node < number_of_corners_; }
@@ -52,9 +135,9 @@ public:
   const std::vector<Feature_line>& lines() const { return lines_; }
 
   // For a node that is not a corner: its line, and the nodes before and after it.
-  Index line(Index node) const { return line_[node]; }
-  Index before(Index node) const { return before_[node]; }
-  Index after(Index node) const { return after_[node]; }
+  Index line(Index node) const { return nodes_[node].line; }
+  Index before(Index node) const { return nodes_[node].before; }
+  Index after(Index node) const { return nodes_[node].after; }
 
   // The first nodes of the lines that begin at a corner, other than corners.
   const std::vector<Index>& line_nodes_beside(Index corner) const { return beside_corner_[corner]; }
@@ -67,60 +150,37 @@ public:
   }
 
 private:
-  typedef std::vector<std::vector<Index> > Neighbors;
-
-  void add_corners(const Flat_mesh& m, const Feature_edges& edges)
+  struct Node
   {
-    for (std::size_t v = 0; v < m.number_of_vertices(); ++v)
-      if (edges.is_corner[v])
-        add_node(Index(v), NONE);
-    number_of_corners_ = Index(vertex_.size());
-    beside_corner_.resize(number_of_corners_);
-  }
+    Index vertex, line, before, after;
+  };
 
   Index add_node(Index v, Index line)
   {
-    node_of_vertex_[v] = Index(vertex_.size());
-    vertex_.push_back(v);
-    line_.push_back(line);
-    before_.push_back(NONE);
-    after_.push_back(NONE);
-    return node_of_vertex_[v];
+    nodes_.push_back({v, line, NONE, NONE});
+    return node_of_vertex_[v] = Index(nodes_.size() - 1);
   }
-
-  static Index other(const std::vector<Index>& pair, Index v) { return pair[0] == v ? pair[1] : pair[0]; }
 
   // Each line is traced from one end only; an edge between two corners is traced from the smaller corner.
-  void trace_from_corner(Index corner, Index next, const Neighbors& neighbors)
+  bool is_first_end(Index corner, Index next) const
   {
-    const bool is_corner = node_of_vertex_[next] != NONE && node_of_vertex_[next] < number_of_corners_;
-    if (is_corner ? next < corner : node_of_vertex_[next] != NONE)
-      return;
-    Feature_line line;
-    line.nodes.push_back(node_of_vertex_[corner]);
-    Index previous = corner, at = next;
-    while (node_of_vertex_[at] == NONE) {
-      line.nodes.push_back(add_node(at, Index(lines_.size())));
-      const Index onward = other(neighbors[at], previous);
-      previous = at;
-      at = onward;
-    }
-    line.nodes.push_back(node_of_vertex_[at]);
-    add_line(line);
+    const Index node = node_of_vertex_[next];
+    return node == NONE || (is_corner(node) && next >= corner);
   }
 
-  void trace_loop(Index start, const Neighbors& neighbors)
+  // Traces a line from a corner, or a loop from any vertex.
+  void trace(Index start, Index next, const Feature_edges::Neighbors& neighbors)
   {
     Feature_line line;
-    line.is_loop = true;
-    line.nodes.push_back(add_node(start, Index(lines_.size())));
-    Index previous = start, at = neighbors[start][0];
-    while (at != start) {
+    line.is_loop = node_of_vertex_[start] == NONE;
+    line.nodes.push_back(line.is_loop ? add_node(start, Index(lines_.size())) : node_of_vertex_[start]);
+    Index previous = start, at = next;
+    while (node_of_vertex_[at] == NONE) {
       line.nodes.push_back(add_node(at, Index(lines_.size())));
-      const Index onward = other(neighbors[at], previous);
-      previous = at;
-      at = onward;
+      previous = std::exchange(at, neighbors[at][neighbors[at][0] == previous]);
     }
+    if (!line.is_loop)
+      line.nodes.push_back(node_of_vertex_[at]);
     add_line(line);
   }
 
@@ -129,8 +189,8 @@ private:
     const std::size_t n = line.nodes.size();
     for (std::size_t i = 0; i < n; ++i)
       if (!is_corner(line.nodes[i])) {
-        before_[line.nodes[i]] = line.nodes[(i + n - 1) % n];
-        after_[line.nodes[i]] = line.nodes[(i + 1) % n];
+        nodes_[line.nodes[i]].before = line.nodes[(i + n - 1) % n];
+        nodes_[line.nodes[i]].after = line.nodes[(i + 1) % n];
       }
     if (!line.is_loop && n > 2) {
       beside_corner_[line.nodes[0]].push_back(line.nodes[1]);
@@ -143,31 +203,31 @@ private:
   // if a part of the border also connects the corners.
   void apportion_crossings(const Flat_mesh& m)
   {
-    std::vector<std::tuple<Index, Index, std::size_t, Index> > ends;
+    std::vector<std::tuple<std::pair<Index, Index>, std::size_t, Index> > lines_by_ends;
     for (Index i = 0; i < number_of_corners_; ++i)
-      if (m.is_on_border(vertex_[i])) {
-        Index v = m.next_on_border(vertex_[i]);
+      if (m.is_on_border(vertex(i))) {
+        Index v = m.next_on_border(vertex(i));
         while (node_of_vertex_[v] == NONE)
           v = m.next_on_border(v);
-        ends.emplace_back((std::min)(i, node_of_vertex_[v]), (std::max)(i, node_of_vertex_[v]), 0, NONE);
+        lines_by_ends.emplace_back(make_sorted_pair(i, node_of_vertex_[v]), 0, NONE);
       }
     for (std::size_t l = 0; l < lines_.size(); ++l) {
-      const Feature_line& line = lines_[l];
-      if (line.is_loop || line.nodes.front() == line.nodes.back())
+      const std::vector<Index>& nodes = lines_[l].nodes;
+      if (lines_[l].is_loop || nodes.front() == nodes.back())
         lines_[l].min_crossings = 3;
       else
-        ends.emplace_back((std::min)(line.nodes.front(), line.nodes.back()), (std::max)(line.nodes.front(), line.nodes.back()),
-                          line.nodes.size(), Index(l));
+        lines_by_ends.emplace_back(make_sorted_pair(nodes.front(), nodes.back()), nodes.size(), Index(l));
     }
-    std::sort(ends.begin(), ends.end());
-    for (std::size_t i = 1; i < ends.size(); ++i)
-      if (std::get<3>(ends[i]) != NONE && std::get<0>(ends[i]) == std::get<0>(ends[i - 1]) &&
-          std::get<1>(ends[i]) == std::get<1>(ends[i - 1]))
-        lines_[std::get<3>(ends[i])].min_crossings = 2;
+    std::sort(lines_by_ends.begin(), lines_by_ends.end());
+    for (std::size_t i = 1; i < lines_by_ends.size(); ++i) {
+      const auto& [ends, size, line] = lines_by_ends[i];
+      if (line != NONE && ends == std::get<0>(lines_by_ends[i - 1]))
+        lines_[line].min_crossings = 2;
+    }
   }
 
-  Index number_of_corners_ = 0;
-  std::vector<Index> vertex_, line_, before_, after_; // per node
+  std::size_t number_of_corners_ = 0;
+  std::vector<Node> nodes_;
   std::vector<Index> node_of_vertex_;
   std::vector<std::vector<Index> > beside_corner_;
   std::vector<Feature_line> lines_;

@@ -22,10 +22,22 @@ namespace internal {
 class Feature_rules
 {
 public:
+  // What a cluster has of the features.
+  struct Cluster
+  {
+    long nodes = 0, faces_at_border = 0;
+    Index corner_cell = NONE;
+    bool corner_is_on_border = false;
+
+    bool may_reach_border() const { return nodes == 0 || corner_is_on_border; }
+  };
+
   Feature_rules(const Feature_cells& cells, const Cluster_labels& labels)
     : cells_(cells), labels_(labels), crossings_(cells.graph().lines().size(), 0) {}
 
   const Feature_cells& cells() const { return cells_; }
+  const Cluster_labels& labels() const { return labels_; }
+  const std::vector<Cluster>& clusters() const { return clusters_; }
 
   // Begins with the faces of whole components, without clusters.
   template <class FaceRange>
@@ -44,7 +56,7 @@ public:
   {
     clusters_.assign(number_of_clusters, Cluster());
     for (std::size_t f = 0; f < labels_.labels().size(); ++f)
-      add(Index(f), labels_[Index(f)]);
+      count(Index(f), labels_[Index(f)], 1);
     const Feature_graph& graph = cells_.graph();
     for (std::size_t l = 0; l < crossings_.size(); ++l) {
       const std::vector<Index>& nodes = graph.lines()[l].nodes;
@@ -63,7 +75,7 @@ public:
     const Cluster& target = cluster(to);
     const Index node = cells_.node(f);
     if (node == NONE)
-      return target.nodes == 0 || !cells_.is_at_border(f) || target.corner_is_on_border;
+      return target.may_reach_border() || !cells_.is_at_border(f);
     if (cells_.graph().is_corner(node) || (target.faces_at_border > 0 && !target.corner_is_on_border))
       return false;
     const Index line = cells_.graph().line(node);
@@ -87,20 +99,14 @@ public:
         crossings -= label != NONE && label == to;
       }
     }
-    remove(f, from);
-    add(f, to);
+    count(f, from, -1);
+    count(f, to, 1);
   }
 
   // Returns the corner cell of a cluster; NONE without a corner.
   Index corner_cell(Index x) const { return x < clusters_.size() ? clusters_[x].corner_cell : NONE; }
 
 private:
-  struct Cluster
-  {
-    Index nodes = 0, faces_at_border = 0, corner_cell = NONE;
-    bool corner_is_on_border = false;
-  };
-
   const Cluster& cluster(Index x) const
   {
     static const Cluster none;
@@ -124,7 +130,8 @@ private:
     return int(labels_[cells_.cell(graph.before(node))] == x) + int(labels_[cells_.cell(graph.after(node))] == x);
   }
 
-  void add(Index f, Index x)
+  // Adds face `f` to the counts of cluster `x`, or removes it with `by` = -1.
+  void count(Index f, Index x, int by)
   {
     if (x == NONE)
       return;
@@ -132,24 +139,11 @@ private:
       clusters_.resize(x + 1);
     Cluster& c = clusters_[x];
     const Index node = cells_.node(f);
-    c.faces_at_border += cells_.is_at_border(f);
-    c.nodes += node != NONE;
+    c.faces_at_border += cells_.is_at_border(f) ? by : 0;
+    c.nodes += node != NONE ? by : 0;
     if (node != NONE && cells_.graph().is_corner(node)) {
-      c.corner_cell = f;
-      c.corner_is_on_border = cells_.is_on_border(node);
-    }
-  }
-
-  void remove(Index f, Index x)
-  {
-    if (x == NONE)
-      return;
-    Cluster& c = clusters_[x];
-    c.faces_at_border -= cells_.is_at_border(f);
-    c.nodes -= cells_.node(f) != NONE;
-    if (c.corner_cell == f) {
-      c.corner_cell = NONE;
-      c.corner_is_on_border = false;
+      c.corner_cell = by > 0 ? f : NONE;
+      c.corner_is_on_border = by > 0 && cells_.is_on_border(node);
     }
   }
 
@@ -164,32 +158,19 @@ private:
 class Feature_merging
 {
 public:
-  template <class FaceRange>
-  Feature_merging(const Feature_cells& cells, const Cluster_labels& labels, const FaceRange& faces, Index clusters)
-    : clusters_(clusters), spare_(cells.graph().lines().size(), 0)
+  // `rules` know the clusters of the faces of component `component`.
+  Feature_merging(const Feature_rules& rules, Index component)
+    : clusters_(rules.clusters()), crossings_(clusters_.size()), spare_(rules.cells().graph().lines().size(), 0)
   {
-    const Feature_graph& graph = cells.graph();
-    for (const Index f : faces) {
-      Cluster& x = clusters_[labels[f]];
-      const Index node = cells.node(f);
-      x.is_at_border = x.is_at_border || cells.is_at_border(f);
-      if (node == NONE)
-        continue;
-      x.has_feature = true;
-      if (graph.is_corner(node)) {
-        x.has_corner = true;
-        x.corner_is_on_border = cells.is_on_border(node);
-      }
-    }
-    const Index component = faces.begin() == faces.end() ? NONE : component_of(*faces.begin(), labels);
-    for (std::size_t l = 0; l < graph.lines().size(); ++l) {
-      const Feature_line& line = graph.lines()[l];
-      if (component_of(cells.cell(line.nodes[0]), labels) != component)
+    const Cluster_labels& labels = rules.labels();
+    for (std::size_t l = 0; l < spare_.size(); ++l) {
+      const Feature_line& line = rules.cells().graph().lines()[l];
+      const auto cell = [&](std::size_t i) { return rules.cells().cell(line.nodes[i % line.nodes.size()]); };
+      if (labels.mesh().component[cell(0)] != component)
         continue;
       spare_[l] = -long(line.min_crossings);
-      const std::size_t n = line.nodes.size();
-      for (std::size_t i = line.is_loop ? 0 : 1; i < n; ++i)
-        add_edge(labels[cells.cell(line.nodes[(i + n - 1) % n])], labels[cells.cell(line.nodes[i])], Index(l));
+      for (std::size_t i = 0; i < line.number_of_edges(); ++i)
+        add_edge(labels[cell(i)], labels[cell(i + 1)], Index(l));
     }
   }
 
@@ -197,16 +178,16 @@ public:
   template <class ClusterOf>
   bool may_merge(Index a, Index b, const ClusterOf& cluster_of) const
   {
-    const Cluster &x = clusters_[a], &y = clusters_[b];
-    if (keeps_off_border(x) ? y.is_at_border : keeps_off_border(y) && x.is_at_border)
+    const Feature_rules::Cluster &x = clusters_[a], &y = clusters_[b];
+    if (x.may_reach_border() ? x.faces_at_border > 0 && !y.may_reach_border() : y.faces_at_border > 0)
       return false;
-    if (!x.has_feature || !y.has_feature)
+    if (x.nodes == 0 || y.nodes == 0)
       return true;
-    if (x.has_corner && y.has_corner)
+    if (x.corner_cell != NONE && y.corner_cell != NONE)
       return false;
-    const Index other = x.has_corner ? a : b;
-    for (const Crossing& c : (x.has_corner ? y : x).crossings)
-      if (cluster_of(c.other) == other)
+    const bool has_corner = x.corner_cell != NONE;
+    for (const Crossing& c : crossings_[has_corner ? b : a])
+      if (cluster_of(c.other) == (has_corner ? a : b))
         return spare_[c.line] > 0;
     return false;
   }
@@ -215,22 +196,23 @@ public:
   template <class ClusterOf>
   void merge(Index kept, Index gone, const ClusterOf& cluster_of)
   {
-    Cluster &x = clusters_[kept], &y = clusters_[gone];
-    const auto erase_to = [&](std::vector<Crossing>& crossings, Index other) {
-      const auto is_to_other = [&](const Crossing& c) { return cluster_of(c.other) == other; };
+    const auto erase = [&](Index from, Index to) {
+      std::vector<Crossing>& crossings = crossings_[from];
+      const auto is_to_other = [&](const Crossing& c) { return cluster_of(c.other) == to; };
       const auto i = std::find_if(crossings.begin(), crossings.end(), is_to_other);
       if (i == crossings.end())
         return;
-      spare_[i->line] -= other == gone;
+      spare_[i->line] -= to == gone;
       crossings.erase(i);
     };
-    erase_to(x.crossings, gone);
-    erase_to(y.crossings, kept);
-    x.crossings.insert(x.crossings.end(), y.crossings.begin(), y.crossings.end());
-    y.crossings.clear();
-    x.has_feature = x.has_feature || y.has_feature;
-    x.has_corner = x.has_corner || y.has_corner;
-    x.is_at_border = x.is_at_border || y.is_at_border;
+    erase(kept, gone);
+    erase(gone, kept);
+    crossings_[kept].insert(crossings_[kept].end(), crossings_[gone].begin(), crossings_[gone].end());
+    crossings_[gone].clear();
+    Feature_rules::Cluster &x = clusters_[kept], &y = clusters_[gone];
+    x.nodes += y.nodes;
+    x.faces_at_border += y.faces_at_border;
+    x.corner_cell = (std::min)(x.corner_cell, y.corner_cell);
     x.corner_is_on_border = x.corner_is_on_border || y.corner_is_on_border;
   }
 
@@ -239,27 +221,19 @@ private:
   {
     Index other, line;
   };
-  struct Cluster
-  {
-    bool has_feature = false, has_corner = false, is_at_border = false, corner_is_on_border = false;
-    std::vector<Crossing> crossings;
-  };
-
-  static bool keeps_off_border(const Cluster& x) { return x.has_feature && !x.corner_is_on_border; }
-
-  static Index component_of(Index face, const Cluster_labels& labels) { return labels.mesh().component[face]; }
 
   void add_edge(Index x, Index y, Index line)
   {
     if (x == y)
       return;
     ++spare_[line];
-    clusters_[x].crossings.push_back({y, line});
-    clusters_[y].crossings.push_back({x, line});
+    crossings_[x].push_back({y, line});
+    crossings_[y].push_back({x, line});
   }
 
-  std::vector<Cluster> clusters_;
-  std::vector<long> spare_; // the number of crossings of each line that are not required
+  std::vector<Feature_rules::Cluster> clusters_;
+  std::vector<std::vector<Crossing> > crossings_; // per cluster
+  std::vector<long> spare_;                       // the number of crossings of each line that are not required
 };
 
 } // namespace internal

@@ -119,7 +119,11 @@ void prepare(const FaceGraph& mesh, const NamedParameters& np, Numbering<FaceGra
   constexpr bool has_densities = has_parameter<internal_np::face_density_t, NamedParameters>;
   const std::size_t default_feedback = has_densities ? 0 : Coarsening_defaults::error_feedback;
   state.exchange_rounds = choose_parameter(get_parameter(np, internal_np::error_feedback_p), default_feedback);
-  read_features(mesh, np, elements, state.input, state.frame, state.patches, state.context);
+  Feature_request features = read_features(mesh, np, elements, state.input.items.mesh);
+  const std::vector<Index> corners = keep_features(state.input, features, state.context);
+  if (!corners.empty())
+    state.frame.exact = exact_points(mesh, np, elements, corners, state.input.items.mesh);
+  state.patches = std::move(features.patches);
   state.context.stage_ends(Coarsening_stage::PREPARATION);
 }
 

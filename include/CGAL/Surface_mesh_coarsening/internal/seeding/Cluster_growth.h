@@ -27,54 +27,33 @@ namespace internal {
 class Seed_walk
 {
 public:
-  explicit Seed_walk(const Flat_mesh& mesh, const Run_context& context = Run_context()) : mesh_(mesh), context_(context) {}
+  explicit Seed_walk(const Flat_mesh& mesh, const Run_context& context = Run_context())
+    : mesh_(mesh), context_(context), steps_(mesh.number_of_faces(), NONE) {}
 
   // Appends the seeds among the faces `candidates` to `seeds`.
   template <class FaceRange>
   void run(const FaceRange& candidates, Index level, std::vector<Index>& seeds)
   {
-    steps_.resize(mesh_.number_of_faces(), NONE);
     for (const Index f : candidates) {
       context_.poll();
-      if (steps_[f] == NONE) {
-        seeds.push_back(f);
-        mark(f, level);
-      }
+      if (steps_[f] == NONE)
+        take(f, level, seeds);
     }
   }
 
   // Takes face `f` as a seed, independently of other seeds.
   void take(Index f, Index level, std::vector<Index>& seeds)
   {
-    steps_.resize(mesh_.number_of_faces(), NONE);
     seeds.push_back(f);
-    mark(f, level);
-  }
-
-  // Clears the marks on the faces `candidates`.
-  template <class FaceRange>
-  void forget(const FaceRange& candidates)
-  {
-    if (!steps_.empty())
-      for (const Index f : candidates)
-        steps_[f] = NONE;
-  }
-
-  // Clears all marks and frees their memory.
-  void release() { steps_ = std::vector<Index>(); }
-
-private:
-  void mark(Index seed, Index level)
-  {
     const Index reach = level < NONE / 4 ? 2 * level : NONE / 2;
-    queue_.assign(1, seed);
-    steps_[seed] = 0;
+    queue_.assign(1, f);
+    steps_[f] = 0;
     for (std::size_t i = 0; i < queue_.size(); ++i) {
-      const Index f = queue_[i], next = steps_[f] + 1;
+      const Index next = steps_[queue_[i]] + 1;
       if (next > reach)
         break;
       context_.poll();
-      for (const Index c : mesh_.corners(f)) {
+      for (const Index c : mesh_.corners(queue_[i])) {
         const Index g = mesh_.face_across[c];
         if (g != NONE && next < steps_[g]) {
           steps_[g] = next;
@@ -84,6 +63,19 @@ private:
     }
   }
 
+  // Clears the marks on the faces `candidates`.
+  template <class FaceRange>
+  void forget(const FaceRange& candidates)
+  {
+    steps_.resize(mesh_.number_of_faces(), NONE);
+    for (const Index f : candidates)
+      steps_[f] = NONE;
+  }
+
+  // Clears all marks and frees their memory until the next call of forget().
+  void release() { steps_ = std::vector<Index>(); }
+
+private:
   const Flat_mesh& mesh_;
   const Run_context context_;
   std::vector<Index> steps_; // the number of steps to the nearest seed found; NONE: none within reach
@@ -98,14 +90,20 @@ class Cluster_growth
 public:
   // `rules`: the rules for features, if any.
   explicit Cluster_growth(Cluster_labels& labels, const Run_context& context = Run_context(), Feature_rules* rules = nullptr)
-    : labels_(labels),
-      mesh_(labels.mesh()),
-      context_(context),
-      rules_(rules)
-  {}
+    : labels_(labels), mesh_(labels.mesh()), context_(context), rules_(rules) {}
+
+  Cluster_labels& labels() { return labels_; }
+  const Run_context& context() const { return context_; }
+  Feature_rules* rules() { return rules_; }
 
   // Makes free face `f` the seed of cluster `label`.
-  void plant(Index f, Index label) { take(f, label); }
+  void plant(Index f, Index label)
+  {
+    if (rules_)
+      rules_->change(f, label);
+    labels_.set(f, label);
+    next_layer_.push_back(f);
+  }
 
   void run()
   {
@@ -118,7 +116,7 @@ public:
           const Index g = mesh_.face_across[c];
           if (g != NONE && labels_[g] == NONE && labels_.stays_disc_with(g, labels_[f]) &&
               (!rules_ || rules_->may_take(g, labels_[f])))
-            take(g, labels_[f]);
+            plant(g, labels_[f]);
         }
       }
     }
@@ -138,14 +136,6 @@ public:
   }
 
 private:
-  void take(Index f, Index label)
-  {
-    if (rules_)
-      rules_->change(f, label);
-    labels_.set(f, label);
-    next_layer_.push_back(f);
-  }
-
   Cluster_labels& labels_;
   const Flat_mesh& mesh_;
   const Run_context context_;
@@ -162,10 +152,10 @@ template <class FaceRange>
 class Cluster_splitting
 {
 public:
-  Cluster_splitting(Cluster_labels& labels, const FaceRange& faces, Index number_of_clusters, const Run_context& context,
-                    Feature_rules* rules, Index foreign_clusters = 0)
-    : labels_(labels), mesh_(labels.mesh()), walk_(labels), growth_(labels, context, rules), context_(context), rules_(rules),
-      faces_(faces), foreign_(foreign_clusters), clusters_(number_of_clusters) {}
+  // `growth`: the growth of the clusters, which also grows their parts.
+  Cluster_splitting(Cluster_growth& growth, const FaceRange& faces, Index number_of_clusters, Index foreign_clusters = 0)
+    : growth_(growth), labels_(growth.labels()), walk_(labels_), faces_(faces), foreign_(foreign_clusters),
+      clusters_(number_of_clusters) {}
 
   // Returns whether the clusters are valid. They are invalid if single faces remain faulty. With foreign clusters, faulty single
   // faces are ignored.
@@ -187,6 +177,8 @@ public:
   Index number_of_clusters() const { return clusters_; }
 
 private:
+  typedef std::vector<std::pair<Index, Index> > Faults;
+
   // Computes the size, a face, and a boundary edge of each cluster.
   void survey()
   {
@@ -194,7 +186,7 @@ private:
     face_.assign(clusters_, NONE);
     edge_.assign(clusters_, Directed_edge());
     for (const Index f : faces_) {
-      context_.poll();
+      growth_.context().poll();
       const Index x = labels_[f];
       ++size_[x];
       if (face_[x] == NONE)
@@ -213,9 +205,7 @@ private:
       const Index larger = cluster_to_split(x, fault);
       if (larger == NONE && foreign_ == 0)
         return false;
-      if (larger == NONE)
-        continue;
-      if (!listed[larger]) {
+      if (larger != NONE && !listed[larger]) {
         listed[larger] = true;
         to_split_.push_back(larger);
       }
@@ -225,13 +215,12 @@ private:
 
   // Returns each faulty cluster together with the cluster that causes the fault, or with itself if it has no boundary or fewer
   // than three neighbors.
-  std::vector<std::pair<Index, Index> > faults() const
+  Faults faults() const
   {
-    typedef std::vector<std::pair<Index, Index> > Part;
-    std::vector<std::pair<Index, Index> > all;
-    for_each_part<Part>(
-      context_, clusters_ - foreign_, 1024,
-      [this](Part& part, std::size_t begin, std::size_t end) {
+    Faults all;
+    for_each_part<Faults>(
+      growth_.context(), clusters_ - foreign_, 1024,
+      [this](Faults& part, std::size_t begin, std::size_t end) {
         Dual_walk walk(labels_);
         part.clear();
         for (Index x = foreign_ + Index(begin); x != foreign_ + end; ++x) {
@@ -240,7 +229,7 @@ private:
             part.emplace_back(x, fault);
         }
       },
-      [&all](const Part& part) { all.insert(all.end(), part.begin(), part.end()); });
+      [&all](const Faults& part) { all.insert(all.end(), part.begin(), part.end()); });
     return all;
   }
 
@@ -263,12 +252,13 @@ private:
   // Grows two clusters from two distant faces of the cluster. If it has a feature corner, one of the faces is there.
   void split(Index x)
   {
-    const Index corner = rules_ ? rules_->corner_cell(x) : NONE;
+    Feature_rules* const rules = growth_.rules();
+    const Index corner = rules ? rules->corner_cell(x) : NONE;
     const std::vector<Index> faces = faces_in_bfs_order(labels_, corner == NONE ? face_[x] : corner);
     const std::vector<Index> back = corner == NONE ? faces_in_bfs_order(labels_, faces.back()) : faces;
     for (const Index f : faces) {
-      if (rules_)
-        rules_->change(f, NONE);
+      if (rules)
+        rules->change(f, NONE);
       labels_.set(f, NONE);
     }
     growth_.plant(back.front(), x);
@@ -277,12 +267,9 @@ private:
     clusters_ = growth_.cover(faces, clusters_);
   }
 
+  Cluster_growth& growth_;
   Cluster_labels& labels_;
-  const Flat_mesh& mesh_;
   Dual_walk walk_;
-  Cluster_growth growth_;
-  const Run_context context_;
-  Feature_rules* rules_;
   FaceRange faces_;
   const Index foreign_;
   Index clusters_;

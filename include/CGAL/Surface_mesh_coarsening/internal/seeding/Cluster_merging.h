@@ -8,15 +8,12 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_rules.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
-#include <boost/iterator/counting_iterator.hpp>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <numeric>
 #include <optional>
 #include <queue>
@@ -28,6 +25,30 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
+typedef Bucketed_items<Index>::Range Face_range;
+
+// The faces of a connected component and their clusters, which are valid and numbered from 0.
+struct Clustered_component
+{
+  Cluster_labels& labels;
+  Face_range faces;
+  Index clusters;
+  const Feature_rules* rules; // null without features
+};
+
+// How clusters are merged.
+struct Merging_method
+{
+  bool by_threes = false; // whether three clusters may be merged at a time; if not, the order does not depend on the number
+  bool by_area = false;   // whether the size is the area, not the mass
+  // Whether pairs are merged whose union adds least to the residuals of their quadrics, as an edge collapse does (Garland and
+  // Heckbert: Surface simplification using quadric error metrics, 1997).
+  bool by_quadrics = false;
+  // Whether, as a last resort, clusters may be merged that meet only in a vertex, that is, in an edge of its fan.
+  // without_pinches() must then turn them into discs.
+  bool may_join_at_vertices = false;
+};
+
 // Reduction of the number of clusters (section 6 of the paper): merges the three clusters around a vertex whose total size is
 // smallest, until a component has the required number of clusters. Merges two clusters if only one cluster too many is left, or
 // if only two of the three may be merged.
@@ -35,69 +56,32 @@ namespace internal {
 // In the paper, and here on request, the size of a cluster is its area. By default the size is the mass, because clusters of low
 // energy have similar masses, and the minimization must carry all remaining differences across the mesh face by face. Clusters of
 // few faces cannot be round, whatever their mass, so the number of faces also contributes to the size.
-//
-// The clusters of one component must be valid and numbered from 0.
 class Cluster_merging
 {
 public:
-  // `by_threes`: whether three clusters may be merged at a time. Otherwise the order of merges does not depend on the required
-  // number, and the size is the area. `by_area`: whether the size is the area in any case. `may_join_at_vertices`: whether, as a
-  // last resort, clusters may be merged that meet only in a vertex, that is, in an edge of its fan. Pinch_resolution must then
-  // turn them into discs.
-  template <class FaceRange>
-  Cluster_merging(const Clustering_input& input, const Cluster_labels& labels, const FaceRange& faces, Index clusters,
-                  bool by_threes, bool by_area, bool may_join_at_vertices, const Run_context& context)
+  Cluster_merging(const Clustering_input& input, const Clustered_component& component, const Merging_method& method,
+                  const Run_context& context)
     : context_(context),
-      dual_(labels, faces, clusters, context),
-      by_threes_(by_threes),
-      by_area_(by_area || !by_threes),
-      may_join_at_vertices_(may_join_at_vertices),
-      count_(clusters),
-      merged_into_(clusters),
-      size_(clusters)
+      component_(component),
+      dual_(component.labels, component.faces, component.clusters, context),
+      method_(method),
+      count_(component.clusters),
+      merged_into_(count_),
+      size_(count_),
+      is_queued_(dual_.number_of_triangles(), false)
   {
-    is_queued_.assign(dual_.number_of_triangles(), false);
     std::iota(merged_into_.begin(), merged_into_.end(), Index(0));
-    for (const Index f : faces) {
-      Size& size = size_[labels[f]];
-      const double mass = by_area_ ? input.area[f] : input.mass(f);
+    for (const Index f : component.faces) {
+      Size& size = size_[component.labels[f]];
+      const double mass = method_.by_area ? input.area[f] : input.mass(f);
       size.mass += mass;
       size.faces += input.number_of_faces_in(f);
       mass_of_all_ += mass;
     }
-  }
-
-  // Enables the rules for features.
-  template <class FaceRange>
-  void keep_features(const Feature_cells& cells, const Cluster_labels& labels, const FaceRange& faces)
-  {
-    features_.emplace(cells, labels, faces, Index(merged_into_.size()));
-  }
-
-  // Merges pairs whose union adds least to the residuals of their quadrics, as an edge collapse does (Garland and Heckbert:
-  // Surface simplification using quadric error metrics, 1997). Border edges add planes perpendicular to their faces.
-  template <class FaceRange>
-  void merge_by_quadrics(const Feature_cells& cells, const Cluster_labels& labels, const FaceRange& faces)
-  {
-    quadrics_.resize(merged_into_.size());
-    const Clustering_input& pieces = cells.pieces();
-    for (const Index f : faces)
-      cells.for_each_piece(f, [&](Index piece) {
-        const Clustered_face face(pieces, piece);
-        Quadric_energy::Cluster_data& quadric = quadrics_[labels[f]];
-        const Vector normal = face.plain_normal();
-        quadric_energy_.add(quadric, {pieces.area[piece], face.plain_centroid(), normal});
-        for (const Index c : pieces.mesh.corners(piece)) {
-          if (pieces.mesh.face_across[c] != NONE)
-            continue;
-          const Vector &p = pieces.mesh.points[pieces.mesh.corner_vertex[c]],
-                       &q = pieces.mesh.points[pieces.mesh.corner_vertex[pieces.mesh.next_corner(piece, c)]];
-          const Vector edge = q - p;
-          const double size = length(edge);
-          if (size > 0)
-            quadric_energy_.add(quadric, {size * size, 0.5 * (p + q), (1 / size) * cross(edge, normal)});
-        }
-      });
+    if (component.rules)
+      features_.emplace(*component.rules, component.labels.mesh().component[*component.faces.begin()]);
+    if (method.by_quadrics)
+      add_quadrics(component.rules->cells());
   }
 
   // Merges until at most `wanted` clusters remain, if the topology permits it. Returns the number of pairwise merges.
@@ -106,7 +90,7 @@ public:
     wanted_ = wanted;
     const std::size_t before = count_;
     merge_while_possible();
-    if (may_join_at_vertices_ && excess() > 0) {
+    if (method_.may_join_at_vertices && excess() > 0) {
       const std::size_t in_arcs = count_;
       joins_at_vertices_ = true;
       merge_while_possible();
@@ -118,33 +102,31 @@ public:
   // Returns whether clusters were merged that met only in a vertex.
   bool has_pinches() const { return joins_at_vertices_; }
 
-  std::size_t number_of_clusters() const { return count_; }
-
-  // Appends a face at the common vertex of each merge of three clusters, the last merge first: the new seeds of the paper, after
+  // Returns a face at the common vertex of each merge of three clusters, the last merge first: the new seeds of the paper, after
   // relabel().
-  void new_seeds(const Cluster_labels& labels, std::vector<Index>& faces) const
+  std::vector<Index> new_seeds() const
   {
-    const Flat_mesh& m = labels.mesh();
+    const Flat_mesh& m = component_.labels.mesh();
+    std::vector<Index> faces;
     for (auto v = common_vertices_.rbegin(); v != common_vertices_.rend(); ++v)
       faces.push_back(m.star[m.first_in_star[*v]]);
+    return faces;
   }
 
   // Renumbers the clusters of the faces without gaps, in their previous order.
-  template <class FaceRange>
-  void relabel(Cluster_labels& labels, const FaceRange& faces)
+  void relabel()
   {
     std::vector<Index> number(merged_into_.size(), NONE);
     Index next = 0;
     for (Index x = 0; x < number.size(); ++x)
       if (merged_into_[x] == x)
         number[x] = next++;
-    for (const Index f : faces)
-      labels.set(f, number[cluster(labels[f])]);
+    for (const Index f : component_.faces)
+      component_.labels.set(f, number[cluster(component_.labels[f])]);
   }
 
 private:
   typedef Dual_surface::Edge Edge;
-  typedef boost::counting_iterator<Edge> Edge_iterator;
   typedef std::pair<double, Index> Candidate; // summed size and triangle
 
   struct Size
@@ -161,6 +143,30 @@ private:
   // This number of faces counts as much as the mean mass of a cluster.
   static constexpr double faces_of_round_cluster = 64;
   //! [size]
+
+  // Border edges add planes perpendicular to their faces.
+  void add_quadrics(const Feature_cells& cells)
+  {
+    quadrics_.resize(count_);
+    const Clustering_input& pieces = cells.pieces();
+    const Flat_mesh& m = pieces.mesh;
+    for (const Index f : component_.faces)
+      cells.for_each_piece(f, [&](Index piece) {
+        const Clustered_face face(pieces, piece);
+        Quadric_energy::Cluster_data& quadric = quadrics_[component_.labels[f]];
+        const Vector normal = face.plain_normal();
+        quadric_energy_.add(quadric, {pieces.area[piece], face.plain_centroid(), normal});
+        for (const Index c : m.corners(piece)) {
+          if (m.face_across[c] != NONE)
+            continue;
+          const Vector &p = m.points[m.corner_vertex[c]], &q = m.points[m.corner_vertex[m.next_corner(piece, c)]];
+          const Vector edge = q - p;
+          const double size = length(edge);
+          if (size > 0)
+            quadric_energy_.add(quadric, {size * size, 0.5 * (p + q), (1 / size) * cross(edge, normal)});
+        }
+      });
+  }
 
   // A merge is retried after one of its clusters has changed. Changes farther away may also enable it; such merges are considered
   // when the queue is empty.
@@ -198,12 +204,12 @@ private:
   double key_of(Index t) const
   {
     double least = -1;
-    if (by_threes_ && by_area_ && excess() > 1) {
-      for_each_triple_around(t, [&](const Triple& x) { least = least < 0 || x.size < least ? x.size : least; });
+    const auto offer = [&](double size) { least = least < 0 || size < least ? size : least; };
+    if (method_.by_threes && excess() > 1) {
+      if (method_.by_area)
+        for_each_triple_around(t, [&](const Triple& x) { offer(x.size); });
       if (least >= 0)
         return least;
-    }
-    if (by_threes_ && excess() > 1) {
       Size sum;
       for (Edge e = 3 * t; e != 3 * t + 3; ++e)
         if (!dual_.is_cap(dual_.source(e)))
@@ -211,15 +217,15 @@ private:
       return number_of(sum);
     }
     for (Edge e = 3 * t; e != 3 * t + 3; ++e)
-      if (is_candidate(e) && (least < 0 || size_of(e) < least))
-        least = size_of(e);
+      if (is_candidate(e))
+        offer(size_of(e));
     return least;
   }
 
   // A cluster that is already large, such as a single face as large as many other clusters, is not enlarged unnecessarily.
   bool may_be_third(Index merged, Index third) const
   {
-    return by_area_ || (size_[merged] + size_[third]).mass <= 4 * mean_mass();
+    return method_.by_area || (size_[merged] + size_[third]).mass <= 4 * mean_mass();
   }
 
   bool is_candidate(Edge e) const
@@ -230,35 +236,33 @@ private:
   double size_of(Edge e) const
   {
     const Index x = dual_.source(e), y = dual_.target(e);
-    return quadrics_.empty() ? number_of(size_[x] + size_[y]) : added_residual(quadrics_[x], quadrics_[y]);
-  }
-
-  double added_residual(const Quadric_energy::Cluster_data& x, const Quadric_energy::Cluster_data& y) const
-  {
-    const double sum = quadric_energy_.energy(Quadric_energy::joined(x, y), 0);
-    return rounded_for_comparison((std::max)(0., sum - quadric_energy_.energy(x, 0) - quadric_energy_.energy(y, 0)));
+    if (quadrics_.empty())
+      return number_of(size_[x] + size_[y]);
+    const auto residual = [this](const Quadric_energy::Cluster_data& quadric) { return quadric_energy_.energy(quadric, 0); };
+    const double sum = residual(Quadric_energy::joined(quadrics_[x], quadrics_[y]));
+    return rounded_for_comparison((std::max)(0., sum - residual(quadrics_[x]) - residual(quadrics_[y])));
   }
 
   double mean_mass() const { return mass_of_all_ / double(wanted_); }
   double number_of(const Size& x) const
   {
     const double mass_of_faces = x.faces / faces_of_round_cluster * mean_mass();
-    return rounded_for_comparison(by_area_ ? x.mass : (std::min)(x.mass, mass_of_faces));
+    return rounded_for_comparison(method_.by_area ? x.mass : (std::min)(x.mass, mass_of_faces));
   }
 
   void work_off()
   {
     while (!queue_.empty() && excess() > 0) {
       context_.poll();
-      const Candidate candidate = queue_.top();
+      const auto [key, t] = queue_.top();
       queue_.pop();
-      is_queued_[candidate.second] = false;
-      if (!dual_.is_triangle(candidate.second))
+      is_queued_[t] = false;
+      if (!dual_.is_triangle(t))
         continue;
-      if (candidate.first < key_of(candidate.second))
-        enqueue(candidate.second); // the clusters have grown in the meantime
+      if (key < key_of(t))
+        enqueue(t); // the clusters have grown in the meantime
       else
-        merge_at(candidate.second);
+        merge_at(t);
     }
     queue_ = Queue();
     is_queued_.assign(is_queued_.size(), false);
@@ -286,9 +290,9 @@ private:
     while (u > 0 && dual_.vertex(u - 1) == v)
       --u;
     for (; u < dual_.number_of_triangles() && dual_.vertex(u) == v; ++u)
-      if (dual_.is_triangle(u))
-        std::copy_if(Edge_iterator(3 * u), Edge_iterator(3 * u + 3), std::back_inserter(arcs),
-                     [this](Edge e) { return is_candidate(e); });
+      for (Edge e = 3 * u; dual_.is_triangle(u) && e != 3 * u + 3; ++e)
+        if (is_candidate(e))
+          arcs.push_back(e);
     for (const Edge e : arcs)
       for (const Edge f : arcs) {
         const Index x = dual_.source(e), y = dual_.target(e), z = dual_.source(f), w = dual_.target(f);
@@ -299,27 +303,19 @@ private:
       }
   }
 
-  std::optional<Triple> smallest_triple_around(Index t)
-  {
-    std::optional<Triple> smallest;
-    for_each_triple_around(t, [&](const Triple& x) {
-      if ((!smallest || x < *smallest) && dual_.may_contract(x.arc))
-        smallest = x;
-    });
-    return smallest;
-  }
-
   void merge_at(Index t)
   {
-    const std::array<Index, 3> corners{{dual_.source(3 * t), dual_.source(3 * t + 1), dual_.source(3 * t + 2)}};
-    const bool three = by_threes_ && excess() > 1;
-    std::optional<Triple> triple;
-    if (three && by_area_)
-      triple = smallest_triple_around(t);
-    const Edge e = triple ? triple->arc : smallest_of({3 * t, 3 * t + 1, 3 * t + 2});
+    const bool three = method_.by_threes && excess() > 1;
+    std::optional<Triple> triple; // the smallest
+    if (three && method_.by_area)
+      for_each_triple_around(t, [&](const Triple& x) {
+        if ((!triple || x < *triple) && dual_.may_contract(x.arc))
+          triple = x;
+      });
+    const Edge e = triple ? triple->arc : smallest_edge_of(t);
     if (e == NONE)
       return;
-    const Index third = triple ? triple->third : corners[(e + 2) % 3];
+    const Index third = triple ? triple->third : dual_.source(Dual_surface::previous(e));
     Index merged = merge(e);
     if (three && !dual_.is_cap(third) && may_be_third(merged, third)) {
       Edge to_third = NONE;
@@ -333,10 +329,10 @@ private:
   }
 
   // Returns the contractible edge whose clusters have the smallest total size; NONE if there is none.
-  Edge smallest_of(const std::array<Edge, 3>& edges)
+  Edge smallest_edge_of(Index t)
   {
     Edge smallest = NONE;
-    for (const Edge e : edges)
+    for (Edge e = 3 * t; e != 3 * t + 3; ++e)
       if (is_candidate(e) && (smallest == NONE || size_of(e) < size_of(smallest)) && dual_.may_contract(e))
         smallest = e;
     return smallest;
@@ -360,18 +356,20 @@ private:
   typedef std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > Queue;
 
   const Run_context context_;
+  const Clustered_component component_;
   Dual_surface dual_;
   std::optional<Feature_merging> features_;
-  bool by_threes_, by_area_, may_join_at_vertices_, joins_at_vertices_ = false;
+  const Merging_method method_;
+  bool joins_at_vertices_ = false;
   std::size_t count_, wanted_ = 0;
   std::vector<Index> common_vertices_;     // of the merges of three clusters
   mutable std::vector<Index> merged_into_; // with path compression
   std::vector<Size> size_;
+  std::vector<bool> is_queued_; // per triangle
   const Quadric_energy quadric_energy_{quadric_regularization};
   std::vector<Quadric_energy::Cluster_data> quadrics_; // empty if clusters are merged by size
   double mass_of_all_ = 0;
   Queue queue_;
-  std::vector<bool> is_queued_; // per triangle
 };
 
 } // namespace internal

@@ -41,13 +41,19 @@ inline std::vector<Index> faces_of_clusters(const Cluster_labels& labels, std::s
   return result;
 }
 
-typedef Bucketed_items<Index>::Range Face_range;
-
 struct Component_seeds
 {
   std::vector<Index> faces;
   Index level = 0;
   std::size_t of_every_level = 0; // on features: the cells of corners, and one cell on each loop
+};
+
+struct Component_growth
+{
+  std::size_t clusters = 0; // 0 if there are too few faces or seeds
+  std::size_t splits = 0, merges = 0;
+  std::vector<Index> new_seeds; // of clusters that were merged by area
+  bool is_pinched = false;      // whether without_pinches() must turn clusters into discs
 };
 
 // Clusters one connected component according to its plan: seeds, growth, splitting, merging.
@@ -56,14 +62,14 @@ class Component_clustering
 public:
   // `merges_by_area`: whether the area of clusters determines which clusters are merged.
   Component_clustering(const Featured_input& input, bool merges_by_area, const Run_context& context)
-    : input_(input.items), cells_(input.cells.get()), merges_by_area_(merges_by_area), context_(context),
-      walk_(input.items.mesh, context) {}
+    : input_(input.items), cells_(input.cells.get()), merges_by_area_(merges_by_area),
+      merges_by_quadrics_(has_vertex_cells(input)), context_(context), walk_(input.items.mesh, context) {}
 
   Component_seeds seeds(const Face_range& faces, const Component_plan& plan)
   {
     if (plan.level() != NONE)
       return seeds_of_level(faces, plan.level());
-    if (merges_by_quadrics())
+    if (merges_by_quadrics_)
       return seeds_of_level(faces, 0);
     Component_seeds seeds = largest_level_of(faces, plan.min_seeds());
     if (plan.is_on_schedule())
@@ -72,8 +78,8 @@ public:
     return seeds.level > 0 ? seeds : largest_level_of(faces, plan.wanted());
   }
 
-  // Labels the faces from 0 and returns the number of clusters; 0 if there are too few faces or seeds.
-  std::size_t grow(Cluster_labels& labels, const Face_range& faces, const Component_seeds& seeds, const Component_plan& plan)
+  // Labels the faces from 0.
+  Component_growth grow(Cluster_labels& labels, const Face_range& faces, const Component_seeds& seeds, const Component_plan& plan)
   {
     for (const Index f : faces)
       labels.set(f, NONE);
@@ -84,52 +90,37 @@ public:
       rules.emplace(*cells_, labels);
       rules->begin(faces);
     }
-    Feature_rules* const rules_or_none = rules ? &*rules : nullptr;
+    Cluster_growth growth(labels, context_, rules ? &*rules : nullptr);
     Index clusters = 0;
-    {
-      Cluster_growth growth(labels, context_, rules_or_none);
-      for (const Index f : seeds.faces)
-        growth.plant(f, clusters++);
-      growth.run();
-      clusters = growth.cover(faces, clusters);
-    }
+    for (const Index f : seeds.faces)
+      growth.plant(f, clusters++);
+    growth.run();
+    Cluster_splitting<Face_range> splitting(growth, faces, growth.cover(faces, clusters));
 
-    Cluster_splitting<Face_range> splitting(labels, faces, clusters, context_, rules_or_none);
+    Component_growth result;
     if (!splitting.run() || !plan.may_begin_with(splitting.number_of_clusters()))
-      return 0;
-    splits_ = splitting.number_of_splits();
-    merges_ = 0;
-    new_seeds_.clear();
-    is_pinched_ = false;
-    if (splitting.number_of_clusters() <= plan.wanted())
-      return splitting.number_of_clusters();
-    const bool by_threes = !plan.is_on_schedule() && !merges_by_quadrics();
-    Cluster_merging merging(input_, labels, faces, splitting.number_of_clusters(), by_threes, merges_by_area_,
-                            plan.from_pieces() && plan.is_on_schedule() && !cells_, context_);
-    if (cells_)
-      merging.keep_features(*cells_, labels, faces);
-    if (merges_by_quadrics())
-      merging.merge_by_quadrics(*cells_, labels, faces);
-    merges_ = merging.run(plan.wanted());
-    is_pinched_ = merging.has_pinches();
-    merging.relabel(labels, faces);
+      return result;
+    clusters = splitting.number_of_clusters();
+    result.clusters = clusters;
+    result.splits = splitting.number_of_splits();
+    if (result.clusters <= plan.wanted())
+      return result;
+    Merging_method method;
+    method.by_threes = !plan.is_on_schedule() && !merges_by_quadrics_;
+    method.by_area = merges_by_area_ || !method.by_threes;
+    method.by_quadrics = merges_by_quadrics_;
+    method.may_join_at_vertices = plan.from_pieces() && plan.is_on_schedule() && !cells_;
+    Cluster_merging merging(input_, {labels, faces, clusters, growth.rules()}, method, context_);
+    result.merges = merging.run(plan.wanted());
+    result.clusters -= result.merges;
+    result.is_pinched = merging.has_pinches();
+    merging.relabel();
     if (merges_by_area_)
-      merging.new_seeds(labels, new_seeds_);
-    return merging.number_of_clusters();
+      result.new_seeds = merging.new_seeds();
+    return result;
   }
 
-  // The numbers of splits and merges of the last growth.
-  std::size_t number_of_splits() const { return splits_; }
-  std::size_t number_of_merges() const { return merges_; }
-  // The seeds of the clusters that the last growth merged by area.
-  const std::vector<Index>& new_seeds() const { return new_seeds_; }
-  // Returns whether Pinch_resolution must turn clusters into discs.
-  bool is_pinched() const { return is_pinched_; }
-
 private:
-  // Cells of vertices are merged from single cells, by their quadrics.
-  bool merges_by_quadrics() const { return cells_ && cells_->extent() == Feature_cells::AT_ALL_VERTICES; }
-
   Component_seeds seeds_of_level(const Face_range& faces, Index level)
   {
     Component_seeds seeds;
@@ -158,10 +149,6 @@ private:
     walk_.run(on_lines, seeds.level, seeds.faces);
     fill_gaps_on_lines(on_lines, seeds);
   }
-
-  // Disjoint neighborhoods leave at most this number of nodes of a line between seeds, unless the line passes vertices of high
-  // valence, whose faces are all neighbors.
-  static std::size_t max_gap(Index level) { return 4 * std::size_t(level) + 2; }
 
   void fill_gaps_on_lines(const std::vector<Index>& cells_on_lines, Component_seeds& seeds)
   {
@@ -198,7 +185,10 @@ private:
   // Takes seeds at equal distances between two nodes of a line.
   void take_between(const std::vector<Index>& nodes, std::size_t first, std::size_t last, Component_seeds& seeds)
   {
-    const std::size_t parts = (last - first + max_gap(seeds.level) - 1) / max_gap(seeds.level);
+    // Disjoint neighborhoods leave at most this number of nodes of a line between seeds, unless the line passes vertices of high
+    // valence, whose faces are all neighbors.
+    const std::size_t max_gap = 4 * std::size_t(seeds.level) + 2;
+    const std::size_t parts = (last - first + max_gap - 1) / max_gap;
     for (std::size_t i = 1; i < parts; ++i)
       walk_.take(cells_->cell(nodes[(first + i * (last - first) / parts) % nodes.size()]), 0, seeds.faces);
   }
@@ -228,11 +218,9 @@ private:
   const Clustering_input& input_;
   const Feature_cells* cells_; // null without features
   bool merges_by_area_;
+  bool merges_by_quadrics_; // cells of vertices are merged from single cells
   const Run_context context_;
   Seed_walk walk_;
-  std::size_t splits_ = 0, merges_ = 0;
-  std::vector<Index> new_seeds_;
-  bool is_pinched_ = false;
 };
 
 // Turns pinched clusters into discs. A cluster is pinched at a vertex if it results from the merge of two clusters that met only
@@ -242,56 +230,41 @@ private:
 // The pinched cluster is the cluster of the first face around the vertex, the apex of the fan. The segments between its
 // parts are cut off from the vertex, except the last segment, which contains the border if the vertex lies on it. Along the
 // cuts, the cluster meets the other clusters in the order of the fan, so the dual is the contracted fan.
-class Pinch_resolution
+//
+// Returns the input with the corners cut off. `new_labels` receives the labels of its faces.
+inline Clustering_input without_pinches(const Clustering_input& input, const Cluster_labels& labels,
+                                        std::vector<Index>& new_labels)
 {
-public:
-  Pinch_resolution(const Clustering_input& input, const Cluster_labels& labels) : input_(input), labels_(labels) {}
-
-  // Returns the input with the corners cut off. `new_labels` receives the labels of its faces.
-  Clustering_input run(std::vector<Index>& new_labels)
-  {
-    const Flat_mesh& m = input_.mesh;
-    is_cut_.assign(m.corner_vertex.size(), false);
-    for (Index v = 0; v < m.number_of_vertices(); ++v)
-      choose_corners(v);
-    Corner_truncation cutting(m, is_cut_);
-    Flat_mesh cut_mesh = cutting.run();
-    new_labels.clear();
-    for (std::size_t i = 0; i < cutting.old_face().size(); ++i) {
-      const Index c = cutting.old_corner()[cut_mesh.first_corner[i]];
-      const bool is_cut_off = c != NONE && is_cut_[c];
-      new_labels.push_back(is_cut_off ? label_of_first(m.corner_vertex[c]) : labels_[cutting.old_face()[i]]);
-    }
-    return cut_input(input_, std::move(cut_mesh), cutting.old_face());
-  }
-
-private:
-  Index label_of_first(Index v) const { return labels_[input_.mesh.star[input_.mesh.first_in_star[v]]]; }
-
-  void choose_corners(Index v)
-  {
-    const Flat_mesh& m = input_.mesh;
-    const Index begin = m.first_in_star[v], end = m.first_in_star[v + 1];
-    if (begin == end)
-      return;
+  const Flat_mesh& m = input.mesh;
+  const auto label_of_first = [&](Index v) { return labels[m.star[m.first_in_star[v]]]; };
+  std::vector<bool> is_cut(m.corner_vertex.size(), false);
+  for (Index v = 0; v < m.number_of_vertices(); ++v) {
+    const Index begin = m.first_in_star[v];
+    Index last = m.first_in_star[v + 1];
+    if (begin == last)
+      continue;
     const Index pinched = label_of_first(v);
     // The last segment follows the last part of the cluster. At an inner vertex, the cluster may continue across the end of the
     // sequence.
-    Index last = end;
     if (!m.is_on_border(v))
-      while (last != begin && labels_[m.star[last - 1]] == pinched)
+      while (last != begin && labels[m.star[last - 1]] == pinched)
         --last;
-    while (last != begin && labels_[m.star[last - 1]] != pinched)
+    while (last != begin && labels[m.star[last - 1]] != pinched)
       --last;
     for (Index i = begin; i != last; ++i)
-      if (labels_[m.star[i]] != pinched)
-        is_cut_[m.corner_of(m.star[i], v)] = true;
+      if (labels[m.star[i]] != pinched)
+        is_cut[m.corner_of(m.star[i], v)] = true;
   }
-
-  const Clustering_input& input_;
-  const Cluster_labels& labels_;
-  std::vector<bool> is_cut_; // per corner
-};
+  Corner_truncation cutting(m, is_cut);
+  Flat_mesh cut_mesh = cutting.run();
+  new_labels.clear();
+  for (std::size_t i = 0; i < cutting.old_face().size(); ++i) {
+    const Index c = cutting.old_corner()[cut_mesh.first_corner[i]];
+    const bool is_cut_off = c != NONE && is_cut[c];
+    new_labels.push_back(is_cut_off ? label_of_first(m.corner_vertex[c]) : labels[cutting.old_face()[i]]);
+  }
+  return cut_input(input, std::move(cut_mesh), cutting.old_face());
+}
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

@@ -57,9 +57,7 @@ inline std::vector<std::size_t> apportion(std::size_t total, std::vector<double>
   const double all_most = double(std::accumulate(most.begin(), most.end(), std::size_t(0)));
   for (std::size_t i = 0; i < n; ++i)
     shares[i] = (all_shares > 0 ? shares[i] / all_shares : 0) + 1e-9 * double(most[i]) / all_most;
-  const auto clamped = [&](std::size_t i, double x) {
-    return (std::min)((std::max)(x, double(least[i])), double(most[i]));
-  };
+  const auto clamped = [&](std::size_t i, double x) { return std::clamp(x, double(least[i]), double(most[i])); };
   // Finds by bisection the factor at which the clamped shares add up to the total, up to rounding errors.
   double low = 0, high = 1;
   const auto sum_at = [&](double factor) {
@@ -119,29 +117,20 @@ public:
   // g have irreducible triangulations of at most 26 g - 4 vertices (Joret and Wood: Irreducible triangulations are small, 2010).
   // With b border loops the number is also linear in g and b (Boulch, Colin de Verdiere, Nakamoto: Irreducible triangulations of
   // surfaces with boundary, 2013). Features keep clusters apart; these results do not bound the additional clusters.
-  static std::size_t sufficient_clusters(const Component& c)
-  {
-    return 8 + 26 * c.genus() + 8 * c.loops + 4 * c.feature_clusters;
-  }
+  static std::size_t sufficient_clusters(const Component& c) { return 8 + 26 * c.genus() + 8 * c.loops + 4 * c.feature_clusters; }
 
-  // Restarts for `wanted` clusters.
-  void begin(const Component& component, std::size_t wanted)
+  // Restarts for `wanted` clusters: with the seeds of level `level`, if given, in the standard method.
+  void begin(const Component& component, std::size_t wanted, Index level = NONE)
   {
-    aim_at(component, wanted);
-    if (has_nearest() && wanted >= nearest_ && wanted < enough_) {
+    enough_ = sufficient_clusters(component);
+    faces_ = component.faces;
+    wanted_ = wanted;
+    lowest_end_ = (std::numeric_limits<std::size_t>::max)();
+    if (level == NONE && has_nearest() && wanted >= nearest_ && wanted < enough_) {
       go_to_nearest();
       return;
     }
-    on_schedule_ = wanted < enough_;
-    from_pieces_ = component.faces < wanted;
-    go_to_first();
-  }
-
-  // Restarts with the seeds of level `level`, in the standard method.
-  void begin(const Component& component, std::size_t wanted, Index level)
-  {
-    aim_at(component, wanted);
-    on_schedule_ = false;
+    on_schedule_ = level == NONE && wanted < enough_;
     from_pieces_ = component.faces < wanted;
     go_to_first();
     level_ = level;
@@ -174,13 +163,13 @@ public:
   // may not begin with these seeds. Returns whether another attempt remains. If not, nearest() is the smallest attainable number.
   bool revise(Index level, std::size_t seeds, std::size_t reached)
   {
-    if (on_schedule_ && reached > wanted_ && reached < nearest_) {
+    if (!on_schedule_)
+      return leave_standard_method(level, reached);
+    if (reached > wanted_ && reached < nearest_) {
       nearest_ = reached;
       nearest_level_ = level;
       nearest_from_pieces_ = from_pieces_;
     }
-    if (!on_schedule_)
-      return leave_usual_way(level, reached);
     const bool is_no_progress = reached == 0 || reached >= lowest_end_;
     levels_without_progress_ = is_no_progress ? levels_without_progress_ + 1 : 0;
     if (!is_no_progress)
@@ -227,14 +216,6 @@ private:
     return (std::max)(std::size_t(2), faces_of_all_levels / faces);
   }
 
-  void aim_at(const Component& component, std::size_t wanted)
-  {
-    enough_ = sufficient_clusters(component);
-    faces_ = component.faces;
-    wanted_ = wanted;
-    lowest_end_ = (std::numeric_limits<std::size_t>::max)();
-  }
-
   void go_to_first()
   {
     levels_without_progress_ = 0;
@@ -250,7 +231,7 @@ private:
     from_pieces_ = nearest_from_pieces_;
   }
 
-  bool leave_usual_way(Index level, std::size_t reached)
+  bool leave_standard_method(Index level, std::size_t reached)
   {
     if (reached == 0 && !from_pieces_)
       return take_pieces();

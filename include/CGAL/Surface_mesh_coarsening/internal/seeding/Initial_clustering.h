@@ -34,25 +34,21 @@ public:
       input_(&input),
       merges_by_area_(merges_by_area),
       report_(report),
-      context_(context)
+      context_(context),
+      share_(input.items.mesh.components.size(), 0),
+      plan_(share_.size()),
+      cut_(share_.size(), false),
+      state_(share_.size(), State::NEW),
+      seeds_(share_.size()),
+      grown_(share_.size())
   {
-    const std::vector<Component>& components = input.items.mesh.components;
-    for (const Component& c : components)
+    for (const Component& c : input.items.mesh.components)
       min_.push_back(fewest_vertices(c));
     bound_by_vertices();
-    share_.assign(components.size(), 0);
     for (std::size_t f = 0; f < input.items.mesh.number_of_faces(); ++f) {
       context_.poll();
       share_[input.items.mesh.component[f]] += input.items.mass(Index(f));
     }
-    cut_.assign(components.size(), false);
-    plan_.resize(components.size());
-    state_.assign(components.size(), State::NEW);
-    seeds_.resize(components.size());
-    splits_.assign(components.size(), 0);
-    merges_.assign(components.size(), 0);
-    seeds_after_merging_.resize(components.size());
-    is_pinched_.assign(components.size(), false);
   }
 
   // Subdivides all faces until there are at least `faces_each` faces for each cluster. At features, long edges are halved first:
@@ -88,10 +84,7 @@ public:
 
   // The largest number of clusters for which faces can be subdivided: the last subdivision has up to four times as many pieces,
   // with four corners each.
-  static constexpr std::size_t max_clusters_of_subdivided(std::size_t faces_each)
-  {
-    return NONE / 2 / 16 / faces_each - 1;
-  }
+  static constexpr std::size_t max_clusters_of_subdivided(std::size_t faces_each) { return NONE / 2 / 16 / faces_each - 1; }
 
   // Finds enough seeds for `number` clusters. Throws if this number cannot be reached.
   void seed(std::size_t number)
@@ -100,8 +93,7 @@ public:
     if (number_ > sum(max_) && some_component_may_need_more_clusters_than_vertices())
       find_minimum();
     if (number_ > sum(max_))
-      throw Unreachable_number_of_vertices(std::to_string(number_) + " vertices were asked for, but the input has only " +
-                                             std::to_string(sum(max_)), sum(max_));
+      throw_unreachable("the input has only ", sum(max_));
     apportion_number();
     find_seeds();
   }
@@ -112,7 +104,7 @@ public:
     may_exceed_number_ = true;
     find_seeds_of(level);
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
-      wanted_[i] = (std::min)((std::max)(seeds_[i].faces.size(), min_[i]), max_[i]);
+      wanted_[i] = std::clamp(seeds_[i].faces.size(), min_[i], max_[i]);
       plan_[i].begin(input_->items.mesh.components[i], wanted_[i], level);
     }
     number_ = sum(wanted_);
@@ -123,13 +115,11 @@ public:
   {
     find_seeds_of(level);
     for (std::size_t i = 0; i < wanted_.size(); ++i)
-      max_[i] = (std::max)((std::min)(seeds_[i].faces.size(), max_[i]), min_[i]);
-    if (number > sum(max_))
-      throw Unreachable_number_of_vertices(std::to_string(number) + " vertices were asked for, but the seeds of level " +
-                                             std::to_string(level) + " give only " + std::to_string(sum(max_)),
-                                           sum(max_));
-    merge_level_ = level;
+      max_[i] = std::clamp(seeds_[i].faces.size(), min_[i], max_[i]);
     number_ = number;
+    if (number_ > sum(max_))
+      throw_unreachable("the seeds of level " + std::to_string(level) + " give only ", sum(max_));
+    merge_level_ = level;
     apportion_number();
     find_seeds();
   }
@@ -138,16 +128,16 @@ public:
   const Featured_input& input() const { return resolved_input_ ? *resolved_input_ : *input_; }
 
   // Returns the seeds; after growth, a face of each cluster.
-  std::vector<Index> seeds() const
-  {
-    return face_of_cluster_.empty() ? found_seeds() : face_of_cluster_;
-  }
+  std::vector<Index> seeds() const { return face_of_cluster_.empty() ? found_seeds() : face_of_cluster_; }
 
   // Grows the clusters from the seeds and brings them to the required number.
   Cluster_labels grow()
   {
-    if (!labels_)
-      grow_again();
+    if (!labels_) { // again
+      resolved_input_.reset();
+      labels_.emplace(input_->items.mesh);
+      std::fill(state_.begin(), state_.end(), State::SEEDED);
+    }
     if (!pieces_are_up_to_date())
       find_seeds();
     while (!grow_components()) {
@@ -155,14 +145,16 @@ public:
       find_seeds();
     }
     number_clusters();
-    if (std::find(is_pinched_.begin(), is_pinched_.end(), true) != is_pinched_.end())
+    if (std::any_of(grown_.begin(), grown_.end(), [](const Component_growth& g) { return g.is_pinched; }))
       resolve_pinches();
     labels_->recount();
     face_of_cluster_ = faces_of_clusters(*labels_, report_.clusters, resolved_input_ ? std::vector<Index>() : final_seeds(),
                                          context_);
     Cluster_labels labels = std::move(*labels_);
+    // Later stages need the memory. A repeated growth finds the same seeds.
     labels_.reset();
-    release();
+    clustering_.reset();
+    faces_.reset();
     return labels;
   }
 
@@ -179,37 +171,20 @@ private:
   std::vector<Index> final_seeds() const
   {
     std::vector<Index> all;
-    for (const std::vector<Index>& seeds : seeds_after_merging_)
-      all.insert(all.end(), seeds.begin(), seeds.end());
+    for (const Component_growth& g : grown_)
+      all.insert(all.end(), g.new_seeds.begin(), g.new_seeds.end());
     const std::vector<Index> found = found_seeds();
     all.insert(all.end(), found.begin(), found.end());
     return all;
   }
 
-  static std::size_t sum(const std::vector<std::size_t>& v)
-  {
-    return std::accumulate(v.begin(), v.end(), std::size_t(0));
-  }
-
-  // Frees memory for later stages. A repeated growth finds the same seeds.
-  void release()
-  {
-    clustering_.reset();
-    faces_.reset();
-  }
+  static std::size_t sum(const std::vector<std::size_t>& v) { return std::accumulate(v.begin(), v.end(), std::size_t(0)); }
 
   Featured_input subdivided(const Featured_input& input, const std::vector<bool>& chosen_component) const
   {
     if (input.cells)
       return input.cells->subdivided(chosen_component, context_);
     return {subdivided_input(input.items, chosen_component, context_), nullptr};
-  }
-
-  void grow_again()
-  {
-    resolved_input_.reset();
-    labels_.emplace(input_->items.mesh);
-    std::fill(state_.begin(), state_.end(), State::SEEDED);
   }
 
   void bound_by_vertices()
@@ -223,8 +198,10 @@ private:
   {
     if (may_exceed_number_)
       number_ = (std::max)(number_, sum(min_));
-    if (number_ < sum(min_))
-      throw_too_small();
+    if (number_ < sum(min_)) {
+      find_minimum();
+      throw_unreachable("the input, with " + needs_of_vertices(uncut_input_->items.mesh.components) + ", needs ", sum(min_));
+    }
     begin_plans(apportion(number_, share_, min_, max_));
   }
 
@@ -234,26 +211,16 @@ private:
     for (std::size_t i = 0; i < wanted.size(); ++i)
       if (wanted_[i] != wanted[i]) {
         wanted_[i] = wanted[i];
-        begin_plan(i);
+        plan_[i].begin(uncut_input_->items.mesh.components[i], wanted[i], merge_level_);
         state_[i] = State::NEW;
       }
-  }
-
-  void begin_plan(std::size_t i)
-  {
-    const Component& component = uncut_input_->items.mesh.components[i];
-    if (merge_level_ == NONE)
-      plan_[i].begin(component, wanted_[i]);
-    else
-      plan_[i].begin(component, wanted_[i], merge_level_);
   }
 
   bool some_component_may_need_more_clusters_than_vertices() const
   {
     const std::vector<Component>& components = uncut_input_->items.mesh.components;
-    return std::any_of(components.begin(), components.end(), [](const Component& c) {
-      return c.max_clusters() < Component_plan::sufficient_clusters(c);
-    });
+    return std::any_of(components.begin(), components.end(),
+                       [](const Component& c) { return c.max_clusters() < Component_plan::sufficient_clusters(c); });
   }
 
   // The smallest attainable number is known after every component has reached its minimum.
@@ -265,15 +232,11 @@ private:
     } while (!grow_components());
   }
 
-  [[noreturn]] void throw_too_small()
+  [[noreturn]] void throw_unreachable(const std::string& limit, std::size_t nearest) const
   {
-    find_minimum();
-    const std::size_t least = sum(min_);
     throw Unreachable_number_of_vertices(std::to_string(number_) + (number_ == 1 ? " vertex was" : " vertices were") +
-                                           " asked for, but the input, with " +
-                                           needs_of_vertices(uncut_input_->items.mesh.components) + ", needs " +
-                                           std::to_string(least),
-                                         least);
+                                           " asked for, but " + limit + std::to_string(nearest),
+                                         nearest);
   }
 
   bool pieces_are_up_to_date() const
@@ -354,17 +317,16 @@ private:
   bool grow_component(std::size_t i)
   {
     while (plan_[i].from_pieces() == cut_[i]) {
-      const std::size_t reached = clustering_->grow(*labels_, faces_of(i), seeds_[i], plan_[i]);
-      if (reached == wanted_[i]) {
+      grown_[i] = clustering_->grow(*labels_, faces_of(i), seeds_[i], plan_[i]);
+      if (grown_[i].clusters == wanted_[i]) {
         state_[i] = State::DONE;
-        splits_[i] = clustering_->number_of_splits();
-        merges_[i] = clustering_->number_of_merges();
-        seeds_after_merging_[i] = clustering_->new_seeds();
-        is_pinched_[i] = clustering_->is_pinched();
         return true;
       }
-      if (!plan_[i].revise(seeds_[i].level, seeds_[i].faces.size() - seeds_[i].of_every_level, reached)) {
-        raise_minimum(i);
+      if (!plan_[i].revise(seeds_[i].level, seeds_[i].faces.size() - seeds_[i].of_every_level, grown_[i].clusters)) {
+        if (!plan_[i].has_nearest())
+          throw Invalid_input("component " + std::to_string(i) + " of the input cannot be clustered");
+        min_[i] = plan_[i].nearest();
+        max_[i] = (std::max)(max_[i], min_[i]);
         return false;
       }
       if (plan_[i].from_pieces() == cut_[i])
@@ -372,14 +334,6 @@ private:
     }
     state_[i] = State::NEW;
     return true;
-  }
-
-  void raise_minimum(std::size_t i)
-  {
-    if (!plan_[i].has_nearest())
-      throw Invalid_input("component " + std::to_string(i) + " of the input cannot be clustered");
-    min_[i] = plan_[i].nearest();
-    max_[i] = (std::max)(max_[i], min_[i]);
   }
 
   // Converts the numbers of clusters per component to consecutive numbers.
@@ -393,14 +347,17 @@ private:
       offset += Index(wanted_[i]);
     }
     report_.clusters = offset;
-    report_.splits = sum(splits_);
-    report_.merges = sum(merges_);
+    report_.splits = report_.merges = 0;
+    for (const Component_growth& g : grown_) {
+      report_.splits += g.splits;
+      report_.merges += g.merges;
+    }
   }
 
   void resolve_pinches()
   {
     std::vector<Index> new_labels;
-    resolved_input_ = Featured_input{Pinch_resolution(input_->items, *labels_).run(new_labels), nullptr};
+    resolved_input_ = Featured_input{without_pinches(input_->items, *labels_, new_labels), nullptr};
     labels_.emplace(resolved_input_->items.mesh);
     for (std::size_t f = 0; f < new_labels.size(); ++f)
       labels_->set(Index(f), new_labels[f]);
@@ -423,15 +380,13 @@ private:
   std::optional<Cluster_labels> labels_;
   std::vector<Index> face_of_cluster_;
   // Per component:
-  std::vector<double> share_;                      // its mass
+  std::vector<double> share_;                   // its mass
   std::vector<std::size_t> min_, max_, wanted_; // clusters
   std::vector<Component_plan> plan_;
   std::vector<bool> cut_;
   std::vector<State> state_;
   std::vector<Component_seeds> seeds_;
-  std::vector<std::size_t> splits_, merges_;
-  std::vector<std::vector<Index> > seeds_after_merging_; // if merged by area
-  std::vector<bool> is_pinched_;
+  std::vector<Component_growth> grown_;
 };
 
 } // namespace internal
