@@ -235,7 +235,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(threads_agree, Energy, Energies)
     const Grown grown(soup);
     const auto minimized = [&grown](double tolerance, const Run_context& context) {
       Cluster_labels labels(*grown.labels);
-      Energy_minimization<Energy> minimization(grown.working_input(), labels, number_of_clusters, Energy(), false, context);
+      Energy_minimization<Energy> minimization(
+        grown.working_input(), labels, {Energy(), grown.working_input().items, number_of_clusters}, false, context);
       BOOST_CHECK_GT(minimization.rounds_at_a_time(), 1u);
       std::vector<double> energies{minimization.energy()};
       for (;;) {
@@ -272,10 +273,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(ends_in_a_local_minimum, Energy, Energies)
   const Grown grown(soups().front().second);
   Cluster_labels labels(*grown.labels);
   const Clustering_input& input = grown.working_input().items;
-  Energy_minimization<Energy> minimization(grown.working_input(), labels, number_of_clusters, Energy(), false, Run_context());
+  const Energy_evaluation<Energy> energy(Energy(), input, number_of_clusters);
+  Energy_minimization<Energy> minimization(grown.working_input(), labels, energy, false, Run_context());
   while (minimization.run({3, 0}).moves > 0)
     ;
-  const Energy_evaluation<Energy> energy(Energy(), input, number_of_clusters);
   std::vector<Cluster_sums<Energy> > sums(number_of_clusters);
   energy.add_up(input, labels, sums, Run_context());
   Valid_moves moves(labels, nullptr);
@@ -331,8 +332,8 @@ BOOST_AUTO_TEST_CASE(cancelling)
     visitor.left = (std::numeric_limits<std::size_t>::max)();
     Cluster_labels labels(*grown.labels);
     const Run_context context(CGAL::Parallel_if_available_tag(), std::ref(visitor));
-    Energy_minimization<SMC::Weighted_inertia_energy<> > minimization(grown.working_input(), labels, number_of_clusters,
-                                                                      SMC::Weighted_inertia_energy<>(), false, context);
+    const Energy_evaluation<SMC::Weighted_inertia_energy<> > energy({}, grown.working_input().items, number_of_clusters);
+    Energy_minimization<SMC::Weighted_inertia_energy<> > minimization(grown.working_input(), labels, energy, false, context);
     visitor.left = questions;
     try {
       for (int i = 0; i < 5; ++i)

@@ -233,7 +233,8 @@ void check_rules(const Model& model, std::size_t number)
   initial.seed(number);
   Cluster_labels labels = initial.grow();
   typedef SMC::Weighted_inertia_energy<SMC::Maximum_density_weight> Energy;
-  Energy_minimization<Energy> minimization(initial.input(), labels, report.clusters, Energy(), false, Run_context());
+  Energy_minimization<Energy> minimization(initial.input(), labels, {Energy(), initial.input().items, report.clusters}, false,
+                                           Run_context());
   for (int round = 0; round < 3; ++round) {
     BOOST_TEST(Clustering_check(labels, report.clusters).fault([](std::size_t x) { return std::to_string(x); }) == "");
     const Labelled_pieces pieces(initial.input(), labels, report.clusters);

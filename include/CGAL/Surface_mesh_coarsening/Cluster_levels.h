@@ -47,9 +47,9 @@ public:
   {}
 
   /// returns the number of clusters of the finest level.
-  std::size_t finest() const { return levels_.finest(); }
+  std::size_t finest() const { return levels_.history().finest(); }
   /// returns the number of clusters of the coarsest level.
-  std::size_t coarsest() const { return levels_.coarsest(); }
+  std::size_t coarsest() const { return levels_.history().coarsest(); }
 
   /// returns the cluster into which `cluster` is merged between level `cluster + 1` and level `cluster`. Its number is smaller
   /// than `cluster`.
@@ -58,7 +58,7 @@ public:
   {
     if (cluster < coarsest() || cluster >= finest())
       throw Invalid_input("cluster " + std::to_string(cluster) + " has no parent");
-    return levels_.parent(Index(cluster));
+    return levels_.history().parent(Index(cluster));
   }
 
   /// writes, for each cluster of level `fine`, the cluster of level `coarse` that contains it. The time is linear in `fine`.
@@ -70,7 +70,7 @@ public:
     check(coarse);
     if (coarse > fine)
       throw Invalid_input("level " + std::to_string(coarse) + " is not coarser than level " + std::to_string(fine));
-    for (const Index x : levels_.ancestors(fine, coarse))
+    for (const Index x : levels_.history().ancestors(fine, coarse))
       *out++ = std::size_t(x);
     return out;
   }
@@ -82,7 +82,7 @@ public:
   OutputIterator triangles(std::size_t level, OutputIterator out) const
   {
     check(level);
-    for (const internal::Triangle& t : levels_.triangles(level))
+    for (const internal::Triangle& t : levels_.history().triangles(level))
       *out++ = std::array<std::size_t, 3>{{t[0], t[1], t[2]}};
     return out;
   }
@@ -125,8 +125,7 @@ public:
     accept_parameters<NamedParameters, Geometry_parameters>();
     check(level);
     const Clustering_state& state = clustering_.state();
-    const Placed_level placed = levels_.place(level, placement_model(placement), state.repairs_output,
-                                              output_coordinates<Traits>(state.frame));
+    const Placed_level placed = levels_.place(level, placement_model(placement), output_coordinates<Traits>(state.frame));
     Face_graph_filler<Output, NamedParameters> filler(output_points<Output>(placed.positions, state.frame, np), placed.triangles,
                                                       output, np, state.context);
     state.context.throw_if_cancelled();
@@ -150,8 +149,8 @@ public:
     using namespace internal;
     check(level);
     const Clustering_state& state = clustering_.state();
-    const Placed_level placed = levels_.place(level, placement_model(placement), state.repairs_output,
-                                              output_coordinates<Simple_cartesian<double> >(state.frame));
+    const Placed_level placed =
+      levels_.place(level, placement_model(placement), output_coordinates<Simple_cartesian<double> >(state.frame));
     const double distance = levels_.estimate(placed);
     state.context.throw_if_cancelled();
     return state.frame.length_to_mesh(distance);

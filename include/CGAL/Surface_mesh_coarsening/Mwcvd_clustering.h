@@ -99,8 +99,7 @@ public:
   /// \throws Unreachable_number_of_vertices if the mesh has fewer vertices, or if its topology needs more clusters.
   std::size_t seed(std::size_t number_of_clusters)
   {
-    internal::seed(state_, {internal::Seeding::FOR_NUMBER, number_of_clusters});
-    return state_.report.seeds;
+    return seed_as({internal::Seeding::FOR_NUMBER, number_of_clusters});
   }
 
   /// lets later calls of `seed_faces_or_cells()`, `seed_from_ratio()` and `seed_from_number_of_faces()` choose between faces and
@@ -126,8 +125,7 @@ public:
   /// \throws Unreachable_number_of_vertices as `seed()` does.
   std::size_t seed_faces_or_cells(std::size_t number_of_clusters)
   {
-    internal::seed(state_, {internal::Seeding::FOR_NUMBER, number_of_clusters, true});
-    return state_.report.seeds;
+    return seed_as({internal::Seeding::FOR_NUMBER, number_of_clusters, true});
   }
 
   /// finds seeds for a number of clusters that is `vertex_ratio` times the number of vertices of the mesh, rounded, and at least
@@ -166,11 +164,7 @@ public:
   /// selects seeds whose neighborhoods of `level` steps are disjoint, as many as a traversal of the faces finds.
   /// \return the number of seeds, which is the number of clusters after `grow()` unless the topology of the mesh needs
   /// more
-  std::size_t seed_from_level(std::size_t level)
-  {
-    internal::seed(state_, {internal::Seeding::AT_LEVEL, level});
-    return state_.report.seeds;
-  }
+  std::size_t seed_from_level(std::size_t level) { return seed_as({internal::Seeding::AT_LEVEL, level}); }
 
   /// selects the seeds of a level, from which `grow()` merges exactly `number_of_clusters` clusters, as in section 6 of the paper.
   /// A component whose topology does not permit this from the seeds of the level begins from other levels, as after `seed()`.
@@ -181,8 +175,7 @@ public:
   {
     if (number_of_clusters == 0)
       throw Invalid_input("0 clusters were asked for");
-    internal::seed(state_, {internal::Seeding::AT_LEVEL, level, false, number_of_clusters});
-    return state_.report.seeds;
+    return seed_as({internal::Seeding::AT_LEVEL, level, false, number_of_clusters});
   }
 
   /// grows the clusters from the seeds, one layer per round, until they cover the mesh.
@@ -274,9 +267,7 @@ public:
   template <class FaceClusterMap>
   void write_clusters(FaceClusterMap clusters) const
   {
-    typedef typename boost::property_traits<FaceClusterMap>::value_type Value;
-    for (std::size_t i = 0; i < numbering_.faces.size(); ++i)
-      put(clusters, numbering_.faces[i], Value(internal::cluster_of_face(state_, Index(i))));
+    internal::write_face_clusters(numbering_, internal::clusters_of_base_faces(state_), clusters);
   }
 
   /// writes the boundary-edge count (section 7) of each vertex: the number of incident edges that lie between two clusters or
@@ -372,9 +363,7 @@ public:
   /// cluster of a single face
   std::optional<std::size_t> split_cluster(std::size_t cluster)
   {
-    if (!internal::split_cluster(state_, cluster))
-      return std::nullopt;
-    return number_of_clusters() - 1;
+    return internal::split_cluster(state_, cluster) ? std::make_optional(number_of_clusters() - 1) : std::nullopt;
   }
 
   /// removes a cluster: its faces join a neighbor that is not frozen and can receive them. Among these neighbors, the function
@@ -405,6 +394,12 @@ public:
   /// \endcond
 
 private:
+  std::size_t seed_as(const internal::Seeding& seeding)
+  {
+    internal::seed(state_, seeding);
+    return state_.report.seeds;
+  }
+
   template <class Output, class NamedParameters>
   internal::Output_coordinates coordinates() const
   {

@@ -50,7 +50,7 @@ Dual_soup dual_of_clusters(const FaceGraph& mesh, const FaceClusterMap& clusters
   if (!fault.empty())
     throw Invalid_input(fault);
   labels.recount();
-  dual.triangles = Simplicial_dual<decltype(name)>(labels, name).triangles();
+  dual.triangles = simplicial_dual_triangles(labels, name);
   Repair_counts counts;
   const Placement placement = choose_parameter<Placement>(get_parameter(np, internal_np::vertex_placement_p));
   const Clustered_faces surface(input, labels, names.size());

@@ -8,12 +8,12 @@
 #include <CGAL/Iterator_range.h>
 
 #include <boost/iterator/counting_iterator.hpp>
+#include <boost/type_traits/has_less.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -109,14 +109,6 @@ private:
   std::vector<Item> items_;
 };
 
-template <class Value, class = void>
-struct Is_ordered : std::false_type
-{};
-template <class Value>
-struct Is_ordered<Value, std::void_t<decltype(std::declval<const Value&>() < std::declval<const Value&>())> >
-  : std::true_type
-{};
-
 // Sums areas for each value.
 template <class Value>
 class Majority
@@ -128,14 +120,15 @@ public:
   // Returns the value of largest area. Of several, returns the smallest if values are ordered, otherwise the first.
   Value value()
   {
-    if constexpr (Is_ordered<Value>::value)
+    constexpr bool is_ordered = boost::has_less<const Value&>::value;
+    if constexpr (is_ordered)
       std::stable_sort(votes_.begin(), votes_.end(), [](const Vote& a, const Vote& b) { return a.first < b.first; });
     std::size_t best = 0;
     double largest = -1;
     for (std::size_t i = 0; i < votes_.size();) {
       double area = 0;
       std::size_t j = i;
-      if constexpr (Is_ordered<Value>::value) {
+      if constexpr (is_ordered) {
         for (; j < votes_.size() && !(votes_[i].first < votes_[j].first); ++j)
           area += votes_[j].second;
       } else {

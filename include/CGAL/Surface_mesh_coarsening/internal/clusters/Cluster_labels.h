@@ -81,39 +81,17 @@ public:
   // that touches the cluster must be one arc that contains an edge and is not the whole boundary.
   bool stays_disc_with(Index f, Index to) const
   {
-    const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1];
-    Index edges = 0, arcs_begun = 0;
-    bool previous = label_across(end - 1) == to;
-    for (Index c = begin; c != end; ++c) {
-      const bool across = label_across(c) == to;
-      edges += across;
-      // A vertex between two edges is touched if one of the edges is, or if an incident face has the label.
-      if (!previous && (across || touches(mesh_.corner_vertex[c], to)))
-        ++arcs_begun;
-      if (arcs_begun > 1)
-        return false;
-      previous = across;
-    }
-    return edges > 0 && edges < end - begin && arcs_begun == 1;
+    return is_one_arc(f, [&](Index across) { return across == to; }, [&](Index v) { return touches(v, to); });
   }
 
   // Returns whether the cluster of face `f`, a closed disc, remains a closed disc if the face leaves: the part of the boundary of
   // the face on the boundary of the cluster must be one arc and not the whole boundary.
   bool stays_disc_without(Index f) const
   {
-    const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1], from = label_[f];
-    Index edges = 0, arcs_begun = 0;
-    bool previous = label_across(end - 1) != from;
-    for (Index c = begin; c != end; ++c) {
-      const bool boundary = label_across(c) != from;
-      edges += boundary;
-      if (!previous && (boundary || boundary_count_[mesh_.corner_vertex[c]] != 0)) // 0: case 0 of the paper
-        ++arcs_begun;
-      if (arcs_begun > 1)
-        return false;
-      previous = boundary;
-    }
-    return edges > 0 && edges < end - begin && arcs_begun == 1;
+    const Index from = label_[f];
+    return is_one_arc(
+      f, [&](Index across) { return across != from; },
+      [&](Index v) { return boundary_count_[v] != 0; }); // 0: case 0 of the paper
   }
 
   // Moves face `f` to another cluster and updates the counts of its vertices. The time depends only on the degree of the face.
@@ -159,6 +137,27 @@ private:
   static constexpr Index hub_valence = 64;
   bool is_hub(Index v) const { return mesh_.first_in_star[v + 1] - mesh_.first_in_star[v] > hub_valence; }
   typedef std::unordered_map<Index, Index> Faces_of_labels;
+
+  // Returns whether the part of the boundary of face `f` that has the edges with `has_edge(label across)` and the vertices with
+  // `has_vertex(v)` is one arc that contains an edge and is not the whole boundary.
+  template <class Has_edge, class Has_vertex>
+  bool is_one_arc(Index f, const Has_edge& has_edge, const Has_vertex& has_vertex) const
+  {
+    const Index begin = mesh_.first_corner[f], end = mesh_.first_corner[f + 1];
+    Index edges = 0, arcs_begun = 0;
+    bool previous = has_edge(label_across(end - 1));
+    for (Index c = begin; c != end; ++c) {
+      const bool edge = has_edge(label_across(c));
+      edges += edge;
+      // A vertex belongs to the part with either of its edges, or by itself.
+      if (!previous && (edge || has_vertex(mesh_.corner_vertex[c])))
+        ++arcs_begun;
+      if (arcs_begun > 1)
+        return false;
+      previous = edge;
+    }
+    return edges > 0 && edges < end - begin && arcs_begun == 1;
+  }
 
   void count_at_hubs(Index f, Index label)
   {

@@ -42,27 +42,24 @@ public:
   Clustering_check(const Cluster_labels& labels, std::size_t clusters)
     : labels_(labels), mesh_(labels.mesh()), clusters_(clusters), first_face_(clusters, NONE), boundary_(clusters) {}
 
+  typedef std::function<std::string(std::size_t)> Name;
+
   // Describes the first fault; empty if there is none. `name(x)` is the name of cluster `x`.
-  template <class Name>
   std::string fault(const Name& name)
   {
     const std::string message = fault_of_clusters(name);
-    return message.empty() ? fault_of_dual() : message;
+    return message.empty() ? fault_of_dual(name) : message;
   }
 
   // The same for the clusters only, without their dual.
-  template <class Name>
   std::string fault_of_clusters(const Name& name)
   {
-    name_ = name;
-    const std::string message = fault_of_labels();
-    return message.empty() ? fault_of_discs() : message;
+    const std::string message = fault_of_labels(name);
+    return message.empty() ? fault_of_discs(name) : message;
   }
 
 private:
-  std::string name(std::size_t cluster) const { return name_(cluster); }
-
-  std::string fault_of_labels()
+  std::string fault_of_labels(const Name& name)
   {
     const Dual_walk walk(labels_);
     for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f) {
@@ -84,7 +81,7 @@ private:
 
   // A cluster is a closed disc if its faces are connected across edges, its faces around every vertex are consecutive,
   // and its Euler characteristic is 1.
-  std::string fault_of_discs()
+  std::string fault_of_discs(const Name& name) const
   {
     std::vector<long> euler_characteristic(clusters_, 0);
     std::vector<Index> runs;
@@ -108,8 +105,16 @@ private:
           --euler_characteristic[x];
     }
     std::vector<bool> reached(mesh_.number_of_faces(), false);
-    for (std::size_t x = 0; x < clusters_; ++x)
-      reach(first_face_[x], reached);
+    std::vector<Index> faces;
+    for (const Index face : first_face_) {
+      reached[face] = true;
+      flood_fill(mesh_, face, faces, Run_context(), [&](Index, Index g) {
+        if (reached[g] || labels_[g] != labels_[face])
+          return false;
+        reached[g] = true;
+        return true;
+      });
+    }
     for (std::size_t f = 0; f < mesh_.number_of_faces(); ++f)
       if (!reached[f])
         return name(labels_[Index(f)]) + " is not connected: face " + std::to_string(f) + " lies apart";
@@ -119,19 +124,7 @@ private:
     return {};
   }
 
-  void reach(Index face, std::vector<bool>& reached) const
-  {
-    reached[face] = true;
-    std::vector<Index> faces;
-    flood_fill(mesh_, face, faces, Run_context(), [&](Index, Index g) {
-      if (reached[g] || labels_[g] != labels_[face])
-        return false;
-      reached[g] = true;
-      return true;
-    });
-  }
-
-  std::string fault_of_dual()
+  std::string fault_of_dual(const Name& name) const
   {
     Dual_walk walk(labels_);
     for (std::size_t x = 0; x < clusters_; ++x) {
@@ -149,7 +142,6 @@ private:
   const Cluster_labels& labels_;
   const Flat_mesh& mesh_;
   std::size_t clusters_;
-  std::function<std::string(std::size_t)> name_;
   std::vector<Index> first_face_;
   std::vector<Directed_edge> boundary_;
 };

@@ -10,8 +10,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <array>
-#include <utility>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -107,34 +106,12 @@ public:
   }
 
 private:
-  // The clusters around vertices where three or more meet.
-  struct Clusters_at_vertices
+  // A triangle of the fan around a vertex.
+  struct Fan_triangle
   {
-    // Lists the vertices whose stars begin at one of the faces.
-    template <class Iterator>
-    void list(const Cluster_labels& labels, Iterator begin, Iterator end)
-    {
-      const Flat_mesh& m = labels.mesh();
-      runs.clear();
-      vertices.clear();
-      first.assign(1, 0);
-      for (Iterator i = begin; i != end; ++i)
-        for (const Index c : m.corners(*i)) {
-          const Index v = m.corner_vertex[c];
-          if (m.star[m.first_in_star[v]] != *i)
-            continue;
-          clusters_around_vertex(labels, v, at_vertex);
-          if (at_vertex.size() < 3)
-            continue;
-          runs.insert(runs.end(), at_vertex.begin(), at_vertex.end());
-          first.push_back(Index(runs.size()));
-          vertices.push_back(v);
-        }
-    }
-
-    std::vector<Index> runs, first; // first run of each vertex, and the total
-    std::vector<Index> vertices;
-    std::vector<Index> at_vertex;
+    Triangle corners;
+    Index vertex;
+    bool is_first, is_last;
   };
 
   // Returns whether the third cluster of the triangle of `e` meets the two clusters at the ends of `e` in arcs, and no other
@@ -173,33 +150,37 @@ private:
   template <class FaceRange>
   void add_triangles(const Cluster_labels& labels, const FaceRange& faces, const Run_context& context)
   {
-    std::vector<Index> loops;
-    for_each_part<Clusters_at_vertices>(
+    const Flat_mesh& m = labels.mesh();
+    for_each_part<std::vector<Fan_triangle> >(
       context, faces.size(), 4096,
-      [&](Clusters_at_vertices& part, std::size_t begin, std::size_t end) {
-        part.list(labels, faces.begin() + begin, faces.begin() + end);
+      [&](std::vector<Fan_triangle>& part, std::size_t begin, std::size_t end) {
+        part.clear();
+        std::vector<Index> runs;
+        for (auto f = faces.begin() + begin; f != faces.begin() + end; ++f)
+          for (const Index c : m.corners(*f)) {
+            const Index v = m.corner_vertex[c];
+            if (m.star[m.first_in_star[v]] != *f)
+              continue; // the star of the vertex begins at another face
+            clusters_around_vertex(labels, v, runs);
+            for (std::size_t i = 2; i < runs.size(); ++i)
+              part.push_back({{runs[0], runs[i - 1], runs[i]}, v, i == 2, i + 1 == runs.size()});
+          }
       },
-      [&](const Clusters_at_vertices& part) {
-        for (std::size_t i = 0; i + 1 < part.first.size(); ++i)
-          add_fan(part.vertices[i], part.runs.data() + part.first[i], part.runs.data() + part.first[i + 1], loops);
+      [&](const std::vector<Fan_triangle>& part) {
+        for (const Fan_triangle& t : part) {
+          source_.insert(source_.end(), t.corners.begin(), t.corners.end());
+          vertex_.push_back(t.vertex);
+          is_arc_.insert(is_arc_.end(), {t.is_first, true, t.is_last});
+        }
       });
     // The loops of the component are numbered after the clusters.
+    std::vector<Index> loops;
+    std::copy_if(source_.begin(), source_.end(), std::back_inserter(loops), Cluster_labels::is_cap);
     sort_unique(loops);
     for (Index& x : source_)
       if (Cluster_labels::is_cap(x))
         x = clusters_ + Index(std::lower_bound(loops.begin(), loops.end(), x) - loops.begin());
     edge_of_.assign(clusters_ + loops.size(), NONE);
-  }
-
-  void add_fan(Index vertex, const Index* begin, const Index* end, std::vector<Index>& loops)
-  {
-    if (Cluster_labels::is_cap(end[-1]))
-      loops.push_back(end[-1]);
-    for (const Index* i = begin + 2; i != end; ++i) {
-      source_.insert(source_.end(), {*begin, i[-1], *i});
-      vertex_.push_back(vertex);
-      is_arc_.insert(is_arc_.end(), {i == begin + 2, true, i + 1 == end});
-    }
   }
 
   void pair_edges()

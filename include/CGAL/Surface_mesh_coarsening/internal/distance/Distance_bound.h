@@ -21,6 +21,18 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
+typedef std::array<Vector, 3> Corner_points; // of a triangle
+
+inline Vector center_of(const Corner_points& p) { return (1. / 3) * (p[0] + p[1] + p[2]); }
+
+inline double radius_about(const Vector& center, const Corner_points& corners)
+{
+  double squared = 0;
+  for (const Vector& p : corners)
+    squared = (std::max)(squared, dot(p - center, p - center));
+  return std::sqrt(squared);
+}
+
 // A point of a triangle of the coarse mesh that is far from a point of the mesh, which lies at the offset from it. One of the two
 // is the point of its surface nearest to the other.
 struct Far_point
@@ -177,7 +189,7 @@ private:
       search.emplace(mesh, group, number_of_groups);
     }
 
-    std::array<Vector, 3> corners(std::size_t t) const
+    Corner_points corners(std::size_t t) const
     {
       return {{mesh.points[mesh.corner_vertex[3 * t]], mesh.points[mesh.corner_vertex[3 * t + 1]],
                mesh.points[mesh.corner_vertex[3 * t + 2]]}};
@@ -199,7 +211,7 @@ private:
   // A part of a triangle, the group in which the search begins, and a bound of the distance of its points.
   struct Part
   {
-    std::array<Vector, 3> corners;
+    Corner_points corners;
     Index triangle, group;
     bool is_coarse; // whether it is a part of the coarse mesh
     double bound;
@@ -207,11 +219,9 @@ private:
     int cuts = 0;            // since it was halved
   };
 
-  static Vector center(const Part& part) { return (1. / 3) * (part.corners[0] + part.corners[1] + part.corners[2]); }
-
   Far_point far_point(const Part& part, const Nearest_point& near, const Surface& coarse) const
   {
-    const Vector middle = center(part);
+    const Vector middle = center_of(part.corners);
     if (!part.is_coarse)
       return {coarse.number[near.face], near.barycentric, middle - coarse.point(near.face, near.barycentric)};
     const auto t = coarse.corners(part.triangle);
@@ -223,18 +233,15 @@ private:
   // `near_enough`.
   Nearest_point nearest_to_center(Part& part, const Surface& to, double near_enough)
   {
-    const Vector middle = center(part);
-    double squared_radius = 0;
-    for (const Vector& p : part.corners)
-      squared_radius = (std::max)(squared_radius, dot(p - middle, p - middle));
-    const double radius = std::sqrt(squared_radius), inner = (std::max)(near_enough - radius, 0.);
+    const Vector middle = center_of(part.corners);
+    const double radius = radius_about(middle, part.corners), inner = (std::max)(near_enough - radius, 0.);
     std::size_t compared = 0;
     const Nearest_point nearest = (*to.search)(middle, part.group, inner * inner, compared);
     work_left_ -= (std::min)(compared, work_left_);
     const double distance = std::sqrt(nearest.squared_distance);
     part.bound = distance + radius;
     if (part.bound > near_enough) {
-      const std::array<Vector, 3> triangle = to.corners(nearest.face);
+      const Corner_points triangle = to.corners(nearest.face);
       double squared = 0;
       for (const Vector& p : part.corners)
         squared = (std::max)(squared, closest_on_triangle(p, triangle[0], triangle[1], triangle[2]).squared_distance);
@@ -261,7 +268,7 @@ private:
   static bool cut_at_edge(const Part& part, const Surface& to, const Visit& visit)
   {
     constexpr double least_part = 1e-3; // of the extent of the part, on each side
-    const std::array<Vector, 3> t = to.corners(part.nearest);
+    const Corner_points t = to.corners(part.nearest);
     const Vector normal = cross(t[1] - t[0], t[2] - t[0]);
     Vector heights{};
     double farthest = 0;
@@ -287,8 +294,7 @@ private:
       return p + heights[alone] / (heights[alone] - height) * (end - p);
     };
     const Vector on_pq = crossing(q, heights[(alone + 1) % 3]), on_pr = crossing(r, heights[(alone + 2) % 3]);
-    for (const std::array<Vector, 3>& corners :
-         {std::array<Vector, 3>{{p, on_pq, on_pr}}, std::array<Vector, 3>{{on_pq, q, on_pr}}, std::array<Vector, 3>{{q, r, on_pr}}})
+    for (const Corner_points& corners : {Corner_points{{p, on_pq, on_pr}}, {{on_pq, q, on_pr}}, {{q, r, on_pr}}})
       visit({corners, part.triangle, part.group, part.is_coarse, part.bound, part.nearest, part.cuts + 1});
     return true;
   }

@@ -6,13 +6,13 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_bound.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -98,9 +98,10 @@ private:
     for (int i = 0; !parts.empty(); ++i) {
       std::vector<Part> far;
       for (const Part& part : parts) {
-        const double rise = i < divisions ? steepness * radius(part) : 0;
+        const Vector center = center_of(part.corners);
+        const double rise = i < divisions ? steepness * radius_about(center, part.corners) : 0;
         const double low = (std::max)(std::sqrt(largest) - rise, 0.);
-        if (look_at(center(part), part.clusters[0], low * low) > low * low && i < divisions)
+        if (look_at(center, part.clusters[0], low * low) > low * low && i < divisions)
           divide(part, far);
       }
       parts = std::move(far);
@@ -110,30 +111,15 @@ private:
 
   struct Part
   {
-    std::array<Vector, 3> corners;
+    Corner_points corners;
     Triangle clusters; // the clusters in which the search begins
   };
-
-  static Vector center(const Part& part)
-  {
-    return (1. / 3) * (part.corners[0] + part.corners[1] + part.corners[2]);
-  }
-
-  static double radius(const Part& part)
-  {
-    double squared = 0;
-    for (const Vector& corner : part.corners) {
-      const Vector d = corner - center(part);
-      squared = (std::max)(squared, dot(d, d));
-    }
-    return std::sqrt(squared);
-  }
 
   static void divide(const Part& part, std::vector<Part>& parts)
   {
     const auto& c = part.corners;
     const auto& x = part.clusters;
-    const std::array<Vector, 3> middles{{0.5 * (c[1] + c[2]), 0.5 * (c[2] + c[0]), 0.5 * (c[0] + c[1])}};
+    const Corner_points middles{{0.5 * (c[1] + c[2]), 0.5 * (c[2] + c[0]), 0.5 * (c[0] + c[1])}};
     parts.push_back({middles, x});
     for (int i = 0; i < 3; ++i)
       parts.push_back({{{c[i], middles[(i + 2) % 3], middles[(i + 1) % 3]}}, {{x[i], x[i], x[i]}}});
@@ -168,20 +154,10 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Level_hierarchy::Level_hierarchy(const Clust
                             state.context)
 {}
 
-CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> Level_hierarchy::ancestors(std::size_t fine, std::size_t coarse) const
-{
-  return history_.ancestors(fine, coarse);
-}
-
-CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Triangle> Level_hierarchy::triangles(std::size_t level) const
-{
-  return history_.triangles(level);
-}
-
 CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> Level_hierarchy::clusters_of_faces(std::size_t level,
                                                                                           std::size_t number) const
 {
-  const std::vector<Index> of_cluster = history_.ancestors(finest(), level);
+  const std::vector<Index> of_cluster = history_.ancestors(history_.finest(), level);
   std::vector<Index> clusters(number);
   for (std::size_t f = 0; f < number; ++f)
     clusters[f] = of_cluster[history_.number(Index(cluster_of_face(state_, Index(f))))];
@@ -193,7 +169,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Cluster_labels Level_hierarchy::labels(std::
   const Feature_cells* const cells = state_.featured_input().cells.get();
   const Clustering_input& pieces = pieces_of(state_);
   const Cluster_labels& finest_labels = internal::labels(state_);
-  const std::vector<Index> of_cluster = history_.ancestors(finest(), level);
+  const std::vector<Index> of_cluster = history_.ancestors(history_.finest(), level);
   Cluster_labels result(pieces.mesh);
   for (std::size_t f = 0; f < pieces.mesh.number_of_faces(); ++f)
     result.set(Index(f), of_cluster[history_.number(finest_labels[cells ? cells->polygon(Index(f)) : Index(f)])]);
@@ -202,13 +178,13 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Cluster_labels Level_hierarchy::labels(std::
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE Placed_level Level_hierarchy::place(std::size_t level, const Placement_model& placement,
-                                                                        bool with_repair,
                                                                         const Output_coordinates& output_coordinates) const
 {
-  Placed_level placed{labels(level), history_.triangles(level), {}, {}};
+  Placed_level placed{labels(level), history_.triangles(level), {}};
+  Repair_counts counts;
   const Clustered_faces surface(pieces_of(state_), placed.labels, level, state_.context);
-  placed.positions = place_vertices({surface, Border_arcs(surface, !state_.follows_paper), placement}, with_repair,
-                                    output_coordinates, placed.triangles, placed.counts);
+  placed.positions = place_vertices({surface, Border_arcs(surface, !state_.follows_paper), placement}, state_.repairs_output,
+                                    output_coordinates, placed.triangles, counts);
   return placed;
 }
 

@@ -69,7 +69,7 @@ public:
     double before = minimization->energy();
     while (rounds < end.max_rounds && !has_ended) {
       const std::size_t some = (std::min)(end.max_rounds - rounds, minimization->rounds_at_a_time());
-      const Minimization::Progress progress = minimization->run({some, end.tolerance});
+      const Minimization_progress progress = minimization->run({some, end.tolerance});
       const double after = minimization->energy();
       has_ended = progress.moves == 0 || before - after <= end.tolerance * before;
       before = after;

@@ -43,6 +43,20 @@ public:
       now_(now)
   {}
 
+  // Runs at most `max_rounds` rounds, until a round moves no face or lowers the energy by at most `least_gain`. Returns what was
+  // done since the last call.
+  Minimization_progress run(std::size_t max_rounds, double least_gain)
+  {
+    std::size_t moves;
+    double gain;
+    do {
+      moves = progress_.moves;
+      gain = round();
+      ++progress_.rounds;
+    } while (progress_.rounds < max_rounds && progress_.moves != moves && gain > least_gain && !is_cancelled_);
+    return std::exchange(progress_, {});
+  }
+
   // Runs one round. Returns the decrease of the energy.
   double round()
   {
@@ -59,11 +73,6 @@ public:
     append_new();
     return gain_ - before;
   }
-
-  const Refusals& refusals() const { return refusals_; }
-
-  // Returns whether the minimization was cancelled.
-  bool is_cancelled() const { return is_cancelled_; }
 
   // Ends the minimization of the block. Edges within clusters leave the list. Edges at which a face could not move because of
   // other blocks or features are appended to `postponed`.
@@ -99,8 +108,7 @@ public:
       e.tested = 0;
   }
 
-  std::size_t tests() const { return tests_; }
-  std::size_t moves() const { return number_of_moves_; }
+  std::size_t moves() const { return progress_.moves; }
   Move_time now() const { return now_; }
 
 private:
@@ -233,7 +241,7 @@ private:
       take_out(e);
       return;
     }
-    ++tests_;
+    ++progress_.tests;
     const Candidate candidate = candidate_at(i);
     if (candidate.number == 0)
       return;
@@ -249,12 +257,12 @@ private:
       if (must_wait(f)) {
         is_postponed_[x.edge] = true;
       } else if (state_.checks_boundary_counts && !moves_.boundary_counts_allow(f, to)) {
-        ++refusals_.by_boundary_counts;
+        ++progress_.refused_by_boundary_counts;
       } else if (moves_.keeps_discs(f, to)) {
         found_.push_back({x.edge, x.side[k], to});
         return;
       } else {
-        ++refusals_.by_guarantee;
+        ++progress_.refused_by_guarantee;
       }
     }
   }
@@ -295,7 +303,7 @@ private:
     if (!is_gain(t) || (state_.checks_boundary_counts && !moves_.boundary_counts_allow(f, m.to)))
       return;
     if (!moves_.move(f, m.to)) {
-      ++refusals_.by_guarantee;
+      ++progress_.refused_by_guarantee;
       return;
     }
     Sums& source = state_.clusters[from];
@@ -305,7 +313,7 @@ private:
     state_.energy.add(target, face, t.with);
     CGAL_assertion(source.energy + target.energy < before);
     gain_ += t.gain;
-    ++number_of_moves_;
+    ++progress_.moves;
     state_.last_change[from] = state_.last_change[m.to] = ++now_;
     note_edges(f, m.to);
   }
@@ -377,8 +385,8 @@ private:
   Index number_due_ = 0, number_of_candidates_ = 0;
   Move_time now_;
   double gain_ = 0;
-  std::size_t tests_ = 0, number_of_moves_ = 0, number_taken_out_ = 0;
-  Refusals refusals_;
+  std::size_t number_taken_out_ = 0;
+  Minimization_progress progress_; // since the last call of `run()`
   bool is_cancelled_ = false;
 };
 

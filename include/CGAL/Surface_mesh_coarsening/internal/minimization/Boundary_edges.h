@@ -6,14 +6,15 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
+
+#include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -66,14 +67,10 @@ private:
 
   std::size_t longest_side(const Index* begin, const Index* end) const
   {
-    const double inf = std::numeric_limits<double>::infinity();
-    Vector low{{inf, inf, inf}}, high{{-inf, -inf, -inf}};
+    Bbox_3 box;
     for (const Index* x = begin; x != end; ++x)
-      for (int i = 0; i < 3; ++i) {
-        low[i] = (std::min)(low[i], points_[*x][i]);
-        high[i] = (std::max)(high[i], points_[*x][i]);
-      }
-    const Vector side = high - low;
+      box += box_of_point(points_[*x]);
+    const Vector side = high_corner(box) - low_corner(box);
     return std::size_t(std::max_element(side.begin(), side.end()) - side.begin());
   }
 
@@ -112,15 +109,12 @@ typedef std::vector<Boundary_edge> Boundary_edges;
 class Listed_edges
 {
 public:
-  explicit Listed_edges(std::size_t corners) : size_((corners + 63) / 64), words_(new std::atomic<std::uint64_t>[size_])
-  {
-    clear();
-  }
+  explicit Listed_edges(std::size_t corners) : words_((corners + 63) / 64) { clear(); }
 
   void clear()
   {
-    for (std::size_t i = 0; i < size_; ++i)
-      words_[i].store(0, std::memory_order_relaxed);
+    for (std::atomic<std::uint64_t>& word : words_)
+      word.store(0, std::memory_order_relaxed);
   }
 
   // Returns whether the edge is new.
@@ -133,8 +127,7 @@ public:
 private:
   static std::uint64_t bit(Index corner) { return std::uint64_t(1) << (corner % 64); }
 
-  std::size_t size_;
-  std::unique_ptr<std::atomic<std::uint64_t>[]> words_;
+  std::vector<std::atomic<std::uint64_t> > words_;
 };
 
 // Lists all edges between clusters, face by face.

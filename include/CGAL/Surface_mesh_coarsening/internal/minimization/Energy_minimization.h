@@ -42,13 +42,13 @@ class Energy_minimization : public Minimization
   typedef Block_minimization<Energy> Block;
 
 public:
-  Energy_minimization(const Featured_input& input, Cluster_labels& labels, std::size_t number_of_clusters,
-                      const Energy& energy, bool checks_boundary_counts, const Run_context& context)
+  Energy_minimization(const Featured_input& input, Cluster_labels& labels, const Energy_evaluation<Energy>& energy,
+                      bool checks_boundary_counts, const Run_context& context)
     : labels_(labels), context_(context), shared_cancellation_(context),
-      state_{input.items, labels, Energy_evaluation<Energy>(energy, input.items, number_of_clusters),
-             std::vector<Sums>(number_of_clusters), {}, Listed_edges(input.items.mesh.corner_vertex.size()), nullptr, {}}
+      state_{input.items, labels, energy, {}, {}, Listed_edges(input.items.mesh.corner_vertex.size()), nullptr, {},
+             checks_boundary_counts}
   {
-    state_.checks_boundary_counts = checks_boundary_counts;
+    const std::size_t number_of_clusters = energy.number_of_clusters();
     if (input.cells) {
       rules_.emplace(*input.cells, labels);
       rules_->count(number_of_clusters);
@@ -61,7 +61,7 @@ public:
 
   std::size_t rounds_at_a_time() const override { return is_divided() ? 5 : 1; }
 
-  Progress run(const Minimization_end& end) override
+  Minimization_progress run(const Minimization_end& end) override
   {
     shared_cancellation_.begin();
     //! [recount]
@@ -69,11 +69,13 @@ public:
     if (rounds_since_sums_ >= 64)
       add_up(context_.uninterrupted());
     //! [recount]
-    Progress progress = run_rounds(end, false);
+    Minimization_progress progress = run_rounds(end, false);
     // A round skips edges whose two clusters have not changed. Other clusters also determine whether a move is valid, so the
     // minimization has ended only if no edge at all permits a move.
-    if (progress.moves == 0)
-      progress = run_rounds(end, true);
+    if (progress.moves == 0) {
+      progress.rounds = 0;
+      progress += run_rounds(end, true);
+    }
     rounds_since_sums_ += progress.rounds;
     CGAL_expensive_assertion(agrees_with_recount() && has_all_edges());
     return progress;
@@ -84,7 +86,7 @@ public:
   {
     if (labels_.recounted() != labels_.boundary_counts())
       return false;
-    std::vector<Sums> fresh(state_.clusters.size());
+    std::vector<Sums> fresh;
     state_.energy.add_up(state_.input, labels_, fresh, Run_context());
     double mean = 0;
     for (const Sums& x : fresh)
@@ -122,9 +124,6 @@ public:
     return sum;
   }
 
-  std::size_t tests() const override { return tests_; }
-  Refusals refusals() const override { return refusals_; }
-
 private:
   // Smaller blocks have many edges to other blocks. Larger blocks exceed the caches and leave threads without work.
   static constexpr std::size_t clusters_per_block = 384;
@@ -153,13 +152,12 @@ private:
     divisions_ = {{Cluster_blocks(std::move(straight), blocks, context_), Cluster_blocks(std::move(oblique), blocks, context_)}};
   }
 
-  Progress run_rounds(const Minimization_end& end, bool tests_all)
+  Minimization_progress run_rounds(const Minimization_end& end, bool tests_all)
   {
     if (!is_complete_)
       list_edges();
     is_complete_ = false; // in case the minimization is cancelled
-    const Progress progress =
-      is_divided() ? run_blocks(end, tests_all) : run_whole(end, tests_all);
+    const Minimization_progress progress = is_divided() ? run_blocks(end, tests_all) : run_whole(end, tests_all);
     is_complete_ = true;
     return progress;
   }
@@ -178,34 +176,28 @@ private:
     state_.last_change.push_back(0); // for no cluster, which never changes
   }
 
-  Progress run_whole(const Minimization_end& end, bool tests_all)
+  Minimization_progress run_whole(const Minimization_end& end, bool tests_all)
   {
     if (!whole_)
       whole_.emplace(state_, edges_, now_, shared_cancellation_);
     if (tests_all)
       whole_->test_all();
-    const std::size_t tests = whole_->tests();
-    const Refusals refusals = whole_->refusals();
-    const Progress progress = run_block(*whole_, end.max_rounds, end.tolerance * energy());
-    tests_ += whole_->tests() - tests;
-    refusals_.by_boundary_counts += whole_->refusals().by_boundary_counts - refusals.by_boundary_counts;
-    refusals_.by_guarantee += whole_->refusals().by_guarantee - refusals.by_guarantee;
-    return progress;
+    return whole_->run(end.max_rounds, end.tolerance * energy());
   }
 
-  Progress run_blocks(const Minimization_end& end, bool tests_all)
+  Minimization_progress run_blocks(const Minimization_end& end, bool tests_all)
   {
     look_up_edges(tests_all);
     const double least_gain_per_edge = end.tolerance * energy() / double(edges_.size());
-    Progress progress;
+    Minimization_progress progress;
     Boundary_edges waiting = std::move(edges_), done;
     for (const Cluster_blocks& blocks : divisions_)
-      add(run_division(blocks, end.max_rounds, least_gain_per_edge, waiting, done), progress);
+      progress += run_division(blocks, end.max_rounds, least_gain_per_edge, waiting, done);
     std::swap(divisions_[0], divisions_[1]);
     Part last;
     last.edges.swap(waiting);
     run_part(last, end.max_rounds, least_gain_per_edge);
-    take(last, done, waiting, progress);
+    progress += take(last, done, waiting);
     edges_.swap(done);
     return progress;
   }
@@ -230,15 +222,13 @@ private:
   struct Part
   {
     Boundary_edges edges, postponed;
-    Progress progress;
+    Minimization_progress progress;
     Move_time now = 0;
-    std::size_t tests = 0;
-    Refusals refusals;
   };
 
   // Runs the blocks of a division on the waiting edges.
-  Progress run_division(const Cluster_blocks& blocks, std::size_t max_rounds, double least_gain_per_edge, Boundary_edges& waiting,
-                        Boundary_edges& done)
+  Minimization_progress run_division(const Cluster_blocks& blocks, std::size_t max_rounds, double least_gain_per_edge,
+                                     Boundary_edges& waiting, Boundary_edges& done)
   {
     Distributed_edges distributed = distribute(waiting, blocks, context_);
     waiting = std::move(distributed.between);
@@ -249,14 +239,14 @@ private:
       run_part(parts[i], max_rounds, least_gain_per_edge);
     });
     state_.is_shared.clear();
-    Progress progress;
+    Minimization_progress progress;
     std::size_t number = done.size() + waiting.size();
     for (const Part& part : parts)
       number += part.edges.size() + part.postponed.size();
     if (number > done.capacity())
       done.reserve(number + number / 16); // the remaining memory is reserved later
     for (Part& part : parts)
-      take(part, done, waiting, progress);
+      progress += take(part, done, waiting);
     return progress;
   }
 
@@ -274,44 +264,18 @@ private:
   void run_part(Part& part, std::size_t max_rounds, double least_gain_per_edge)
   {
     Block block(state_, part.edges, now_, shared_cancellation_);
-    part.progress = run_block(block, max_rounds, least_gain_per_edge * double(part.edges.size()));
+    part.progress = block.run(max_rounds, least_gain_per_edge * double(part.edges.size()));
     block.finish(part.postponed);
     part.now = block.now();
-    part.tests = block.tests();
-    part.refusals = block.refusals();
   }
 
-  static Progress run_block(Block& block, std::size_t max_rounds, double least_gain)
-  {
-    Progress progress;
-    const std::size_t moves_before = block.moves();
-    std::size_t moves;
-    double gain;
-    do {
-      moves = block.moves();
-      gain = block.round();
-      ++progress.rounds;
-    } while (progress.rounds < max_rounds && block.moves() != moves && gain > least_gain && !block.is_cancelled());
-    progress.moves = block.moves() - moves_before;
-    return progress;
-  }
-
-  void take(Part& part, Boundary_edges& done, Boundary_edges& waiting, Progress& progress)
+  const Minimization_progress& take(Part& part, Boundary_edges& done, Boundary_edges& waiting)
   {
     done.insert(done.end(), part.edges.begin(), part.edges.end());
     waiting.insert(waiting.end(), part.postponed.begin(), part.postponed.end());
     Boundary_edges().swap(part.edges); // frees memory
     now_ = (std::max)(now_, part.now);
-    tests_ += part.tests;
-    refusals_.by_boundary_counts += part.refusals.by_boundary_counts;
-    refusals_.by_guarantee += part.refusals.by_guarantee;
-    add(part.progress, progress);
-  }
-
-  static void add(const Progress& part, Progress& progress)
-  {
-    progress.rounds = (std::max)(progress.rounds, part.rounds);
-    progress.moves += part.moves;
+    return part.progress;
   }
 
   Cluster_labels& labels_;
@@ -324,8 +288,7 @@ private:
   bool is_complete_ = false;
   std::optional<Block> whole_; // a block of all edges, if clusters are not divided
   Move_time now_ = 1;
-  std::size_t rounds_since_sums_ = 0, tests_ = 0;
-  Refusals refusals_;
+  std::size_t rounds_since_sums_ = 0;
 };
 
 } // namespace internal

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -23,11 +24,22 @@ struct Minimization_end
   double tolerance = 0;
 };
 
-// The moves that would lower the energy but were refused: by the paper's check of boundary-edge counts, or, after passing it,
-// because the dual would not be a surface.
-struct Refusals
+// What was done in rounds of a minimization. Moves that would lower the energy are refused by the paper's check of boundary-edge
+// counts, or, after passing it, because the dual would not be a surface.
+struct Minimization_progress
 {
-  std::size_t by_boundary_counts = 0, by_guarantee = 0;
+  std::size_t rounds = 0, moves = 0, tests = 0, refused_by_boundary_counts = 0, refused_by_guarantee = 0;
+
+  // Adds what was done in parts of the clustering that run their rounds at the same time.
+  Minimization_progress& operator+=(const Minimization_progress& other)
+  {
+    rounds = (std::max)(rounds, other.rounds);
+    moves += other.moves;
+    tests += other.tests;
+    refused_by_boundary_counts += other.refused_by_boundary_counts;
+    refused_by_guarantee += other.refused_by_guarantee;
+    return *this;
+  }
 };
 
 // A minimization in progress, independent of the type of the energy.
@@ -35,19 +47,11 @@ class Minimization
 {
 public:
   virtual ~Minimization() = default;
-  struct Progress
-  {
-    std::size_t rounds = 0, moves = 0;
-  };
   // Runs rounds until the end. Parts of the clustering may reach it earlier than others.
-  virtual Progress run(const Minimization_end& end) = 0;
+  virtual Minimization_progress run(const Minimization_end& end) = 0;
   // Returns the number of rounds that a call should run.
   virtual std::size_t rounds_at_a_time() const = 0;
   virtual double energy() const = 0;
-  // The number of edges tested so far.
-  virtual std::size_t tests() const = 0;
-  // The moves refused so far.
-  virtual Refusals refusals() const = 0;
 };
 
 // The energy of a clustering with its type erased: the stages of the pipeline are compiled once for all energies.

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
 
 #include <boost/config.hpp>
+#include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,43 +32,29 @@ struct Cluster_sums : Energy::Cluster_data
   double energy = 0;
 };
 
-// The optional members of the concept `ClusterEnergy`.
-template <class Energy, class = void>
-constexpr bool has_trial_energies = false;
+// The optional members of the concept `ClusterEnergy`, and the results of the required ones.
 template <class Energy>
-constexpr bool has_trial_energies<Energy, std::void_t<decltype(std::declval<const Energy&>().energy_with(
-                                            std::declval<const typename Energy::Cluster_data&>(),
-                                            std::declval<const typename Energy::Face_data&>(), std::size_t()))> > = true;
-
-template <class Energy, class = void>
-constexpr bool has_quick_rejection = false;
-template <class Energy>
-constexpr bool has_quick_rejection<Energy, std::void_t<decltype(std::declval<const Energy&>().cannot_gain(
-                                             std::declval<const typename Energy::Cluster_data&>(),
-                                             std::declval<const typename Energy::Cluster_data&>(),
-                                             std::declval<const typename Energy::Face_data&>()))> > = true;
-
-template <class Energy, class = void>
-constexpr bool has_two_passes = false;
-template <class Energy>
-constexpr bool has_two_passes<Energy, std::void_t<decltype(std::declval<const Energy&>().set_center(
-                                        std::declval<typename Energy::Cluster_data&>()))> > = true;
-
+using Energy_sums = typename Energy::Cluster_data;
 template <class Energy>
 using Energy_outcome = std::decay_t<decltype(std::declval<const Energy&>().energy(
-  std::declval<const typename Energy::Cluster_data&>(), std::size_t()))>;
-
-template <class Energy, class = void>
-constexpr bool keeps_outcomes = false;
+  std::declval<const Energy_sums<Energy>&>(), std::size_t()))>;
 template <class Energy>
-constexpr bool keeps_outcomes<
-  Energy, std::void_t<decltype(std::declval<const Energy&>().keep(std::declval<typename Energy::Cluster_data&>(),
-                                                                  std::declval<const Energy_outcome<Energy>&>()))> > = true;
-
-template <class Energy, class = void>
-constexpr bool needs_mean_area = false;
+using Trial_energy = decltype(std::declval<const Energy&>().energy_with(
+  std::declval<const Energy_sums<Energy>&>(), std::declval<const typename Energy::Face_data&>(), std::size_t()));
 template <class Energy>
-constexpr bool needs_mean_area<Energy, std::void_t<decltype(std::declval<Energy&>().set_mean_area(0.))> > = true;
+using Quick_rejection = decltype(std::declval<const Energy&>().cannot_gain(
+  std::declval<const Energy_sums<Energy>&>(), std::declval<const Energy_sums<Energy>&>(),
+  std::declval<const typename Energy::Face_data&>()));
+template <class Energy>
+using Second_pass = decltype(std::declval<const Energy&>().set_center(std::declval<Energy_sums<Energy>&>()));
+template <class Energy>
+using Kept_outcome = decltype(std::declval<const Energy&>().keep(std::declval<Energy_sums<Energy>&>(),
+                                                                 std::declval<const Energy_outcome<Energy>&>()));
+template <class Energy>
+using Mean_area = decltype(std::declval<Energy&>().set_mean_area(0.));
+
+template <class Energy>
+constexpr bool needs_mean_area = boost::is_detected_v<Mean_area, Energy>;
 
 // Computes the energy of a cluster, also with an additional face or without a face, by a model of `ClusterEnergy`.
 template <class Energy>
@@ -78,7 +65,8 @@ public:
   typedef Cluster_sums<Energy> Sums;
   typedef Energy_outcome<Energy> Outcome; // a number, or a class that converts to a number
 
-  Energy_evaluation(const Energy& energy, const Clustering_input& input, std::size_t clusters) : energy_(energy)
+  Energy_evaluation(const Energy& energy, const Clustering_input& input, std::size_t clusters)
+    : energy_(energy), number_of_clusters_(clusters)
   {
     if constexpr (needs_mean_area<Energy>) {
       double area = 0;
@@ -88,15 +76,18 @@ public:
     }
   }
 
+  std::size_t number_of_clusters() const { return number_of_clusters_; }
+
   Face terms_of(const Clustering_input& input, Index f) const { return energy_.face_data(Clustered_face(input, f)); }
 
   // Computes all sums of the clusters.
   void add_up(const Clustering_input& input, const Cluster_labels& labels, std::vector<Sums>& clusters,
               const Run_context& context) const
   {
-    std::fill(clusters.begin(), clusters.end(), Sums());
+    constexpr bool has_two_passes = boost::is_detected_v<Second_pass, Energy>;
+    clusters.assign(number_of_clusters_, Sums());
     const std::vector<Index>& cluster = labels.labels();
-    if constexpr (has_two_passes<Energy>) {
+    if constexpr (has_two_passes) {
       for_each_in_groups(context, cluster, clusters.size(),
                          [&](Index f) { energy_.add_to_center(clusters[cluster[f]], Clustered_face(input, f)); });
       for (Sums& x : clusters)
@@ -105,7 +96,7 @@ public:
     for_each_in_groups(context, cluster, clusters.size(), [&](Index f) {
       Sums& x = clusters[cluster[f]];
       ++x.faces;
-      if constexpr (has_two_passes<Energy>)
+      if constexpr (has_two_passes)
         energy_.add_about_center(x, terms_of(input, f));
       else
         energy_.add(x, terms_of(input, f));
@@ -116,7 +107,7 @@ public:
 
   Outcome outcome_with(const Sums& x, const Face& face) const
   {
-    if constexpr (has_trial_energies<Energy>)
+    if constexpr (boost::is_detected_v<Trial_energy, Energy>)
       return energy_.energy_with(x, face, x.faces + 1);
     typename Energy::Cluster_data with = x;
     energy_.add(with, face);
@@ -125,7 +116,7 @@ public:
 
   Outcome outcome_without(const Sums& x, const Face& face) const
   {
-    if constexpr (has_trial_energies<Energy>)
+    if constexpr (boost::is_detected_v<Trial_energy, Energy>)
       return energy_.energy_without(x, face, x.faces - 1);
     typename Energy::Cluster_data without = x;
     energy_.remove(without, face);
@@ -152,7 +143,7 @@ public:
   // energy.
   bool cannot_gain(const Sums& source, const Sums& target, const Face& face) const
   {
-    if constexpr (has_quick_rejection<Energy>)
+    if constexpr (boost::is_detected_v<Quick_rejection, Energy>)
       return energy_.cannot_gain(source, target, face);
     return false;
   }
@@ -160,12 +151,13 @@ public:
 private:
   void set(Sums& x, const Outcome& outcome) const
   {
-    if constexpr (keeps_outcomes<Energy>)
+    if constexpr (boost::is_detected_v<Kept_outcome, Energy>)
       energy_.keep(x, outcome);
     x.energy = outcome;
   }
 
   Energy energy_;
+  std::size_t number_of_clusters_;
 };
 
 // The data that the blocks of a minimization share. Each block reads and writes the parts of its own clusters.
@@ -233,7 +225,7 @@ public:
     const Index across_n = labels_.label_across(begin + (c + 1) % 3), across_p = labels_.label_across(begin + (c + 2) % 3);
     if (labels_.boundary_count(v2) == 0 || (across_n == to) != (across_p == to))
       return true;
-    return (across_n != from) != (across_p != from) && !touches(v2, to);
+    return (across_n != from) != (across_p != from) && !labels_.touches(v2, to);
   }
 
   // Prefetch the data that `keeps_discs()` reads of a face in three steps; each step reads data prefetched by the previous
@@ -292,14 +284,6 @@ private:
     if (rules_)
       rules_->change(f, from);
     labels_.move(f, from);
-  }
-
-  bool touches(Index v, Index cluster) const
-  {
-    for (Index i = mesh_.first_in_star[v]; i != mesh_.first_in_star[v + 1]; ++i)
-      if (labels_[mesh_.star[i]] == cluster)
-        return true;
-    return false;
   }
 
   // Returns whether the dual does not change because the face borders on at most one other cluster X, and the meeting point of X

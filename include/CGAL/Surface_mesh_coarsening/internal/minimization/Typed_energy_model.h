@@ -30,7 +30,7 @@ template <class Energy>
 std::vector<Cluster_sums<Energy> > cluster_sums(const Energy& energy, const Clustering_input& input,
                                                 const Cluster_labels& labels, std::size_t clusters)
 {
-  std::vector<Cluster_sums<Energy> > sums(clusters);
+  std::vector<Cluster_sums<Energy> > sums;
   Energy_evaluation<Energy>(energy, input, clusters).add_up(input, labels, sums, Run_context());
   return sums;
 }
@@ -50,7 +50,8 @@ public:
   std::unique_ptr<Minimization> minimization(const Featured_input& input, Cluster_labels& labels, std::size_t clusters,
                                              bool checks_boundary_counts, const Run_context& context) const override
   {
-    return std::make_unique<Energy_minimization<Energy> >(input, labels, clusters, energy_, checks_boundary_counts, context);
+    return std::make_unique<Energy_minimization<Energy> >(
+      input, labels, Energy_evaluation<Energy>(energy_, input.items, clusters), checks_boundary_counts, context);
   }
 
   std::vector<Cluster_report> cluster_reports(const Clustering_input& input, const Cluster_labels& labels,

@@ -181,14 +181,12 @@ inline bool run_rounds(Clustering_state& state, const Minimization_end& end)
   state.editing.reset();
   begin_minimization(state);
   Coarsening_report& report = state.report;
-  const std::size_t tests_before = state.minimization->tests();
-  const Refusals refusals_before = state.minimization->refusals();
-  const Minimization::Progress progress = state.minimization->run(end);
+  const Minimization_progress progress = state.minimization->run(end);
   report.rounds += progress.rounds;
   report.moves += progress.moves;
-  report.tests += state.minimization->tests() - tests_before;
-  report.refused_by_boundary_counts += state.minimization->refusals().by_boundary_counts - refusals_before.by_boundary_counts;
-  report.refused_by_guarantee += state.minimization->refusals().by_guarantee - refusals_before.by_guarantee;
+  report.tests += progress.tests;
+  report.refused_by_boundary_counts += progress.refused_by_boundary_counts;
+  report.refused_by_guarantee += progress.refused_by_guarantee;
   report.final_energy = state.minimization->energy();
   report.converged = progress.moves == 0;
   state.context.round_done(report.rounds, progress.moves, report.final_energy);
