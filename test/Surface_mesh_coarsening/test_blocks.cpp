@@ -332,8 +332,9 @@ BOOST_AUTO_TEST_CASE(cancelling)
     visitor.left = (std::numeric_limits<std::size_t>::max)();
     Cluster_labels labels(*grown.labels);
     const Run_context context(CGAL::Parallel_if_available_tag(), std::ref(visitor));
-    const Energy_evaluation<SMC::Weighted_inertia_energy<> > energy({}, grown.working_input().items, number_of_clusters);
-    Energy_minimization<SMC::Weighted_inertia_energy<> > minimization(grown.working_input(), labels, energy, false, context);
+    typedef SMC::Weighted_inertia_energy<> Energy;
+    Energy_minimization<Energy> minimization(
+      grown.working_input(), labels, {Energy(), grown.working_input().items, number_of_clusters}, false, context);
     visitor.left = questions;
     try {
       for (int i = 0; i < 5; ++i)

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
+#include <CGAL/Surface_mesh_coarsening/internal/output/Output_maps.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
@@ -33,8 +33,6 @@ namespace Surface_mesh_coarsening {
 template <class Clustering>
 class Cluster_levels
 {
-  typedef internal::Index Index;
-
 public:
   /// merges clusters as long as the topology allows it.
   ///
@@ -58,7 +56,7 @@ public:
   {
     if (cluster < coarsest() || cluster >= finest())
       throw Invalid_input("cluster " + std::to_string(cluster) + " has no parent");
-    return levels_.history().parent(Index(cluster));
+    return levels_.history().parent(internal::Index(cluster));
   }
 
   /// writes, for each cluster of level `fine`, the cluster of level `coarse` that contains it. The time is linear in `fine`.
@@ -70,7 +68,7 @@ public:
     check(coarse);
     if (coarse > fine)
       throw Invalid_input("level " + std::to_string(coarse) + " is not coarser than level " + std::to_string(fine));
-    for (const Index x : levels_.history().ancestors(fine, coarse))
+    for (const internal::Index x : levels_.history().ancestors(fine, coarse))
       *out++ = std::size_t(x);
     return out;
   }
@@ -93,12 +91,8 @@ public:
   template <class FaceClusterMap>
   void write_clusters(std::size_t level, FaceClusterMap clusters) const
   {
-    typedef typename boost::property_traits<FaceClusterMap>::value_type Value;
     check(level);
-    const auto& faces = clustering_.numbering().faces;
-    const std::vector<Index> of_face = levels_.clusters_of_faces(level, faces.size());
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      put(clusters, faces[f], Value(of_face[f]));
+    internal::write_face_clusters(clustering_.numbering(), levels_.clusters_of_faces(level), clusters);
   }
 
   /// replaces `output` by the dual triangulation of a level, with `level` vertices.

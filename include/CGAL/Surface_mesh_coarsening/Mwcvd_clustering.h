@@ -43,14 +43,13 @@ namespace Surface_mesh_coarsening {
 template <class FaceGraph, class ClusterWeight = Weighted_area_weight, class ConcurrencyTag = Sequential_tag>
 class Mwcvd_clustering
 {
-  typedef boost::graph_traits<FaceGraph> Graph_traits;
   typedef internal::Index Index;
 
 public:
   /// The face descriptor of the mesh.
-  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename boost::graph_traits<FaceGraph>::face_descriptor face_descriptor;
   /// The vertex descriptor of the mesh.
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor vertex_descriptor;
 
   /// checks the mesh, and computes or reads the densities of its faces.
   ///
@@ -97,20 +96,14 @@ public:
   /// number of seeds for the component or, if the mesh is too coarse for that, with at least the number itself.
   /// \return the number of seeds
   /// \throws Unreachable_number_of_vertices if the mesh has fewer vertices, or if its topology needs more clusters.
-  std::size_t seed(std::size_t number_of_clusters)
-  {
-    return seed_as({internal::Seeding::FOR_NUMBER, number_of_clusters});
-  }
+  std::size_t seed(std::size_t number_of_clusters) { return seed_as({internal::Seeding::FOR_NUMBER, number_of_clusters}); }
 
   /// lets later calls of `seed_faces_or_cells()`, `seed_from_ratio()` and `seed_from_number_of_faces()` choose between faces and
   /// cells for a placement. With a `Fitted_placement` for a mean angle below 30 degrees, cells are used for every number. With
   /// other placements than `Fitted_placement`, faces are used. `coarsen_mesh()` calls this function.
   /// \tparam Placement a model of `VertexPlacement` or `GlobalVertexPlacement`
   template <class Placement>
-  void choose_items_for(const Placement& placement)
-  {
-    internal::choose_items_for(placement, state_);
-  }
+  void choose_items_for(const Placement& placement) { internal::choose_items_for(placement, state_); }
 
   /// finds seeds as `seed()` does or, if `number_of_clusters` exceeds 0.09 times the number of vertices of the mesh, takes the dual
   /// cells of vertices as items of the clustering instead of faces (see also `choose_items_for()`). `coarsen_mesh()` calls this
@@ -338,7 +331,9 @@ public:
                                   const NamedParameters& np = parameters::default_values())
   {
     internal::accept_parameters<NamedParameters, internal::Geometry_parameters, internal::Feature_map_parameters>();
-    extract_embedded_dual_mesh(output, placement, np, [](const auto&) {});
+    internal::emit(state_,
+                   internal::place_embedded(state_, internal::placement_model(placement), coordinates<Output, NamedParameters>()),
+                   output, np, [](const auto&) {});
   }
   /// @}
 
@@ -374,20 +369,6 @@ public:
   /// @}
 
   /// \cond SKIP_IN_MANUAL
-  // Calls `before` with the positions of the vertices after all steps that can fail, while `output` is still unchanged.
-  template <class Output, class VertexPlacement, class NamedParameters, class Before>
-  void extract_embedded_dual_mesh(Output& output, const VertexPlacement& placement, const NamedParameters& np,
-                                  const Before& before)
-  {
-    internal::emit(state_,
-                   internal::place_embedded(state_, internal::placement_model(placement),
-                                            coordinates<Output, NamedParameters>()),
-                   output, np, before);
-  }
-
-  // Frees the memory of the minimization.
-  void end_minimization() { state_.minimization.reset(); }
-
   const internal::Clustering_state& state() const { return state_; }
   internal::Clustering_state& state() { return state_; }
   const internal::Numbering<FaceGraph>& numbering() const { return numbering_; }

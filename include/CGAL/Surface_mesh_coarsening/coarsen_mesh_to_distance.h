@@ -12,7 +12,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -27,19 +26,12 @@ Distance_report coarsen_to_goal(const FaceGraph& input, Distance_goal goal, Outp
 {
   accept_parameters<NamedParametersIn, Coarsening_parameters>();
   accept_parameters<NamedParametersOut, Output_parameters>();
-  typedef Energy_choice<NamedParametersIn> Energy;
   typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Fitted_placement> Placement;
-  typedef Mwcvd_clustering<FaceGraph, Energy, ConcurrencyTag> Clustering;
+  typedef Mwcvd_clustering<FaceGraph, Energy_choice<NamedParametersIn>, ConcurrencyTag> Clustering;
   typedef typename GetGeomTraits<OutputFaceGraph, NamedParametersOut>::type Traits;
   if (!(goal.distance > 0 && std::isfinite(goal.distance)))
     throw Invalid_input("the maximum distance is " + number_text(goal.distance));
-  goal.end = {choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
-                               Coarsening_defaults::number_of_iterations),
-              choose_parameter(get_parameter(np_in, internal_np::convergence_tolerance_p),
-                               Coarsening_defaults::convergence_tolerance)};
-  if (!(goal.end.tolerance >= 0))
-    throw Invalid_input("the convergence tolerance is " + std::to_string(goal.end.tolerance));
-
+  goal.end = chosen_minimization_end(np_in);
   check_input_stays<NamedParametersOut>(input, output);
   Distance_report report;
   Clustering clustering(typename Clustering::Accepted(), input, np_in);

@@ -135,13 +135,6 @@ private:
   const Run_context context_;
 };
 
-// The faces with geometry; the items may be cells without geometry.
-inline const Clustering_input& pieces_of(const Clustering_state& state)
-{
-  const Featured_input& input = state.featured_input();
-  return input.cells ? input.cells->pieces() : input.items;
-}
-
 inline const Clustering_input& input_without_features(const Clustering_state& state)
 {
   if (state.featured_input().cells && state.featured_input().cells->has_features())
@@ -150,39 +143,33 @@ inline const Clustering_input& input_without_features(const Clustering_state& st
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE Level_hierarchy::Level_hierarchy(const Clustering_state& state)
-  : state_(state), history_(input_without_features(state), internal::labels(state), Index(state.number_of_clusters()),
-                            state.context)
+  : state_(state), history_(input_without_features(state), labels(state), Index(state.number_of_clusters()), state.context)
 {}
 
-CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> Level_hierarchy::clusters_of_faces(std::size_t level,
-                                                                                          std::size_t number) const
+CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> Level_hierarchy::clusters_of_faces(std::size_t level) const
 {
   const std::vector<Index> of_cluster = history_.ancestors(history_.finest(), level);
-  std::vector<Index> clusters(number);
-  for (std::size_t f = 0; f < number; ++f)
-    clusters[f] = of_cluster[history_.number(Index(cluster_of_face(state_, Index(f))))];
+  std::vector<Index> clusters = clusters_of_base_faces(state_);
+  for (Index& x : clusters)
+    x = of_cluster[history_.number(x)];
   return clusters;
-}
-
-CGAL_SURFACE_MESH_COARSENING_INLINE Cluster_labels Level_hierarchy::labels(std::size_t level) const
-{
-  const Feature_cells* const cells = state_.featured_input().cells.get();
-  const Clustering_input& pieces = pieces_of(state_);
-  const Cluster_labels& finest_labels = internal::labels(state_);
-  const std::vector<Index> of_cluster = history_.ancestors(history_.finest(), level);
-  Cluster_labels result(pieces.mesh);
-  for (std::size_t f = 0; f < pieces.mesh.number_of_faces(); ++f)
-    result.set(Index(f), of_cluster[history_.number(finest_labels[cells ? cells->polygon(Index(f)) : Index(f)])]);
-  result.recount();
-  return result;
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE Placed_level Level_hierarchy::place(std::size_t level, const Placement_model& placement,
                                                                         const Output_coordinates& output_coordinates) const
 {
-  Placed_level placed{labels(level), history_.triangles(level), {}};
+  const Featured_input& input = state_.featured_input();
+  // The faces with geometry; the items may be cells without geometry.
+  const Clustering_input& pieces = input.cells ? input.cells->pieces() : input.items;
+  const std::vector<Index> of_cluster = history_.ancestors(history_.finest(), level);
+  Placed_level placed{Cluster_labels(pieces.mesh), history_.triangles(level), {}};
+  for (std::size_t f = 0; f < pieces.mesh.number_of_faces(); ++f) {
+    const Index item = input.cells ? input.cells->polygon(Index(f)) : Index(f);
+    placed.labels.set(Index(f), of_cluster[history_.number(labels(state_)[item])]);
+  }
+  placed.labels.recount();
+  const Clustered_faces surface(pieces, placed.labels, level, state_.context);
   Repair_counts counts;
-  const Clustered_faces surface(pieces_of(state_), placed.labels, level, state_.context);
   placed.positions = place_vertices({surface, Border_arcs(surface, !state_.follows_paper), placement}, state_.repairs_output,
                                     output_coordinates, placed.triangles, counts);
   return placed;

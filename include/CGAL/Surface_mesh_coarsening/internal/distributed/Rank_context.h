@@ -72,18 +72,6 @@ struct Distributed_parameters
                    CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::visitor_t>
 {};
 
-template <class NamedParameters>
-Minimization_end distributed_minimization_end(const NamedParameters& np)
-{
-  const double tolerance =
-    choose_parameter(get_parameter(np, internal_np::convergence_tolerance_p), Coarsening_defaults::convergence_tolerance);
-  if (!(tolerance >= 0))
-    throw Invalid_input("the convergence tolerance is " + std::to_string(tolerance));
-  return {std::size_t(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
-                                       Coarsening_defaults::number_of_iterations)),
-          tolerance};
-}
-
 // Reads the placement, and whether it is repaired.
 template <class Placement, class NamedParameters>
 void read_placement(const Placement& placement, const NamedParameters& np, Distributed_choice& choice)
@@ -110,7 +98,7 @@ Distributed_choice distributed_choice(std::size_t number_of_vertices, const Plac
     if (*choice.faces_per_block == 0)
       throw Invalid_input("the number of faces per block is 0");
   }
-  choice.end = distributed_minimization_end(np);
+  choice.end = chosen_minimization_end(np);
   choice.has_densities = has_parameter<internal_np::face_density_t, NamedParameters>;
   choice.maximum_density = density_choice(np).maximum;
   choice.energy = energy_model(chosen_energy<Energy_choice<NamedParameters> >(np));

@@ -11,12 +11,17 @@
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Maximum_density_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Uniform_weight.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
+#include <CGAL/Surface_mesh_coarsening/defaults.h>
+#include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_minimization.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
 
+#include <boost/type_traits/is_detected.hpp>
+
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -89,10 +94,8 @@ template <class Choice>
 constexpr bool holds_energy_model = std::is_convertible<const Choice&, std::shared_ptr<const Energy_model> >::value;
 
 // Whether a type is, or holds, a model of `ClusterEnergy`; otherwise it is a model of `ClusterWeight`.
-template <class Choice, class = void>
-constexpr bool is_energy = holds_energy_model<Choice>;
 template <class Choice>
-constexpr bool is_energy<Choice, std::void_t<Energy_outcome<Choice> > > = true;
+constexpr bool is_energy = holds_energy_model<Choice> || boost::is_detected_v<Energy_outcome, Choice>;
 
 // The energy or the weight in a pack of named parameters.
 template <class NamedParameters>
@@ -112,6 +115,19 @@ auto chosen_energy(const NamedParameters& np)
     return choose_parameter<Choice>(get_parameter(np, internal_np::cluster_energy_p));
   else
     return Weighted_inertia_energy<Choice>(choose_parameter<Choice>(get_parameter(np, internal_np::cluster_weight_p)));
+}
+
+// Returns when to end the minimization.
+template <class NamedParameters>
+Minimization_end chosen_minimization_end(const NamedParameters& np)
+{
+  const double tolerance =
+    choose_parameter(get_parameter(np, internal_np::convergence_tolerance_p), Coarsening_defaults::convergence_tolerance);
+  if (!(tolerance >= 0))
+    throw Invalid_input("the convergence tolerance is " + std::to_string(tolerance));
+  return {std::size_t(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
+                                       Coarsening_defaults::number_of_iterations)),
+          tolerance};
 }
 
 template <class Energy>

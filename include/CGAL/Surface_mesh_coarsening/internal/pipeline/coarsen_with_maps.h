@@ -4,8 +4,8 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_COARSEN_WITH_MAPS_H
 
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
-#include <CGAL/Surface_mesh_coarsening/defaults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
+#include <CGAL/Surface_mesh_coarsening/internal/minimization/Typed_energy_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Output_maps.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
@@ -32,31 +32,29 @@ Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& outp
                                             const Seed& seed)
 {
   typedef Parameter_type<internal_np::vertex_placement_t, NPIn, Fitted_placement> Placement;
+  typedef typename GetGeomTraits<Output, NPOut>::type Traits;
   check_input_stays<NPOut>(input, output);
   Clustering clustering(typename Clustering::Accepted(), input, np_in);
   const Placement placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
   clustering.choose_items_for(placement);
   seed(clustering);
   clustering.grow();
-  clustering.minimize(choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
-                                       Coarsening_defaults::number_of_iterations),
-                      choose_parameter(get_parameter(np_in, internal_np::convergence_tolerance_p),
-                                       Coarsening_defaults::convergence_tolerance));
-  clustering.end_minimization();
+  const Minimization_end end = chosen_minimization_end(np_in);
+  clustering.minimize(end.max_rounds, end.tolerance);
+  Clustering_state& state = clustering.state();
+  state.minimization.reset(); // frees memory
   Vertex_sources<FaceGraph, NPOut> sources(np_out);
-  clustering.extract_embedded_dual_mesh(
-    output, placement, np_out,
-    [&](const std::vector<Vector>& positions) {
-      const bool are_wanted = has_parameter<internal_np::vertex_source_t, NPOut> ||
-                              has_parameter<internal_np::vertex_to_cluster_t, NPIn>;
-      const Clustering_state& state = clustering.state();
-      const std::vector<Index> clusters = are_wanted ? clusters_of_base_faces(state) : std::vector<Index>();
-      sources.find(input, clustering, clusters, positions);
-      write_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
-      write_boundary_counts(clustering, get_parameter(np_in, internal_np::vertex_boundary_count));
-      write_vertex_clusters(clustering.numbering(), state.base_input(), clusters, state.number_of_clusters(),
-                            get_parameter(np_in, internal_np::vertex_to_cluster));
-    });
+  const Placed_dual dual = place_embedded(state, placement_model(placement), output_coordinates<Traits>(state.frame));
+  emit(state, dual, output, np_out, [&](const std::vector<Vector>& positions) {
+    const bool are_wanted = has_parameter<internal_np::vertex_source_t, NPOut> ||
+                            has_parameter<internal_np::vertex_to_cluster_t, NPIn>;
+    const std::vector<Index> clusters = are_wanted ? clusters_of_base_faces(state) : std::vector<Index>();
+    sources.find(input, clustering, clusters, positions);
+    write_clusters(clustering, get_parameter(np_in, internal_np::face_cluster));
+    write_boundary_counts(clustering, get_parameter(np_in, internal_np::vertex_boundary_count));
+    write_vertex_clusters(clustering.numbering(), state.base_input(), clusters, state.number_of_clusters(),
+                          get_parameter(np_in, internal_np::vertex_to_cluster));
+  });
   sources.write(output);
   return clustering.report();
 }
