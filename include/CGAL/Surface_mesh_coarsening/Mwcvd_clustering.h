@@ -260,7 +260,9 @@ public:
   template <class FaceClusterMap>
   void write_clusters(FaceClusterMap clusters) const
   {
-    internal::write_face_clusters(numbering_, internal::clusters_of_base_faces(state_), clusters);
+    typedef typename boost::property_traits<FaceClusterMap>::value_type Value;
+    for (std::size_t i = 0; i < numbering_.faces.size(); ++i)
+      put(clusters, numbering_.faces[i], Value(internal::cluster_of_face(state_, Index(i))));
   }
 
   /// writes the boundary-edge count (section 7) of each vertex: the number of incident edges that lie between two clusters or

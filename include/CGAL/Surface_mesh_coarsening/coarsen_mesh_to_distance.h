@@ -44,7 +44,8 @@ Distance_report coarsen_to_goal(const FaceGraph& input, Distance_goal goal, Outp
   emit(state, dual, output, np_out, [&](const std::vector<Vector>& positions) {
     const std::vector<Index> clusters = clusters_of_base_faces(state);
     sources.find(input, clustering, clusters, positions);
-    write_face_clusters(clustering.numbering(), clusters, get_parameter(np_in, internal_np::face_cluster));
+    if constexpr (has_parameter<internal_np::face_cluster_t, NamedParametersIn>)
+      clustering.write_clusters(get_parameter(np_in, internal_np::face_cluster));
     write_vertex_clusters(clustering.numbering(), state.base_input(), clusters, report.vertices,
                           get_parameter(np_in, internal_np::vertex_to_cluster));
   });

@@ -259,7 +259,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> clusters_of_base_faces(co
   std::vector<Index> clusters;
   clusters.reserve(base.mesh.number_of_faces());
   for (std::size_t f = 0; f < base.mesh.number_of_faces(); ++f)
-    clusters.push_back(Index(cluster_of_face(state, Index(f))));
+    clusters.push_back(Index(cluster_of_face(state, base.parent_of(Index(f)))));
   return clusters;
 }
 
