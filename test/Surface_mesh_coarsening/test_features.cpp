@@ -18,12 +18,14 @@
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh_to_distance.h>
 #include <CGAL/Surface_mesh_coarsening/measure_coarsening.h>
 
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -766,6 +768,43 @@ BOOST_AUTO_TEST_CASE(regions_between_lines)
     const bool is_flat = PMP::compute_face_normal(f, output) * PMP::compute_face_normal(g, output) > 0.5;
     BOOST_TEST((patch[f] == patch[g]) == is_flat);
   }
+}
+
+// Vertices with two faces on lines: their polygons are cut into fans, but the maps are filled for the faces and vertices of the
+// input.
+BOOST_AUTO_TEST_CASE(maps_where_polygons_are_cut)
+{
+  Mesh mesh = test::to_mesh(generated::cube_grid(8));
+  std::vector<Mesh::Halfedge_index> sharp;
+  for (const Edge e : mesh.edges()) {
+    const auto h = mesh.halfedge(e);
+    if (PMP::compute_face_normal(mesh.face(h), mesh) * PMP::compute_face_normal(mesh.face(mesh.opposite(h)), mesh) < 0.5)
+      sharp.push_back(h);
+  }
+  BOOST_TEST(sharp.size() == 12 * 8);
+  for (const auto h : sharp) {
+    const Point middle = CGAL::midpoint(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+    mesh.point(mesh.target(CGAL::Euler::split_edge(h, mesh))) = middle;
+  }
+  const std::size_t unset = mesh.number_of_faces();
+  const auto check = [&](const auto& coarsen) {
+    auto face_cluster = mesh.add_property_map<Face, std::size_t>("f:cluster", unset).first;
+    auto vertex_cluster = mesh.add_property_map<Vertex, std::size_t>("v:cluster", unset).first;
+    Mesh output;
+    coarsen(output, SMC::parameters::feature_angle(30).face_cluster_map(face_cluster).vertex_to_cluster_map(vertex_cluster));
+    std::set<std::size_t> clusters;
+    for (const Face f : mesh.faces())
+      clusters.insert(face_cluster[f]);
+    BOOST_TEST(*clusters.rbegin() < output.number_of_vertices());
+    for (const Vertex v : mesh.vertices()) {
+      const auto faces = mesh.faces_around_target(mesh.halfedge(v));
+      BOOST_TEST(std::any_of(faces.begin(), faces.end(), [&](Face f) { return face_cluster[f] == vertex_cluster[v]; }));
+    }
+    mesh.remove_property_map(face_cluster);
+    mesh.remove_property_map(vertex_cluster);
+  };
+  check([&](Mesh& output, const auto& np) { SMC::coarsen_mesh(mesh, 60, output, np); });
+  check([&](Mesh& output, const auto& np) { SMC::coarsen_mesh_to_distance(mesh, 0.05, output, np); });
 }
 
 // The faces of a fan are all neighbors of each other, but the line around it gets vertices as other lines do.

@@ -20,6 +20,7 @@
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
@@ -84,6 +85,33 @@ void make_clusters(Clustering& clustering, std::size_t number)
 }
 
 } // namespace
+
+// Vertices with two faces: polygons are cut into fans where all vertices have cells, but the map is filled for the faces of the
+// input.
+BOOST_AUTO_TEST_CASE(levels_where_polygons_are_cut)
+{
+  Mesh mesh = test::to_mesh(generated::triangle_sphere(3));
+  const std::vector<Mesh::Edge_index> edges(mesh.edges().begin(), mesh.edges().end());
+  for (std::size_t i = 0; i < edges.size(); i += 7) {
+    const auto h = mesh.halfedge(edges[i]);
+    const auto middle = CGAL::midpoint(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+    mesh.point(mesh.target(CGAL::Euler::split_edge(h, mesh))) = middle;
+  }
+  Clustering clustering(mesh);
+  clustering.seed_faces_or_cells(mesh.number_of_vertices() / 4);
+  clustering.grow();
+  clustering.minimize();
+  const Levels levels(clustering);
+  auto cluster = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:cluster").first;
+  for (const std::size_t level : {levels.finest(), levels.finest() / 2, std::size_t(10)}) {
+    levels.write_clusters(level, cluster);
+    std::set<std::size_t> clusters;
+    for (const auto f : mesh.faces())
+      clusters.insert(cluster[f]);
+    BOOST_TEST(*clusters.rbegin() < level);
+    BOOST_TEST(2 * clusters.size() > level); // cells that are small parts of their faces have none
+  }
+}
 
 BOOST_AUTO_TEST_CASE(each_level_is_valid_and_a_union_of_finer_clusters)
 {

@@ -91,8 +91,12 @@ public:
   template <class FaceClusterMap>
   void write_clusters(std::size_t level, FaceClusterMap clusters) const
   {
+    typedef typename boost::property_traits<FaceClusterMap>::value_type Value;
     check(level);
-    internal::write_face_clusters(clustering_.numbering(), levels_.clusters_of_faces(level), clusters);
+    const auto& faces = clustering_.numbering().faces;
+    const std::vector<internal::Index> of_face = levels_.clusters_of_faces(level, faces.size());
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      put(clusters, faces[f], Value(of_face[f]));
   }
 
   /// replaces `output` by the dual triangulation of a level, with `level` vertices.

@@ -29,8 +29,8 @@ public:
 
   const Merge_history& history() const { return history_; }
 
-  // Returns the clusters of the faces of the caller's mesh on a level.
-  std::vector<Index> clusters_of_faces(std::size_t level) const;
+  // Returns the clusters of the faces of the caller's mesh, which has `number` faces, on a level.
+  std::vector<Index> clusters_of_faces(std::size_t level, std::size_t number) const;
 
   Placed_level place(std::size_t level, const Placement_model& placement, const Output_coordinates& output_coordinates) const;
 

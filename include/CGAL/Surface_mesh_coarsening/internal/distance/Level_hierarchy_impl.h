@@ -146,12 +146,13 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Level_hierarchy::Level_hierarchy(const Clust
   : state_(state), history_(input_without_features(state), labels(state), Index(state.number_of_clusters()), state.context)
 {}
 
-CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> Level_hierarchy::clusters_of_faces(std::size_t level) const
+CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> Level_hierarchy::clusters_of_faces(std::size_t level,
+                                                                                          std::size_t number) const
 {
   const std::vector<Index> of_cluster = history_.ancestors(history_.finest(), level);
-  std::vector<Index> clusters = clusters_of_base_faces(state_);
-  for (Index& x : clusters)
-    x = of_cluster[history_.number(x)];
+  std::vector<Index> clusters(number);
+  for (std::size_t f = 0; f < number; ++f)
+    clusters[f] = of_cluster[history_.number(Index(cluster_of_face(state_, Index(f))))];
   return clusters;
 }
 

@@ -83,7 +83,11 @@ private:
     for (const Cell_mesh::Cell& cell : cells_)
       is_fan.push_back(cell.faces > 1);
     Clustering_input input;
-    input.mesh = star_subdivision(mesh_, is_fan, [this](Index x) { return cells_[x].center; }, cell_of, context);
+    {
+      Star_subdivision cutting(mesh_, is_fan);
+      input.mesh = cutting.run([this](Index x) { return cells_[x].center; }, context);
+      cell_of = cutting.old_face();
+    }
     mesh_ = Flat_mesh(); // frees its memory
     compute_areas_and_centroids(input, context);
     input.density.assign(input.area.size(), 1);

@@ -52,9 +52,9 @@ public:
   // The same after a subdivision of the faces of the chosen components of the original mesh.
   Featured_input subdivided(const std::vector<bool>& chosen_component, const Run_context& context) const
   {
-    const Clustering_input finer = subdivided_input(base_, chosen_component, context);
-    const Feature_edges edges = edges_.subdivided(base_.mesh, chosen_component, finer.mesh);
-    return run(finer, edges, context, extent_);
+    const std::vector<char> is_cut = faces_of_components(base_.mesh, chosen_component);
+    Quad_subdivision cutting(base_.mesh, is_cut);
+    return cut(cutting, cutting.run(context), context);
   }
 
   // The same after edges have been halved that are long for faces of the mean area; nothing if there are none.
@@ -65,9 +65,7 @@ public:
     Long_edge_cutting cutting(base_.mesh, long_part * long_part * area / double(base_.area.size()));
     if (!cutting.has_cut())
       return std::nullopt;
-    Flat_mesh pieces = cutting.run(context);
-    const Feature_edges edges = edges_.cut(pieces, cutting.old_corner());
-    return run(cut_input(base_, std::move(pieces), cutting.old_face(), context), edges, context, extent_);
+    return cut(cutting, cutting.run(context), context);
   }
 
   const Clustering_input& base() const { return base_; }
@@ -142,16 +140,23 @@ private:
     return result;
   }
 
-  // The same after a star subdivision of chosen faces of the original mesh.
+  // The same after the original mesh has been cut into pieces.
+  Featured_input cut(const Face_cutting& cutting, Flat_mesh pieces, const Run_context& context) const
+  {
+    const Feature_edges edges = edges_.cut(pieces, cutting.old_corner());
+    return run(cut_input(base_, std::move(pieces), cutting.old_face(), context), edges, context, extent_);
+  }
+
+  // The same after a star subdivision of chosen faces of the original mesh, which does not add room for clusters.
   Featured_input in_fans(const std::vector<char>& is_cut, const Run_context& context) const
   {
-    std::vector<Index> old_face;
-    const auto center = [this](Index f) { return mean_of_corners(base_.mesh, f); };
-    Flat_mesh triangles = star_subdivision(base_.mesh, is_cut, center, old_face, context);
-    Clustering_input fans = cut_input(base_, std::move(triangles), old_face);
+    Star_subdivision cutting(base_.mesh, is_cut);
+    Flat_mesh triangles = cutting.run([this](Index f) { return mean_of_corners(base_.mesh, f); }, context);
+    const Feature_edges edges = edges_.cut(triangles, cutting.old_corner());
+    Clustering_input fans = cut_input(base_, std::move(triangles), cutting.old_face());
     for (std::size_t i = 0; i < fans.mesh.components.size(); ++i)
       fans.mesh.components[i].original_vertices = base_.mesh.components[i].max_clusters();
-    return run(fans, edges_.in_fans(base_.mesh, is_cut, fans.mesh), context, extent_);
+    return run(fans, edges, context, extent_);
   }
 
   Clustering_input make(const Run_context& context)

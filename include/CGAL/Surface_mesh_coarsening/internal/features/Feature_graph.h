@@ -55,31 +55,6 @@ struct Feature_edges
     return neighbors;
   }
 
-  // Returns the features after star_subdivision() of chosen faces.
-  Feature_edges in_fans(const Flat_mesh& m, const std::vector<char>& is_cut, const Flat_mesh& fans) const
-  {
-    std::vector<Index> old_corner;
-    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
-      for (const Index c : m.corners(f)) {
-        old_corner.push_back(c);
-        old_corner.insert(old_corner.end(), is_cut[f] ? 2 : 0, NONE);
-      }
-    return cut(fans, old_corner);
-  }
-
-  // Returns the features after Quad_subdivision of the faces of the chosen components.
-  Feature_edges subdivided(const Flat_mesh& m, const std::vector<bool>& chosen, const Flat_mesh& subdivision) const
-  {
-    std::vector<Index> old_corner;
-    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
-      for (const Index c : m.corners(f)) {
-        old_corner.push_back(c);
-        if (chosen[m.component[f]])
-          old_corner.insert(old_corner.end(), {NONE, NONE, m.previous_corner(Index(f), c)});
-      }
-    return cut(subdivision, old_corner);
-  }
-
   // Returns the features after a subdivision that keeps the vertices. `old_corner` is, for the edge after each new corner, the
   // corner before the edge that contains it; NONE for new edges.
   Feature_edges cut(const Flat_mesh& pieces, const std::vector<Index>& old_corner) const

@@ -58,7 +58,7 @@ private:
   }
 
   // Adds the edge after corner `c` of face `f`.
-  void add_inner_edge(Index f, Index c) { result_.is_feature[c] = result_.is_feature[corner_across(f, c)] = true; }
+  void add_inner_edge(Index f, Index c) { result_.is_feature[c] = result_.is_feature[m_.opposite_corner(f, c)] = true; }
 
   void mark_edge(Index f, Index c)
   {
@@ -66,16 +66,13 @@ private:
     is_marked_[m_.corner_vertex[c]] = is_marked_[m_.corner_vertex[m_.next_corner(f, c)]] = true;
   }
 
-  // Returns the corner before the edge in the face across.
-  Index corner_across(Index f, Index c) const { return m_.corner_of(m_.face_across[c], m_.corner_vertex[m_.next_corner(f, c)]); }
-
   // Adds the edges where the normals of the two faces differ by `degrees` or more. The corners beside the edge define
   // the normals, as in CGAL's detect_sharp_edges().
   void add_sharp_edges(double degrees)
   {
     const double cosine = std::cos(degrees * CGAL_PI / 180);
     for_each_inner_edge([&](Index f, Index c) {
-      const Vector n = normal_beside(f, c), m = normal_beside(m_.face_across[c], corner_across(f, c));
+      const Vector n = normal_beside(f, c), m = normal_beside(m_.face_across[c], m_.opposite_corner(f, c));
       if (dot(n, n) == 0 || dot(m, m) == 0)
         return;
       const double product = dot(n, m), bound = cosine * cosine * dot(n, n) * dot(m, m);
@@ -136,7 +133,7 @@ private:
       const Index across = m_.face_across[longest];
       if (across == NONE)
         break;
-      c = corner_across(f, longest);
+      c = m_.opposite_corner(f, longest);
       f = across;
     }
     return {{0, 0, 0}};

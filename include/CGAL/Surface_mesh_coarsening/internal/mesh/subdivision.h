@@ -123,36 +123,41 @@ protected:
 };
 
 // Subdivides chosen faces into the triangles between their edges and `center(face)`. The triangles of a face are consecutive, in
-// the order of its corners; vertices keep their numbers, and the centers follow. `old_face` receives the original face of each
-// new face.
-template <class Center>
-Flat_mesh star_subdivision(const Flat_mesh& m, const std::vector<char>& is_cut, const Center& center,
-                           std::vector<Index>& old_face, const Run_context& context)
+// the order of its corners.
+class Star_subdivision : public Face_cutting
 {
-  Face_cutting cutting(m);
-  std::size_t pieces = 0, corners = 0;
-  for (Index f = 0; f < m.number_of_faces(); ++f) {
-    pieces += is_cut[f] ? m.degree(f) : 1;
-    corners += (is_cut[f] ? 3 : 1) * m.degree(f);
-  }
-  cutting.reserve(pieces, corners);
-  for (Index f = 0; f < m.number_of_faces(); ++f) {
-    context.poll();
-    if (!is_cut[f]) {
-      cutting.copy(f);
-      continue;
+public:
+  Star_subdivision(const Flat_mesh& m, const std::vector<char>& is_cut) : Face_cutting(m), is_cut_(is_cut) {}
+
+  template <class Center>
+  Flat_mesh run(const Center& center, const Run_context& context)
+  {
+    std::size_t pieces = 0, corners = 0;
+    for (Index f = 0; f < m_.number_of_faces(); ++f) {
+      pieces += is_cut_[f] ? m_.degree(f) : 1;
+      corners += (is_cut_[f] ? 3 : 1) * m_.degree(f);
     }
-    const Index first = cutting.number() - m.first_corner[f], middle = cutting.add_point(center(f));
-    for (const Index c : m.corners(f)) {
-      cutting.add_outer_corner({m.corner_vertex[c], c, Face_cutting::WHOLE});
-      cutting.add_inner_corner(m.corner_vertex[m.next_corner(f, c)], first + m.next_corner(f, c));
-      cutting.add_inner_corner(middle, first + m.previous_corner(f, c));
-      cutting.end_piece(f);
+    reserve(pieces, corners);
+    for (Index f = 0; f < m_.number_of_faces(); ++f) {
+      context.poll();
+      if (!is_cut_[f]) {
+        copy(f);
+        continue;
+      }
+      const Index first = number() - m_.first_corner[f], middle = add_point(center(f));
+      for (const Index c : m_.corners(f)) {
+        add_outer_corner({m_.corner_vertex[c], c, WHOLE});
+        add_inner_corner(m_.corner_vertex[m_.next_corner(f, c)], first + m_.next_corner(f, c));
+        add_inner_corner(middle, first + m_.previous_corner(f, c));
+        end_piece(f);
+      }
     }
+    return finish(context);
   }
-  old_face = cutting.old_face();
-  return cutting.finish(context);
-}
+
+private:
+  const std::vector<char>& is_cut_; // per face
+};
 
 // Subdivides chosen faces into one quadrilateral per corner, spanned by the corner, the midpoints of its two edges and
 // the center of the face. The surface does not change. Adjacent faces get the midpoints of common edges as additional
@@ -357,16 +362,13 @@ private:
   std::vector<Index> near_source_, near_target_; // points on the edge after each corner
 };
 
-// Returns the input with the faces of the chosen components subdivided into one piece per corner.
-inline Clustering_input subdivided_input(const Clustering_input& input, const std::vector<bool>& chosen_component,
-                                         const Run_context& context)
+// Returns which faces belong to the chosen components.
+inline std::vector<char> faces_of_components(const Flat_mesh& m, const std::vector<bool>& is_chosen)
 {
-  std::vector<char> is_cut(input.mesh.number_of_faces());
-  for (std::size_t f = 0; f < is_cut.size(); ++f)
-    is_cut[f] = chosen_component[input.mesh.component[f]];
-  Quad_subdivision cutting(input.mesh, is_cut);
-  Flat_mesh pieces = cutting.run(context);
-  return cut_input(input, std::move(pieces), cutting.old_face(), context);
+  std::vector<char> result(m.number_of_faces());
+  for (std::size_t f = 0; f < result.size(); ++f)
+    result[f] = is_chosen[m.component[f]];
+  return result;
 }
 
 } // namespace internal

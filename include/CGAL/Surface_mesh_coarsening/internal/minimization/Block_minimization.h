@@ -325,7 +325,7 @@ private:
       const Index g = mesh_.face_across[c];
       if (g == NONE || labels_[g] == to)
         continue;
-      const Index corner = f < g ? c : mesh_.corner_of(g, mesh_.corner_vertex[mesh_.next_corner(f, c)]);
+      const Index corner = f < g ? c : mesh_.opposite_corner(f, c);
       if (state_.listed.insert(corner))
         new_edges_.push_back({{{(std::min)(f, g), (std::max)(f, g)}}, corner, {{NONE, NONE}}, 0, NONE});
     }

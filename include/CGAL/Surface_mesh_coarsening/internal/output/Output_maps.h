@@ -228,15 +228,7 @@ inline std::vector<Index> clusters_of_vertices(const Flat_mesh& m, const std::ve
   return result;
 }
 
-// Write the clusters of the faces and vertices of the input.
-template <class FaceGraph, class Map>
-void write_face_clusters(const Numbering<FaceGraph>& numbering, const std::vector<Index>& clusters, const Map& map)
-{
-  if constexpr (is_given<Map>)
-    for (std::size_t f = 0; f < clusters.size(); ++f)
-      put(map, numbering.faces[f], typename boost::property_traits<Map>::value_type(clusters[f]));
-}
-
+// Writes the clusters of the vertices of the input.
 template <class FaceGraph, class Map>
 void write_vertex_clusters(const Numbering<FaceGraph>& numbering, const Clustering_input& input,
                            const std::vector<Index>& clusters, std::size_t number, const Map& map)

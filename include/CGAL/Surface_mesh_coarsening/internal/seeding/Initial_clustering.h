@@ -184,7 +184,10 @@ private:
   {
     if (input.cells)
       return input.cells->subdivided(chosen_component, context_);
-    return {subdivided_input(input.items, chosen_component, context_), nullptr};
+    const std::vector<char> is_cut = faces_of_components(input.items.mesh, chosen_component);
+    Quad_subdivision cutting(input.items.mesh, is_cut);
+    Flat_mesh pieces = cutting.run(context_);
+    return {cut_input(input.items, std::move(pieces), cutting.old_face(), context_), nullptr};
   }
 
   void bound_by_vertices()
