@@ -97,11 +97,10 @@ BOOST_AUTO_TEST_CASE(levels_where_polygons_are_cut)
     const auto middle = CGAL::midpoint(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
     mesh.point(mesh.target(CGAL::Euler::split_edge(h, mesh))) = middle;
   }
-  Clustering clustering(mesh);
+  SMC::Mwcvd_clustering<Mesh> clustering(mesh);
   clustering.seed_faces_or_cells(mesh.number_of_vertices() / 4);
   clustering.grow();
-  clustering.minimize();
-  const Levels levels(clustering);
+  const SMC::Cluster_levels<SMC::Mwcvd_clustering<Mesh> > levels(clustering);
   auto cluster = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:cluster").first;
   for (const std::size_t level : {levels.finest(), levels.finest() / 2, std::size_t(10)}) {
     levels.write_clusters(level, cluster);
