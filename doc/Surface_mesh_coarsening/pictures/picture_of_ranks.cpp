@@ -4,7 +4,7 @@
 
 #include "Picture_kit.h"
 
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_record.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>

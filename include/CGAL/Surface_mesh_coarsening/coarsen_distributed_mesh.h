@@ -38,8 +38,8 @@ Distributed_report coarsen_piece(const boost::mpi::communicator& communicator, c
   Distributed_choice choice;
   on_all_ranks(communicator,
                [&] { choice = distributed_choice<ConcurrencyTag, OutputTraits>(number_of_vertices, placement, piece.np); });
-  Distributed_coarsening coarsening(communicator, choice);
-  coarsening.run(std::cref(piece));
+  Distributed_coarsening coarsening(communicator, choice, std::cref(piece));
+  coarsening.run();
   std::optional<Face_graph_filler<OutputFaceGraph, NamedParametersOut> > filler;
   on_all_ranks(communicator, [&] {
     if (coarsening.has_output())

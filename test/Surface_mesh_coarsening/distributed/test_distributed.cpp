@@ -644,7 +644,9 @@ BOOST_AUTO_TEST_CASE(block_with_too_many_corners)
 {
   using namespace SMC::internal;
   const Soup soup = generated::triangle_sphere(2);
+  const Face_names names = [](std::uint64_t f) { return "face " + std::to_string(f) + " of piece 0"; };
   Patch patch;
+  Patch_builder builder(patch, names, 3 * soup.polygons.size() - 1);
   Face_record face;
   for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
     face.origin = f;
@@ -652,12 +654,11 @@ BOOST_AUTO_TEST_CASE(block_with_too_many_corners)
     for (const std::size_t v : soup.polygons[f])
       face.corner.push_back({v, {{soup.points[v][0], soup.points[v][1], soup.points[v][2]}}});
     begin_with_smallest_number(face);
-    patch.faces.append(face);
+    builder.add(face);
   }
-  const Face_names names = [](std::uint64_t f) { return "face " + std::to_string(f) + " of piece 0"; };
   std::string message;
   try {
-    Patch_builder(patch, names, 3 * soup.polygons.size() - 1).run(Run_context());
+    builder.run(Run_context());
   } catch (const SMC::Invalid_input& e) {
     message = e.what();
   }

@@ -157,7 +157,7 @@ private:
         cells_of_block.for_each_record([&](const Cell_record& cell) { all.send(context_.rank(), cell); });
         Face_record face;
         for (Index f = 0; f < patch.faces.size(); ++f) {
-          patch.get(patch.mesh, f, face);
+          patch.get(f, face);
           if (face.is_own)
             face.cluster = Index(cells + cells_of_block.cell_of(f));
           face.is_center = cells_of_block.is_center(f);
@@ -167,20 +167,25 @@ private:
       });
     });
     choose_density(largest);
-    std::vector<std::vector<Index> > outgoing(context_.number_of_ranks());
+    Record_bins clusters(context_, context_.number_of_ranks());
     bool is_found = true;
-    on_first_rank(context_, [&] { is_found = cluster_on_first_rank(all, outgoing); });
+    clusters.fill([&] {
+      if (context_.rank() == 0)
+        is_found = cluster_on_first_rank(all, clusters);
+    });
     boost::mpi::broadcast(context_.communicator, is_found, 0);
     if (!is_found)
       return false;
     broadcast_records(context_, result_.tasks);
-    result_.clusters = std::move(exchange(context_, outgoing)[0]);
+    on_all_ranks(context_.communicator, [&] {
+      clusters.read<std::uint64_t>(0, [&](std::uint64_t cluster) { result_.clusters.push_back(Index(cluster)); });
+    });
     return true;
   }
 
   void compute_deviations(Patch& patch, double& largest) const
   {
-    const std::vector<double> deviations = mean_normal_deviations(patch.mesh, context_);
+    const std::vector<double> deviations = mean_normal_deviations(patch.mesh(), context_);
     for (std::size_t f = 0; f < deviations.size(); ++f) {
       patch.faces[f].density = deviations[f];
       if (patch.is_own(f))
@@ -198,8 +203,8 @@ private:
     result_.density = {1, largest_of_all > flat ? (context_.maximum_density - 1) / largest_of_all : 0};
   }
 
-  // Writes the clusters of the cells of each rank.
-  bool cluster_on_first_rank(Record_bins& all, std::vector<std::vector<Index> >& outgoing)
+  // Sends the clusters of the cells of each rank.
+  bool cluster_on_first_rank(Record_bins& all, Record_bins& clusters_of_ranks)
   {
     Cell_mesh mesh(all, result_.density, result_.level == 0);
     Clustering_state state;
@@ -211,10 +216,10 @@ private:
     if (!cluster(state))
       return false;
     const std::vector<Index> clusters = clusters_of_base_faces(state);
-    auto end = clusters.begin();
-    for (std::size_t rank = 0; rank < outgoing.size(); ++rank) {
-      const auto begin = std::exchange(end, clusters.begin() + std::ptrdiff_t(mesh.ends()[rank]));
-      outgoing[rank].assign(begin, end);
+    for (std::size_t x = 0, rank = 0; x < clusters.size(); ++x) {
+      while (x == mesh.ends()[rank])
+        ++rank;
+      clusters_of_ranks.send(rank, std::uint64_t(clusters[x]));
     }
     divide_clusters(state, mesh, clusters);
     if (result_.level == 0)

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,8 +62,8 @@ public:
   // Level 0: each face is a cell.
   Cells(const Patch& patch, Index level, const Run_context& context)
     : patch_(patch),
-      mesh_(patch.mesh),
-      labels_(patch.mesh),
+      mesh_(patch.mesh()),
+      labels_(patch.mesh()),
       context_(context)
   {
     std::vector<Index> inner;
@@ -84,18 +85,16 @@ public:
   // NONE for faces of other patches.
   Index cell_of(Index f) const { return number_[labels_[f]]; }
   // Whether a face represents its cell: of all faces of the cell, its centroid is nearest to the centroid of the cell.
-  bool is_center(Index f) const { return patch_.is_own(f) && center_[cell_of(f)] == f; }
+  bool is_center(Index f) const { return patch_.is_own(f) && data_[cell_of(f)].origin == patch_.faces[f].origin; }
 
   // Calls `receive(record)` for each cell.
   template <class Receive>
   void for_each_record(const Receive& receive) const
   {
     Cell_record cell;
-    std::vector<Index> boundary;
     for (std::size_t i = 0; i < size(); ++i) {
       static_cast<Cell_data&>(cell) = data_[i];
-      list_boundary(boundary_edge_[i], boundary);
-      list_corners(boundary, labels_[boundary_edge_[i].face], cell.corner);
+      list_corners(boundary_edge_[i], cell.corner);
       receive(cell);
     }
   }
@@ -104,9 +103,8 @@ private:
   bool is_inner(Index f) const
   {
     const Number_range corners = mesh_.corners(f);
-    return patch_.is_inner_face(mesh_, f) && std::none_of(corners.begin(), corners.end(), [this](Index c) {
-             return mesh_.is_on_border(mesh_.corner_vertex[c]);
-           });
+    return patch_.is_inner_face(f) &&
+           std::none_of(corners.begin(), corners.end(), [this](Index c) { return mesh_.is_on_border(mesh_.corner_vertex[c]); });
   }
 
   void grow(const std::vector<Index>& faces, Index level)
@@ -144,21 +142,17 @@ private:
 
   void choose_centers()
   {
-    center_.assign(size(), NONE);
-    std::vector<double> nearest(size());
+    std::vector<double> nearest(size(), std::numeric_limits<double>::infinity());
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
       if (!patch_.is_own(f))
         continue;
       const Index x = cell_of(f);
       const Vector offset = data_[x].area * mean_of_corners(mesh_, f) - data_[x].moment;
-      if (center_[x] == NONE || dot(offset, offset) < nearest[x]) {
-        center_[x] = f;
+      if (dot(offset, offset) < nearest[x]) {
         nearest[x] = dot(offset, offset);
+        data_[x].origin = patch_.faces[f].origin;
+        data_[x].center = face_geometry(mesh_, f).centroid;
       }
-    }
-    for (std::size_t i = 0; i < size(); ++i) {
-      data_[i].origin = patch_.faces[center_[i]].origin;
-      data_[i].center = face_geometry(mesh_, center_[i]).centroid;
     }
   }
 
@@ -172,11 +166,10 @@ private:
       clusters_around_vertex(labels_, v, runs);
       is_corner_[v] = runs.size() > 2 || std::any_of(runs.begin(), runs.end(), [this](Index x) { return x < single_; });
     }
-    std::vector<Index> boundary;
     for (const Directed_edge& start : boundary_edge_) {
       if (labels_[start.face] < single_)
         continue;
-      list_boundary(start, boundary);
+      const std::vector<Index> boundary = boundary_vertices(start);
       auto corners = std::count_if(boundary.begin(), boundary.end(), [this](Index v) { return is_corner_[v]; });
       for (std::size_t i = 0; corners < 3; ++i)
         if (!is_corner_[boundary[i]]) {
@@ -186,26 +179,28 @@ private:
     }
   }
 
-  // Lists the vertices around a cell, counterclockwise.
-  void list_boundary(const Directed_edge& start, std::vector<Index>& boundary) const
+  // Returns the vertices around a cell, counterclockwise.
+  std::vector<Index> boundary_vertices(const Directed_edge& start) const
   {
-    boundary.clear();
+    std::vector<Index> boundary;
     const Dual_walk walk(labels_);
     Directed_edge e = start;
     do {
       boundary.push_back(mesh_.corner_vertex[e.corner]);
       e = walk.next_on_boundary(e);
     } while (!(e == start));
+    return boundary;
   }
 
-  void list_corners(const std::vector<Index>& boundary, Index label, std::vector<Cell_corner>& corners) const
+  void list_corners(const Directed_edge& start, std::vector<Cell_corner>& corners) const
   {
     corners.clear();
+    const std::vector<Index> boundary = boundary_vertices(start);
     const auto number = [&](std::size_t i) { return patch_.number[boundary[i % boundary.size()]]; };
     for (std::size_t i = 0; i < boundary.size(); ++i)
       if (const Index v = boundary[i]; is_corner_[v])
         corners.push_back({number(i), number(i + boundary.size() - 1), number(i + 1),
-                           labels_[mesh_.star[mesh_.first_in_star[v]]] == label, mesh_.points[v]});
+                           labels_[mesh_.star[mesh_.first_in_star[v]]] == labels_[start.face], mesh_.points[v]});
   }
 
   const Patch& patch_;
@@ -216,7 +211,6 @@ private:
   std::vector<Index> number_;                // of the cell of each label; NONE for faces of other patches
   std::vector<Directed_edge> boundary_edge_; // of each cell
   std::vector<Cell_data> data_;              // of each cell
-  std::vector<Index> center_;                // the representative face of each cell
   std::vector<char> is_corner_;              // of each vertex
 };
 

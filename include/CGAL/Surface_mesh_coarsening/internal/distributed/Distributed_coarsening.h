@@ -45,37 +45,34 @@ namespace internal {
 class Distributed_coarsening
 {
 public:
-  Distributed_coarsening(const boost::mpi::communicator& communicator, const Distributed_choice& choice)
-    : context_(communicator, choice)
+  Distributed_coarsening(const boost::mpi::communicator& communicator, const Distributed_choice& choice, Face_source source)
+    : context_(communicator, choice), pieces_(context_, std::move(source)), labels_(context_, context_.number_of_ranks())
   {
     on_all_ranks(communicator, [&] {
       context_.scratch.limit_memory(choice.scratch_directory, choice.scratch_memory / sizeof(std::uint64_t));
     });
   }
 
-  void run(const Face_source& source)
+  void run()
   {
     check_equal(context_.number_of_vertices, "number of vertices");
     check_equal(context_.faces_per_block.value_or(0), "number of faces per block");
     begin_stage(Coarsening_stage::PREPARATION);
-    Piece_blocks pieces(context_, source);
-    pieces.measure();
+    pieces_.measure();
     std::unique_ptr<Record_bins> blocks =
-      pieces.read(context_.faces_per_block.value_or(Distributed_choice::default_faces_per_block));
+      pieces_.read(context_.faces_per_block.value_or(Distributed_choice::default_faces_per_block));
     share_faces(context_, *blocks);
     context_.stage_ends(Coarsening_stage::PREPARATION);
-    Cell_clusters cells = Cell_clustering(context_, pieces.curve()).run(*blocks, pieces.number_of_faces());
+    Cell_clusters cells = Cell_clustering(context_, pieces_.curve()).run(*blocks, pieces_.number_of_faces());
     Coarsening_report& report = report_;
     report = cells.report;
-    if (context_.wants_clusters)
-      clusters_.assign(pieces.faces_of_piece(), NONE);
-    Labels labels{pieces, context_.wants_clusters, Record_bins(context_, context_.number_of_ranks())};
     if (cells.level == 0)
-      take_dual(cells, *blocks, labels);
+      take_dual(cells, *blocks);
     else
-      refine_and_place(cells, std::move(blocks), labels);
+      refine_and_place(cells, std::move(blocks));
     on_all_ranks(context_.communicator, [&] {
-      labels.bins.read<Face_label>(0, [&](const Face_label& label) { clusters_[label.face] = label.cluster; });
+      clusters_.assign(context_.wants_clusters ? pieces_.faces_of_piece() : 0, NONE);
+      labels_.read<Face_label>(0, [&](const Face_label& label) { clusters_[label.face] = label.cluster; });
     });
     on_first_rank(context_, [&] { report_placement(report_, dual_.triangles, dual_.positions, dual_.counts); });
     if (context_.wants_output_everywhere) {
@@ -101,21 +98,14 @@ private:
   {
     Index face, cluster;
   };
-  // The clusters of all faces, on the ranks of their pieces.
-  struct Labels
-  {
-    const Piece_blocks& pieces;
-    const bool are_wanted;
-    Record_bins bins;
 
-    void send(std::uint64_t face, Index cluster)
-    {
-      if (!are_wanted)
-        return;
-      const auto [rank, number] = pieces.origin(face);
-      bins.send(rank, Face_label{Index(number), cluster});
-    }
-  };
+  void send_label(std::uint64_t face, Index cluster)
+  {
+    if (!context_.wants_clusters)
+      return;
+    const auto [rank, number] = pieces_.origin(face);
+    labels_.send(rank, Face_label{Index(number), cluster});
+  }
 
   void begin_stage(Coarsening_stage stage) const
   {
@@ -132,19 +122,19 @@ private:
   }
 
   // Used if the cells are the faces; then rank 0 has placed the vertices.
-  void take_dual(Cell_clusters& cells, const Record_bins& blocks, Labels& labels)
+  void take_dual(Cell_clusters& cells, const Record_bins& blocks)
   {
     dual_ = std::move(cells.dual);
-    labels.bins.fill([&] {
+    labels_.fill([&] {
       for (std::size_t i = 0; i < blocks.number_of_own(); ++i)
         blocks.read<Face_record>(i, [&](const Face_record& face) {
           if (face.is_own)
-            labels.send(face.origin, cells.clusters[face.cluster]);
+            send_label(face.origin, cells.clusters[face.cluster]);
         });
     });
   }
 
-  void refine_and_place(Cell_clusters& cells, std::unique_ptr<Record_bins> blocks, Labels& labels)
+  void refine_and_place(Cell_clusters& cells, std::unique_ptr<Record_bins> blocks)
   {
     begin_stage(Coarsening_stage::MINIMIZATION);
     auto tasks = std::make_unique<Record_bins>(context_, number_of_tasks(cells.tasks, 0));
@@ -153,11 +143,11 @@ private:
     share_faces(context_, *tasks);
     Dual_parts parts;
     report_.rounds += Task_refinement(context_, cells.tasks)
-                        .run(std::move(tasks), labels.bins, [&](const Patch& patch, const Patch_clusters& clusters) {
+                        .run(std::move(tasks), labels_, [&](const Patch& patch, const Patch_clusters& clusters) {
                           parts.add(patch, clusters, context_);
-                          for (const Face_data& face : patch.faces.data)
+                          for (const Face_data& face : patch.faces)
                             if (face.is_own)
-                              labels.send(face.origin, face.cluster);
+                              send_label(face.origin, face.cluster);
                         });
     context_.stage_ends(Coarsening_stage::MINIMIZATION);
     begin_stage(Coarsening_stage::TRIANGULATION);
@@ -194,6 +184,8 @@ private:
   }
 
   Rank_context context_;
+  Piece_blocks pieces_;
+  Record_bins labels_; // the clusters of all faces, in the bins of their pieces
   Distributed_report report_;
   std::vector<Index> clusters_;
   Placed_dual dual_;

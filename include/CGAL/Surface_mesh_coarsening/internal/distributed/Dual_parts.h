@@ -17,6 +17,7 @@
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -34,8 +35,13 @@ namespace internal {
 class Patch_clusters
 {
 public:
-  explicit Patch_clusters(Patch& patch) : patch_(patch), input_{input_of(patch), nullptr}, labels_(input_.items.mesh)
+  explicit Patch_clusters(Patch& patch) : patch_(patch), labels_(patch.mesh())
   {
+    Clustering_input& items = patch.input.items;
+    items.density.reserve(patch.faces.size());
+    for (const Face_data& face : patch.faces)
+      items.density.push_back(face.density);
+    compute_areas_and_centroids(items);
     // Most faces have the same cluster as the previous face.
     for (std::size_t f = 0; f < patch.faces.size(); ++f)
       if (clusters_.empty() || clusters_.back() != cluster_of(f))
@@ -50,7 +56,6 @@ public:
     labels_.recount();
   }
 
-  const Clustering_input& input() const { return input_.items; }
   const Cluster_labels& labels() const { return labels_; }
   std::size_t size() const { return clusters_.size(); }
   // Whether a cluster consists of own faces; these come first.
@@ -60,10 +65,10 @@ public:
   // Runs at most `end.max_rounds` rounds of the minimization. Returns the number of rounds.
   std::size_t minimize(const Energy_model& energy, const Minimization_end& end, const Run_context& context)
   {
-    for (Index f = 0; f < input().mesh.number_of_faces(); ++f)
-      if (!patch_.is_inner_face(input().mesh, f))
+    for (Index f = 0; f < patch_.faces.size(); ++f)
+      if (!patch_.is_inner_face(f))
         labels_.pin(f);
-    const std::unique_ptr<Minimization> minimization = energy.minimization(input_, labels_, size(), false, context);
+    const std::unique_ptr<Minimization> minimization = energy.minimization(patch_.input, labels_, size(), false, context);
     std::size_t rounds = 0;
     bool has_ended = false;
     double before = minimization->energy();
@@ -81,23 +86,10 @@ public:
   }
 
 private:
-  // Moves the mesh out of the patch.
-  static Clustering_input input_of(Patch& patch)
-  {
-    Clustering_input input;
-    input.mesh = std::move(patch.mesh);
-    input.density.reserve(patch.faces.size());
-    for (const Face_data& face : patch.faces.data)
-      input.density.push_back(face.density);
-    compute_areas_and_centroids(input);
-    return input;
-  }
-
   // Whether the cluster consists of foreign faces, and its number.
   std::pair<bool, Index> cluster_of(std::size_t f) const { return {!patch_.is_own(f), patch_.faces[f].cluster}; }
 
   Patch& patch_;
-  Featured_input input_; // without features
   Cluster_labels labels_;
   std::vector<std::pair<bool, Index> > clusters_;
 };
@@ -120,12 +112,7 @@ struct Dual_parts
     Vector point; // at the source
     bool operator<(const Border_part& p) const { return source < p.source; }
   };
-  struct Center_part // a face that represents its cell
-  {
-    std::uint64_t origin;
-    Index cluster;
-    bool operator<(const Center_part& p) const { return origin < p.origin; }
-  };
+  typedef std::array<std::uint64_t, 2> Center_part; // a face that represents its cell, and its cluster
   struct Triangle_part // a triangle of the fan at a vertex where several clusters meet
   {
     std::uint64_t vertex;
@@ -141,7 +128,7 @@ struct Dual_parts
 
   void add(const Patch& patch, const Patch_clusters& local, const Distributed_choice& choice)
   {
-    const Clustering_input& input = local.input();
+    const Clustering_input& input = patch.input.items;
     const Flat_mesh& m = input.mesh;
     std::vector<char> is_on_border(local.size(), false);
     for (Index f = 0; f < m.number_of_faces(); ++f) {
@@ -155,7 +142,7 @@ struct Dual_parts
           is_on_border[x] = true;
         }
       if (choice.places_on_cells() && patch.faces[f].is_center)
-        centers.push_back({patch.faces[f].origin, cluster});
+        centers.push_back({{patch.faces[f].origin, cluster}});
     }
     const Clustered_faces surface(input, local.labels(), local.size(), choice);
     const auto& place = choice.placement.local ? choice.placement.local : choice.placement.start;
@@ -188,7 +175,7 @@ struct Dual_parts
   // Returns the cluster of the cell that a face represents.
   Index cluster_at(std::uint64_t origin) const
   {
-    return std::lower_bound(centers.begin(), centers.end(), Center_part{origin, NONE})->cluster;
+    return Index((*std::lower_bound(centers.begin(), centers.end(), Center_part{{origin, 0}}))[1]);
   }
 
   // Returns the positions of the vertices of all clusters.

@@ -4,8 +4,9 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PATCH_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_record.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Record_bins.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 
@@ -26,26 +27,25 @@ namespace internal {
 // around them form several fans. The faces are in the global order, so each star begins with the same face as in the whole mesh.
 struct Patch
 {
-  Face_set faces;                     // their corners are in the mesh
-  Flat_mesh mesh;
-  std::vector<std::uint64_t> number;  // the global number of each vertex of the mesh
-  std::vector<char> is_inner;         // for each vertex of the mesh, whether all incident faces are own faces
+  std::vector<Face_data> faces;      // their corners are in the mesh
+  Featured_input input;              // has only the mesh until the faces are clustered; without features
+  std::vector<std::uint64_t> number; // the global number of each vertex of the mesh
+  std::vector<char> is_inner;        // for each vertex of the mesh, whether all incident faces are own faces
 
+  const Flat_mesh& mesh() const { return input.items.mesh; }
   bool is_own(std::size_t f) const { return faces[f].is_own; }
-  // Whether all vertices of a face are inner, in the mesh of the patch, which may have been moved.
-  bool is_inner_face(const Flat_mesh& m, Index f) const
+  bool is_inner_face(Index f) const
   {
-    const Number_range corners = m.corners(f);
-    return std::all_of(corners.begin(), corners.end(), [&](Index c) { return is_inner[m.corner_vertex[c]]; });
+    const Number_range corners = mesh().corners(f);
+    return std::all_of(corners.begin(), corners.end(), [this](Index c) { return is_inner[mesh().corner_vertex[c]]; });
   }
 
-  // Returns a face, likewise.
-  void get(const Flat_mesh& m, Index f, Face_record& face) const
+  void get(Index f, Face_record& face) const
   {
     static_cast<Face_data&>(face) = faces[f];
     face.corner.clear();
-    for (const Index c : m.corners(f))
-      face.corner.push_back({number[m.corner_vertex[c]], m.points[m.corner_vertex[c]]});
+    for (const Index c : mesh().corners(f))
+      face.corner.push_back({number[mesh().corner_vertex[c]], mesh().points[mesh().corner_vertex[c]]});
   }
 };
 
@@ -89,8 +89,21 @@ class Patch_builder
 public:
   // Faces with more than `max_corners` corners together are rejected.
   Patch_builder(Patch& patch, const Face_names& names, std::size_t max_corners = NONE / 2 - 1)
-    : patch_(patch), faces_(patch.faces), mesh_(patch.mesh), names_(names), max_corners_(max_corners)
+    : patch_(patch), faces_(patch.faces), mesh_(patch.input.items.mesh), names_(names), max_corners_(max_corners)
   {}
+
+  void reserve_triangles(std::size_t triangles)
+  {
+    faces_.reserve(triangles);
+    corner_.reserve(3 * triangles);
+  }
+
+  void add(const Face_record& face)
+  {
+    faces_.push_back(face);
+    faces_.back().corners = Index(face.corner.size()) & Face_data::max_corners;
+    corner_.insert(corner_.end(), face.corner.begin(), face.corner.end());
+  }
 
   void run(const Run_context& context)
   {
@@ -103,59 +116,61 @@ public:
       throw_two_faces();
     number_vertices();
     check_fans();
-    faces_.corner = std::vector<Face_corner>();
+    corner_ = std::vector<Face_corner>();
     complete_stars(mesh_, patch_.number.size(), context);
     find_inner_vertices();
   }
 
 private:
+  // Reorders one array after the other, which takes less memory than a second set of faces.
   void sort_faces()
   {
-    struct Key
-    {
-      std::uint64_t place;
-      Index face;
-    };
-    std::vector<Key> keys;
-    keys.reserve(faces_.size());
-    for (Index f = 0; f < faces_.size(); ++f)
-      keys.push_back({faces_[f].place, f});
+    std::vector<std::size_t> first_corner(1, 0);
+    first_corner.reserve(faces_.size() + 1);
+    for (const Face_data& face : faces_)
+      first_corner.push_back(first_corner.back() + face.corners);
     // Duplicate faces are a fault; the message must not depend on the order in which they arrived.
-    const auto rest = [this](Index f) {
-      const Face_corner* const c = faces_.corners(f).begin();
+    const auto rest = [&](Index f) {
+      const Face_corner* const c = corner_.data() + first_corner[f];
       return std::make_tuple(c[0].vertex, c[1].vertex, faces_[f].origin);
     };
-    sort_runs(keys, [&](const Key& a, const Key& b) {
-      return a.place != b.place ? a.place < b.place : rest(a.face) < rest(b.face);
+    const Number_range numbers = numbers_below(Index(faces_.size()));
+    std::vector<Index> order(numbers.begin(), numbers.end());
+    sort_runs(order, [&](Index f, Index g) {
+      return faces_[f].place != faces_[g].place ? faces_[f].place < faces_[g].place : rest(f) < rest(g);
     });
-    std::vector<Index> order;
-    order.reserve(keys.size());
-    for (const Key& key : keys)
-      order.push_back(key.face);
-    keys = std::vector<Key>();
-    faces_.reorder(order);
+    std::vector<Face_corner> corners;
+    corners.reserve(corner_.size());
+    for (const Index f : order)
+      corners.insert(corners.end(), corner_.data() + first_corner[f], corner_.data() + first_corner[f + 1]);
+    corner_.swap(corners);
+    corners = std::vector<Face_corner>();
+    std::vector<Face_data> faces;
+    faces.reserve(order.size());
+    for (const Index f : order)
+      faces.push_back(faces_[f]);
+    faces_.swap(faces);
   }
 
   void check_size() const
   {
-    if (faces_.corner.size() > max_corners_)
-      throw Invalid_input("a block around " + name(0) + " has " + std::to_string(faces_.corner.size()) +
+    if (corner_.size() > max_corners_)
+      throw Invalid_input("a block around " + name(0) + " has " + std::to_string(corner_.size()) +
                           " face corners, more than the " + std::to_string(max_corners_) + " that can be numbered");
   }
 
   // Lists the corners at each vertex number, in order.
   void list_corners()
   {
-    mesh_ = Flat_mesh();
     mesh_.first_corner.push_back(0);
-    const Index corners = Index(faces_.corner.size());
+    const Index corners = Index(corner_.size());
     face_of_.reserve(corners);
     vertex_of_.reserve(corners);
     for (Index f = 0; f < faces_.size(); ++f) {
-      mesh_.first_corner.push_back(Index(faces_.first_corner[f + 1]));
-      face_of_.resize(faces_.first_corner[f + 1], f);
+      face_of_.resize(face_of_.size() + faces_[f].corners, f);
+      mesh_.first_corner.push_back(Index(face_of_.size()));
     }
-    for (const Face_corner& c : faces_.corner)
+    for (const Face_corner& c : corner_)
       vertex_of_.push_back(table_.index(c.vertex));
     corners_at_.emplace(numbers_below(corners), table_.numbers().size(), [this](Index c) { return vertex_of_[c]; });
   }
@@ -182,7 +197,7 @@ private:
   const Index* other_position(Index v) const
   {
     return std::adjacent_find(corners_at(v).begin(), corners_at(v).end(),
-                              [this](Index c, Index d) { return faces_.corner[c].point != faces_.corner[d].point; });
+                              [this](Index c, Index d) { return corner_[c].point != corner_[d].point; });
   }
 
   void check_positions() const
@@ -200,7 +215,7 @@ private:
     typedef std::tuple<std::uint64_t, std::uint64_t, Index> Side; // the numbers of the ends, and the face
     std::vector<Side> sides;
     for (Index c = 0; c < vertex_of_.size(); ++c)
-      sides.emplace_back(faces_.corner[c].vertex, number(next_vertex(c)), face_of_[c]);
+      sides.emplace_back(corner_[c].vertex, number(next_vertex(c)), face_of_[c]);
     std::sort(sides.begin(), sides.end());
     std::size_t i = 1;
     while (std::get<0>(sides[i]) != std::get<0>(sides[i - 1]) || std::get<1>(sides[i]) != std::get<1>(sides[i - 1]))
@@ -216,8 +231,9 @@ private:
 
   bool have_same_vertices(Index f, Index g) const
   {
-    return std::equal(faces_.corners(f).begin(), faces_.corners(f).end(), faces_.corners(g).begin(), faces_.corners(g).end(),
-                      [](const Face_corner& a, const Face_corner& b) { return a.vertex == b.vertex; });
+    const Number_range a = mesh_.corners(f), b = mesh_.corners(g);
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [this](Index c, Index d) { return vertex_of_[c] == vertex_of_[d]; });
   }
 
   // The corners of a fan form one vertex. Visits each fan from its clockwise end; a closed fan, from any face.
@@ -230,7 +246,7 @@ private:
           continue;
         const Index vertex = Index(patch_.number.size()), begin = first_of_fan(x);
         patch_.number.push_back(number(v));
-        mesh_.points.push_back(faces_.corner[begin].point);
+        mesh_.points.push_back(corner_[begin].point);
         for (Index c = begin; c != NONE && mesh_.corner_vertex[c] == NONE; c = next_in_fan(c))
           mesh_.corner_vertex[c] = vertex;
       }
@@ -278,7 +294,8 @@ private:
   }
 
   Patch& patch_;
-  Face_set& faces_;
+  std::vector<Face_data>& faces_;
+  std::vector<Face_corner> corner_; // of all faces
   Flat_mesh& mesh_;
   const Face_names& names_;
   const std::size_t max_corners_;
@@ -292,10 +309,11 @@ private:
 inline Patch take_patch(Record_bins& bins, std::size_t i, const Rank_context& context)
 {
   Patch patch;
-  patch.faces.reserve_triangles(bins.number_of_words(i) / words_of_triangle);
-  bins.read<Face_record>(i, [&](const Face_record& face) { patch.faces.append(face); });
+  Patch_builder builder(patch, context.face_names);
+  builder.reserve_triangles(bins.number_of_words(i) / words_of_triangle);
+  bins.read<Face_record>(i, [&](const Face_record& face) { builder.add(face); });
   bins.clear(i);
-  Patch_builder(patch, context.face_names).run(context);
+  builder.run(context);
   return patch;
 }
 

@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PIECE_BLOCKS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_record.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Record_bins.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
@@ -14,12 +14,10 @@
 #include <boost/mpi/communicator.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -90,8 +88,8 @@ auto source_of_graph(const FaceGraph& graph, const VertexNumberMap& numbers, con
 class Piece_blocks
 {
 public:
-  Piece_blocks(Rank_context& context, const Face_source& source)
-    : context_(context), communicator_(context.communicator), source_(source)
+  Piece_blocks(Rank_context& context, Face_source source)
+    : context_(context), communicator_(context.communicator), source_(std::move(source))
   {}
 
   // Checks each face, finds the frame of the mesh, and gives faces without names a name.
@@ -108,9 +106,10 @@ public:
     if (number_of_faces() == 0)
       throw Invalid_input("the input has no faces");
     // Minima do not depend on the order of their computation.
-    std::array<double, 6> box;
-    boost::mpi::all_reduce(communicator_, low_and_negated_high_.data(), 6, box.data(), boost::mpi::minimum<double>());
-    std::vector<Vector> ends = {{{box[0], box[1], box[2]}}, {{-box[3], -box[4], -box[5]}}};
+    const double own[6] = {box_.xmin(), box_.ymin(), box_.zmin(), -box_.xmax(), -box_.ymax(), -box_.zmax()};
+    double all[6];
+    boost::mpi::all_reduce(communicator_, own, 6, all, boost::mpi::minimum<double>());
+    std::vector<Vector> ends = {{{all[0], all[1], all[2]}}, {{-all[3], -all[4], -all[5]}}};
     context_.frame = to_local_frame(ends, {0, 1, 2}, Run_context());
     curve_ = Morton_curve(ends[0], ends[1]);
   }
@@ -162,10 +161,7 @@ private:
       find_fault(vertices, points, density);
     ++faces_;
     for (const Vector& p : points)
-      for (std::size_t i = 0; i < 3; ++i) {
-        low_and_negated_high_[i] = (std::min)(low_and_negated_high_[i], p[i]);
-        low_and_negated_high_[i + 3] = (std::min)(low_and_negated_high_[i + 3], -p[i]);
-      }
+      box_ += box_of_point(p);
   }
 
   void find_fault(const std::vector<std::uint64_t>& vertices, const std::vector<Vector>& points, double density)
@@ -227,13 +223,12 @@ private:
 
   Rank_context& context_;
   const boost::mpi::communicator& communicator_;
-  const Face_source& source_;
-  static constexpr double inf = std::numeric_limits<double>::infinity();
-  std::array<double, 6> low_and_negated_high_{{inf, inf, inf, inf, inf, inf}}; // of the vertices of this piece
-  Morton_curve curve_{{{0, 0, 0}}, {{0, 0, 0}}};                              // of the mesh in its frame
-  std::uint64_t faces_ = 0;                                                   // of this piece
-  std::vector<std::uint64_t> first_face_;                                     // of each piece, and the total
-  std::optional<Fault> fault_;                                                // of the first invalid face
+  const Face_source source_;
+  Bbox_3 box_;                                   // of the vertices of this piece
+  Morton_curve curve_{{{0, 0, 0}}, {{0, 0, 0}}}; // of the mesh in its frame
+  std::uint64_t faces_ = 0;                      // of this piece
+  std::vector<std::uint64_t> first_face_;        // of each piece, and the total
+  std::optional<Fault> fault_;                   // of the first invalid face
 };
 
 } // namespace internal

@@ -16,8 +16,6 @@
 
 #include <boost/mpi/collectives.hpp>
 #include <boost/mpi/communicator.hpp>
-#include <boost/mpi/nonblocking.hpp>
-#include <boost/mpi/request.hpp>
 #include <boost/serialization/string.hpp>
 
 #include <algorithm>
@@ -129,57 +127,21 @@ struct Rank_context : Distributed_choice
   std::size_t number_of_ranks() const { return std::size_t(communicator.size()); }
 };
 
-// Calls `transfer(bytes, number)` for each part of an array of records, because MPI counts the bytes of a message in an `int`.
-template <class Record, class Transfer>
-void for_each_message(std::vector<Record>& records, const Transfer& transfer)
-{
-  static_assert(std::is_trivially_copyable<Record>::value);
-  constexpr std::size_t max_bytes = std::size_t(1) << 30;
-  char* const bytes = reinterpret_cast<char*>(records.data());
-  const std::size_t size = records.size() * sizeof(Record);
-  for (std::size_t begin = 0; begin < size; begin += max_bytes)
-    transfer(bytes + begin, int((std::min)(max_bytes, size - begin)));
-}
-
-// Sends the records `outgoing[r]` to each rank r and returns the records received from each rank. `outgoing` is empty
-// afterwards.
-template <class Record>
-std::vector<std::vector<Record> > exchange(Rank_context& context, std::vector<std::vector<Record> >& outgoing)
-{
-  const boost::mpi::communicator& communicator = context.communicator;
-  const std::size_t ranks = context.number_of_ranks(), own = context.rank();
-  std::vector<std::uint64_t> sent, received(ranks);
-  for (const std::vector<Record>& records : outgoing)
-    sent.push_back(records.size());
-  boost::mpi::all_to_all(communicator, sent.data(), 1, received.data());
-  std::vector<std::vector<Record> > incoming(ranks);
-  std::vector<boost::mpi::request> requests;
-  for (std::size_t rank = 0; rank < ranks; ++rank) {
-    if (rank == own) {
-      incoming[own].swap(outgoing[own]);
-      continue;
-    }
-    incoming[rank].resize(received[rank]);
-    for_each_message(incoming[rank],
-                     [&](char* bytes, int n) { requests.push_back(communicator.irecv(int(rank), 0, bytes, n)); });
-    context.bytes_sent += outgoing[rank].size() * sizeof(Record);
-    for_each_message(outgoing[rank], [&](char* bytes, int n) { requests.push_back(communicator.isend(int(rank), 0, bytes, n)); });
-  }
-  boost::mpi::wait_all(requests.begin(), requests.end());
-  outgoing.clear();
-  return incoming;
-}
-
-// Sends the records of rank 0 to all ranks.
+// Sends the records of rank 0 to all ranks, in parts, because MPI counts the bytes of a message in an `int`.
 template <class Record>
 void broadcast_records(Rank_context& context, std::vector<Record>& records)
 {
-  std::uint64_t size = records.size();
+  static_assert(std::is_trivially_copyable<Record>::value);
+  constexpr std::size_t max_bytes = std::size_t(1) << 30;
+  std::size_t number = records.size();
+  boost::mpi::broadcast(context.communicator, number, 0);
+  records.resize(number);
+  const std::size_t size = number * sizeof(Record);
   if (context.rank() == 0)
-    context.bytes_sent += (context.number_of_ranks() - 1) * size * sizeof(Record);
-  boost::mpi::broadcast(context.communicator, size, 0);
-  records.resize(size);
-  for_each_message(records, [&](char* bytes, int n) { boost::mpi::broadcast(context.communicator, bytes, n, 0); });
+    context.bytes_sent += (context.number_of_ranks() - 1) * size;
+  char* const bytes = reinterpret_cast<char*>(records.data());
+  for (std::size_t begin = 0; begin < size; begin += max_bytes)
+    boost::mpi::broadcast(context.communicator, bytes + begin, int((std::min)(max_bytes, size - begin)), 0);
 }
 
 // An exception that is sent to other ranks.
@@ -234,20 +196,6 @@ inline void on_first_rank(const Rank_context& context, const std::function<void(
   on_all_ranks(context.communicator, [&] {
     if (context.rank() == 0)
       work();
-  });
-}
-
-// Moves the records of all ranks to rank 0, sorted.
-template <class Record>
-void gather_sorted(Rank_context& context, std::vector<Record>& records)
-{
-  std::vector<std::vector<Record> > outgoing(context.number_of_ranks());
-  outgoing[0].swap(records);
-  const std::vector<std::vector<Record> > incoming = exchange(context, outgoing);
-  on_all_ranks(context.communicator, [&] {
-    for (const std::vector<Record>& of_rank : incoming)
-      records.insert(records.end(), of_rank.begin(), of_rank.end());
-    std::sort(records.begin(), records.end());
   });
 }
 

@@ -4,11 +4,13 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_RECORD_BINS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_record.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Rank_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Scratch_file.h>
 
 #include <boost/mpi/collectives.hpp>
+#include <boost/mpi/nonblocking.hpp>
+#include <boost/mpi/request.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -140,13 +142,22 @@ private:
   bool exchange_round(bool is_last)
   {
     const int ranks_to_go = boost::mpi::all_reduce(context_.communicator, is_last ? 0 : 1, std::plus<int>());
-    std::vector<Words> incoming = exchange(context_, outgoing_);
-    outgoing_.resize(incoming.size());
-    buffered_ = 0;
-    for (Words& words : incoming) {
-      store(words);
-      words = Words();
+    std::vector<Words> incoming(outgoing_.size());
+    std::vector<boost::mpi::request> requests;
+    for (std::size_t rank = 0; rank < outgoing_.size(); ++rank) {
+      if (rank == context_.rank())
+        continue;
+      requests.push_back(context_.communicator.irecv(int(rank), 0, incoming[rank]));
+      requests.push_back(context_.communicator.isend(int(rank), 0, outgoing_[rank]));
+      context_.bytes_sent += outgoing_[rank].size() * sizeof(std::uint64_t);
     }
+    boost::mpi::wait_all(requests.begin(), requests.end());
+    for (std::size_t rank = 0; rank < outgoing_.size(); ++rank) {
+      outgoing_[rank] = Words();
+      store(incoming[rank]);
+      incoming[rank] = Words();
+    }
+    buffered_ = 0;
     return ranks_to_go == 0;
   }
 
@@ -185,6 +196,22 @@ private:
   std::size_t buffered_ = 0;
   std::exception_ptr failure_to_store_;
 };
+
+// Moves the records of all ranks to rank 0, sorted.
+template <class Record>
+void gather_sorted(Rank_context& context, std::vector<Record>& records)
+{
+  Record_bins all(context, 1);
+  all.fill([&] {
+    for (const Record& record : records)
+      all.send(0, record);
+    records = std::vector<Record>();
+  });
+  on_first_rank(context, [&] {
+    all.read<Record>(0, [&](const Record& record) { records.push_back(record); });
+    std::sort(records.begin(), records.end());
+  });
+}
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

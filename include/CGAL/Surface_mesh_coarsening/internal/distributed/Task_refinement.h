@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Dual_parts.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_set.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_record.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Record_bins.h>
 
@@ -176,7 +176,7 @@ public:
           if (is_last)
             receive(patch, clusters);
           else
-            send(patch, clusters.input().mesh, next, *faces_of_next);
+            send(patch, next, *faces_of_next);
         }
       });
       rounds += boost::mpi::all_reduce(context_.communicator, rounds_of_phase, boost::mpi::maximum<std::size_t>());
@@ -198,8 +198,9 @@ private:
 
   // Sends the own faces to their tasks in the next division, and copies to the tasks of all faces with which they share a vertex.
   // Faces that share a vertex with another task have not moved, so the clusters of the faces of other tasks are still valid.
-  void send(const Patch& patch, const Flat_mesh& m, std::size_t division, Record_bins& tasks) const
+  void send(const Patch& patch, std::size_t division, Record_bins& tasks) const
   {
+    const Flat_mesh& m = patch.mesh();
     const auto task_of = [&](Index f) { return tasks_[patch.faces[f].cluster][division]; };
     std::vector<char> is_between(m.number_of_vertices(), false); // whether a vertex lies between several tasks
     std::vector<Place> places;                                   // these vertices, and these tasks
@@ -216,7 +217,7 @@ private:
     for (Index f = 0; f < patch.faces.size(); ++f) {
       if (!patch.is_own(f))
         continue;
-      patch.get(m, f, face);
+      patch.get(f, face);
       tasks.send(task_of(f), face);
       const Number_range corners = m.corners(f);
       if (std::none_of(corners.begin(), corners.end(), [&](Index c) { return is_between[m.corner_vertex[c]]; }))

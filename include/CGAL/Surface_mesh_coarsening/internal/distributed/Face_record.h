@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_SET_H
-#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_SET_H
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_RECORD_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_RECORD_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Scratch_file.h>
@@ -199,59 +199,8 @@ Vector mean_of_corners(const Polygon_record<Data, Corner>& face)
 
 constexpr std::size_t words_of_triangle = (sizeof(Face_data) + 3 * sizeof(Face_corner)) / sizeof(std::uint64_t);
 
-// Faces in arrays.
-struct Face_set
-{
-  std::vector<Face_data> data;
-  std::vector<std::size_t> first_corner = std::vector<std::size_t>(1, 0);
-  std::vector<Face_corner> corner;
-
-  std::size_t size() const { return data.size(); }
-  Face_data& operator[](std::size_t f) { return data[f]; }
-  const Face_data& operator[](std::size_t f) const { return data[f]; }
-  Iterator_range<const Face_corner*> corners(std::size_t f) const
-  {
-    return {corner.data() + first_corner[f], corner.data() + first_corner[f + 1]};
-  }
-
-  void reserve_triangles(std::size_t triangles)
-  {
-    data.reserve(triangles);
-    first_corner.reserve(triangles + 1);
-    corner.reserve(3 * triangles);
-  }
-
-  void append(const Face_record& face)
-  {
-    data.push_back(face);
-    corner.insert(corner.end(), face.corner.begin(), face.corner.end());
-    first_corner.push_back(corner.size());
-  }
-
-  // Reorders the faces one array after the other, which takes less memory than a second set.
-  void reorder(const std::vector<Index>& order)
-  {
-    std::vector<Face_corner> corners_in_order;
-    corners_in_order.reserve(corner.size());
-    std::vector<std::size_t> first(1, 0);
-    first.reserve(size() + 1);
-    for (const Index f : order) {
-      corners_in_order.insert(corners_in_order.end(), corners(f).begin(), corners(f).end());
-      first.push_back(corners_in_order.size());
-    }
-    corner.swap(corners_in_order);
-    first_corner.swap(first);
-    corners_in_order = std::vector<Face_corner>();
-    std::vector<Face_data> data_in_order;
-    data_in_order.reserve(size());
-    for (const Index f : order)
-      data_in_order.push_back(data[f]);
-    data.swap(data_in_order);
-  }
-};
-
 } // namespace internal
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_SET_H
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_RECORD_H
