@@ -138,17 +138,16 @@ private:
   {
     begin_stage(Coarsening_stage::MINIMIZATION);
     auto tasks = std::make_unique<Record_bins>(context_, number_of_tasks(cells.tasks, 0));
-    send_to_tasks(cells, *blocks, *tasks);
+    send_to_first_tasks(cells, *blocks, *tasks);
     blocks.reset();
-    share_faces(context_, *tasks);
     Dual_parts parts;
-    report_.rounds += Task_refinement(context_, cells.tasks)
-                        .run(std::move(tasks), labels_, [&](const Patch& patch, const Patch_clusters& clusters) {
-                          parts.add(patch, clusters, context_);
-                          for (const Face_data& face : patch.faces)
-                            if (face.is_own)
-                              send_label(face.origin, face.cluster);
-                        });
+    const auto receive = [&](const Patch& patch, const Patch_clusters& clusters) {
+      parts.add(patch, clusters, context_);
+      for (const Face_data& face : patch.faces)
+        if (face.is_own)
+          send_label(face.origin, face.cluster);
+    };
+    report_.rounds += refine_tasks(context_, cells.tasks, std::move(tasks), labels_, receive);
     context_.stage_ends(Coarsening_stage::MINIMIZATION);
     begin_stage(Coarsening_stage::TRIANGULATION);
     parts.gather(context_);
@@ -167,7 +166,7 @@ private:
     });
   }
 
-  static void send_to_tasks(const Cell_clusters& cells, Record_bins& blocks, Record_bins& tasks)
+  static void send_to_first_tasks(const Cell_clusters& cells, Record_bins& blocks, Record_bins& tasks)
   {
     tasks.fill([&] {
       for (std::size_t i = 0; i < blocks.number_of_own(); ++i) {

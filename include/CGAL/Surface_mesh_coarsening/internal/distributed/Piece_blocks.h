@@ -18,7 +18,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -96,7 +98,9 @@ public:
   void measure()
   {
     on_all_ranks(communicator_, [&] { source_([this](const auto&... face) { measure_face(face...); }); });
-    count_faces();
+    std::vector<std::uint64_t> faces;
+    boost::mpi::all_gather(communicator_, faces_, faces);
+    std::partial_sum(faces.begin(), faces.end(), std::back_inserter(first_face_));
     if (!context_.face_names)
       context_.face_names = [this](std::uint64_t face) {
         const auto [piece, number] = origin(face);
@@ -184,15 +188,6 @@ private:
       set_fault("", " visits vertex " + std::to_string(*twice) + " twice");
   }
 
-  void count_faces()
-  {
-    std::vector<std::uint64_t> faces;
-    boost::mpi::all_gather(communicator_, faces_, faces);
-    first_face_.assign(1, 0);
-    for (const std::uint64_t n : faces)
-      first_face_.push_back(first_face_.back() + n);
-  }
-
   // Throws an exception that names the first invalid face.
   void throw_fault() const
   {
@@ -227,7 +222,7 @@ private:
   Bbox_3 box_;                                   // of the vertices of this piece
   Morton_curve curve_{{{0, 0, 0}}, {{0, 0, 0}}}; // of the mesh in its frame
   std::uint64_t faces_ = 0;                      // of this piece
-  std::vector<std::uint64_t> first_face_;        // of each piece, and the total
+  std::vector<std::uint64_t> first_face_ = {0};  // of each piece, and the total
   std::optional<Fault> fault_;                   // of the first invalid face
 };
 

@@ -70,24 +70,12 @@ struct Distributed_parameters
                    CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::visitor_t>
 {};
 
-// Reads the placement, and whether it is repaired.
-template <class Placement, class NamedParameters>
-void read_placement(const Placement& placement, const NamedParameters& np, Distributed_choice& choice)
-{
-  static_assert(is_local_placement<Placement> || has_start<Placement>,
-                "a placement of all vertices together, other than Fitted_placement, is not available for distributed meshes");
-  choice.placement = placement_model(placement);
-  choice.repairs_output =
-    choose_parameter(get_parameter(np, internal_np::repair_output_p), bool(choice.placement.from_start));
-  if (choice.repairs_output && choice.placement.is_at_input_vertices)
-    throw Invalid_input("the parameter repair_output is not available for distributed meshes with a placement at input "
-                        "vertices");
-}
-
 // The choice refers to the placement and the parameters.
 template <class ConcurrencyTag, class OutputTraits, class Placement, class NamedParameters>
 Distributed_choice distributed_choice(std::size_t number_of_vertices, const Placement& placement, const NamedParameters& np)
 {
+  static_assert(is_local_placement<Placement> || has_start<Placement>,
+                "a placement of all vertices together, other than Fitted_placement, is not available for distributed meshes");
   Distributed_choice choice;
   static_cast<Run_context&>(choice) = Run_context(ConcurrencyTag(), get_parameter(np, CGAL::internal_np::visitor));
   choice.number_of_vertices = number_of_vertices;
@@ -100,7 +88,11 @@ Distributed_choice distributed_choice(std::size_t number_of_vertices, const Plac
   choice.has_densities = has_parameter<internal_np::face_density_t, NamedParameters>;
   choice.maximum_density = density_choice(np).maximum;
   choice.energy = energy_model(chosen_energy<Energy_choice<NamedParameters> >(np));
-  read_placement(placement, np, choice);
+  choice.placement = placement_model(placement);
+  choice.repairs_output = choose_parameter(get_parameter(np, internal_np::repair_output_p), bool(choice.placement.from_start));
+  if (choice.repairs_output && choice.placement.is_at_input_vertices)
+    throw Invalid_input("the parameter repair_output is not available for distributed meshes with a placement at input "
+                        "vertices");
   choice.output_coordinates = [](const Local_frame& frame) { return output_coordinates<OutputTraits>(frame); };
   choice.wants_output_everywhere = choose_parameter(get_parameter(np, internal_np::output_on_all_ranks_p), false);
   choice.wants_clusters = has_parameter<internal_np::face_cluster_t, NamedParameters>;

@@ -127,7 +127,7 @@ public:
       file_.seekp(position(chunk.slot));
       file_.write(reinterpret_cast<const char*>(words.data()), std::streamsize(words.size() * sizeof words[0]));
       file_.flush();
-      check("write to");
+      check(file_.good(), "write to");
       bytes_written_ += words.size() * sizeof words[0];
     }
     words.clear();
@@ -143,7 +143,7 @@ public:
     errno = 0;
     file_.seekg(position(chunk.slot));
     file_.read(reinterpret_cast<char*>(buffer.data()), std::streamsize(chunk.size * sizeof buffer[0]));
-    check("read from");
+    check(file_.good(), "read from");
     return buffer;
   }
 
@@ -182,23 +182,18 @@ private:
         std::fclose(created);
         break;
       }
-      if (errno != EEXIST)
-        fail("create");
+      check(errno == EEXIST, "create");
     }
     file_.rdbuf()->pubsetbuf(nullptr, 0);
     file_.open(name_, std::ios::in | std::ios::out | std::ios::binary);
     std::remove(name_.c_str());
-    check("open");
+    check(file_.good(), "open");
   }
 
-  void check(const char* action)
+  void check(bool has_succeeded, const char* action) const
   {
-    if (!file_)
-      fail(action);
-  }
-
-  [[noreturn]] void fail(const char* action) const
-  {
+    if (has_succeeded)
+      return;
     const std::string reason = errno == 0 ? "" : ": " + std::generic_category().message(errno);
     throw std::runtime_error(std::string("cannot ") + action + " a scratch file in " + directory_ + reason);
   }
