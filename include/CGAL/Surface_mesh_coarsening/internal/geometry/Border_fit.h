@@ -29,7 +29,7 @@ public:
   {
     std::vector<double> length(1, 0);
     for (std::size_t i = 1; i < points.size(); ++i)
-      length.push_back(length.back() + distance(points[i - 1], points[i]));
+      length.push_back(length.back() + internal::length(points[i] - points[i - 1]));
     const double whole = length.back();
     std::vector<std::size_t> kept(1, 0);
     for (std::size_t i = 1, piece = 0; i + 1 < points.size(); ++i) {
@@ -66,12 +66,6 @@ public:
   bool may_be_chosen(std::size_t i) const { return fixed_ == none || fixed_ == i; }
 
 private:
-  static double distance(const Vector& a, const Vector& b)
-  {
-    const Vector d = b - a;
-    return std::sqrt(dot(d, d));
-  }
-
   // A measure that increases with the turning angle of the polyline.
   static double turn(const std::vector<Vector>& p, std::size_t i)
   {
@@ -150,9 +144,7 @@ private:
   // Simpson's rule.
   static double integral(const Vector& p, const Vector& q, const Vector& a, const Vector& b)
   {
-    const Vector edge = q - p;
-    const double length = std::sqrt(dot(edge, edge));
-    return length / 6 *
+    return length(q - p) / 6 *
            (squared_distance(p, a, b) + 4 * squared_distance(0.5 * (p + q), a, b) + squared_distance(q, a, b));
   }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -117,8 +118,8 @@ private:
   std::vector<std::size_t> place_of_; // of each box in that order
 };
 
-// Boxes, each of which may change. One box is compared with all of them, coordinate by coordinate, by differences: compilers
-// vectorize these, but not comparisons. For a few hundred boxes this takes less time than a tree.
+// Boxes, each of which may change. One box is compared with all of them, coordinate by coordinate, by sums: compilers vectorize
+// these, but not comparisons. For a few hundred boxes this takes less time than a tree.
 class Box_list
 {
 public:
@@ -130,10 +131,8 @@ public:
 
   void set(std::size_t i, const Bbox_3& box)
   {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      sides_[axis][i] = (box.min)(int(axis));
-      sides_[3 + axis][i] = (box.max)(int(axis));
-    }
+    for (std::size_t k = 0; k < 6; ++k)
+      sides_[k][i] = outward_sides(box)[k];
   }
 
   // Calls `visit` with the numbers of the boxes that overlap `box`, in order.
@@ -141,10 +140,14 @@ public:
   void for_each_overlapping(const Bbox_3& box, const Visit& visit) const
   {
     constexpr std::size_t at_a_time = 64;
-    std::array<double, at_a_time> gaps;
+    const std::array<double, 6> other = outward_sides(box);
+    std::array<double, at_a_time> gaps; // the largest of those along the axes; not positive if boxes overlap
     for (std::size_t first = 0; first < sides_[0].size(); first += at_a_time) {
       const std::size_t number = (std::min)(at_a_time, sides_[0].size() - first);
-      measure_gaps(box, first, number, gaps.data());
+      gaps.fill(-std::numeric_limits<double>::infinity());
+      for (std::size_t k = 0; k < 6; ++k)
+        for (std::size_t i = 0; i < number; ++i)
+          gaps[i] = (std::max)(gaps[i], sides_[k][first + i] + other[(k + 3) % 6]);
       for (std::size_t i = 0; i < number; ++i)
         if (gaps[i] <= 0)
           visit(first + i);
@@ -152,18 +155,14 @@ public:
   }
 
 private:
-  // The gap between boxes is the largest of those along the axes, and not positive if they overlap.
-  void measure_gaps(const Bbox_3& box, std::size_t first, std::size_t number, double* gaps) const
+  // The smallest coordinates and the negative largest coordinates. The gap between two boxes along an axis is the sum of a number
+  // of one box and the opposite number of the other.
+  static std::array<double, 6> outward_sides(const Bbox_3& box)
   {
-    const double *x = sides_[0].data() + first, *y = sides_[1].data() + first, *z = sides_[2].data() + first,
-                 *to_x = sides_[3].data() + first, *to_y = sides_[4].data() + first, *to_z = sides_[5].data() + first;
-    const Vector low = low_corner(box), high = high_corner(box);
-    for (std::size_t i = 0; i < number; ++i)
-      gaps[i] = (std::max)((std::max)((std::max)(x[i] - high[0], low[0] - to_x[i]), (std::max)(y[i] - high[1], low[1] - to_y[i])),
-                           (std::max)(z[i] - high[2], low[2] - to_z[i]));
+    return {{box.xmin(), box.ymin(), box.zmin(), -box.xmax(), -box.ymax(), -box.zmax()}};
   }
 
-  std::array<std::vector<double>, 6> sides_; // the smallest and the largest coordinates
+  std::array<std::vector<double>, 6> sides_;
 };
 
 } // namespace internal

@@ -189,20 +189,14 @@ public:
     take_away(b, t);
     around_[c].push_back(u);
     around_[d].push_back(t);
-    replace(t, {c, a, d}, u, {c, d, b});
+    triangles_[t] = {c, a, d};
+    triangles_[u] = {c, d, b};
+    connect(t);
+    connect(u);
   }
 
   // Restores the corners that two triangles had before a flip.
-  void undo_flip(Index t, const Triangle& old_t, Index u, const Triangle& old_u)
-  {
-    for (const Index x : {t, u})
-      for (const Index v : triangles_[x])
-        take_away(v, x);
-    replace(t, old_t, u, old_u);
-    for (const Index x : {t, u})
-      for (const Index v : triangles_[x])
-        around_[v].push_back(x);
-  }
+  void undo_flip(Index t, const Triangle& old_t, Index u, const Triangle& old_u) { replace({t, u}, {old_t, old_u}); }
 
   // Replaces some triangles by the same number of other triangles that cover the same region.
   void replace(const std::vector<Index>& old_triangles, const std::vector<Triangle>& new_triangles)
@@ -216,12 +210,7 @@ public:
         around_[v].push_back(old_triangles[i]);
     }
     for (const Index t : old_triangles)
-      for (int i = 0; i < 3; ++i) {
-        const Index u = find_across(t, i);
-        neighbors_[t][i] = u;
-        if (u != NONE)
-          neighbors_[u][corner(u, triangles_[t][(i + 1) % 3])] = t;
-      }
+      connect(t);
   }
 
   // Returns the mean of the neighbors of an inner vertex.
@@ -234,48 +223,15 @@ public:
   }
 
 private:
-  struct Side
+  // Finds the neighbors of a triangle whose corners have changed.
+  void connect(Index t)
   {
-    Index low, high; // its ends
-  };
-
-  Side side(Index t, int i) const
-  {
-    const Index a = triangles_[t][i], b = triangles_[t][(i + 1) % 3];
-    return {(std::min)(a, b), (std::max)(a, b)};
-  }
-
-  // Replaces two neighbors by two other triangles with the same four outer sides.
-  void replace(Index t, const Triangle& new_t, Index u, const Triangle& new_u)
-  {
-    struct Outward
-    {
-      Side side;
-      Index neighbor;
-    };
-    std::array<Outward, 6> outward;
     for (int i = 0; i < 3; ++i) {
-      outward[i] = {side(t, i), neighbors_[t][i]};
-      outward[3 + i] = {side(u, i), neighbors_[u][i]};
+      const Index u = find_across(t, i);
+      neighbors_[t][i] = u;
+      if (u != NONE)
+        neighbors_[u][corner(u, triangles_[t][(i + 1) % 3])] = t;
     }
-    triangles_[t] = new_t;
-    triangles_[u] = new_u;
-    for (const Index x : {t, u})
-      for (int i = 0; i < 3; ++i) {
-        const Side s = side(x, i);
-        neighbors_[x][i] = x == t ? u : t;
-        for (const Outward& o : outward) {
-          if (o.side.low != s.low || o.side.high != s.high || o.neighbor == t || o.neighbor == u)
-            continue;
-          neighbors_[x][i] = o.neighbor;
-          if (o.neighbor != NONE)
-            for (int j = 0; j < 3; ++j) {
-              const Side r = side(o.neighbor, j);
-              if (r.low == s.low && r.high == s.high)
-                neighbors_[o.neighbor][j] = x;
-            }
-        }
-      }
   }
 
   Index find_across(Index t, int i) const

@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
@@ -99,10 +100,10 @@ public:
   double squared_distance_from_face(const Vector& p, Index f, double limit) const
   {
     Candidate candidate;
+    if (squared_distance_from_box(p, face_box(mesh_, f)) > exceeding(limit))
+      return std::numeric_limits<double>::infinity();
     if (mesh_.degree(f) <= max_in_fan)
       candidate.foot.squared_distance = limit;
-    else if (squared_distance_from_box(p, large_face_of(f).box) > exceeding(limit))
-      return std::numeric_limits<double>::infinity();
     improve(p, f, candidate);
     return candidate.face == NONE ? std::numeric_limits<double>::infinity() : candidate.foot.squared_distance;
   }
@@ -125,7 +126,12 @@ public:
       });
       has_ended = candidate.face == before.face;
     }
-    return closest(candidate, !has_ended || !has_visited_all);
+    const Fan corners = fan(candidate.face);
+    const Vector& x = candidate.foot.barycentric;
+    return {
+      {x[0] * corners.point(0) + x[1] * corners.point(candidate.last - 1) + x[2] * corners.point(candidate.last), candidate.face},
+      candidate.foot.squared_distance,
+      !has_ended || !has_visited_all};
   }
 
 private:
@@ -189,11 +195,9 @@ private:
 
   Large_face large_face(Index f) const
   {
-    Large_face large{f, first_of_fan(f), Bbox_3(), {}};
-    for (const Index c : mesh_.corners(f)) {
-      large.box += box_of_point(mesh_.points[mesh_.corner_vertex[c]]);
+    Large_face large{f, first_of_fan(f), face_box(mesh_, f), {}};
+    for (const Index c : mesh_.corners(f))
       large.corner_of_vertex.emplace_back(mesh_.corner_vertex[c], c);
-    }
     std::sort(large.corner_of_vertex.begin(), large.corner_of_vertex.end());
     return large;
   }
@@ -245,19 +249,7 @@ private:
       visit(corners.point(0), corners.point(i - 1), corners.point(i));
   }
 
-  static double size(const Vector& a, const Vector& b, const Vector& c)
-  {
-    const Vector n = cross(b - a, c - a);
-    return 0.5 * length(n);
-  }
-
-  Closest closest(const Candidate& c, bool is_partial) const
-  {
-    const Fan corners = fan(c.face);
-    const Vector& x = c.foot.barycentric;
-    return {{x[0] * corners.point(0) + x[1] * corners.point(c.last - 1) + x[2] * corners.point(c.last), c.face},
-            c.foot.squared_distance, is_partial};
-  }
+  static double size(const Vector& a, const Vector& b, const Vector& c) { return 0.5 * length(cross(b - a, c - a)); }
 
   void improve(const Vector& p, Index f, Candidate& candidate) const
   {

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_hierarchy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
@@ -68,15 +69,12 @@ public:
     const std::size_t groups = faces.size();
     std::vector<Index> all;
     std::vector<Bbox_3> boxes(groups);
-    std::size_t leaves = 0;
     for (std::size_t x = 0; x < groups; ++x) {
       for (const Index f : faces[x])
-        boxes[x] += box_of(f);
+        boxes[x] += face_box(mesh_, f);
       if (!faces[x].empty())
         all.push_back(Index(x));
-      leaves += number_of_leaves(faces[x].size());
     }
-    node_.reserve(2 * leaves);
     order_.reserve(faces.items().size());
     if (!all.empty())
       build(all, boxes, 0, all.size(), 1,
@@ -101,10 +99,10 @@ public:
     return nearest;
   }
 
-  void improve_in(const Vector& p, Index group, Nearest_point& nearest, double near_enough = -1) const
+  void improve_in(const Vector& p, Index group, Nearest_point& nearest) const
   {
     if (root_of_[group] != NONE)
-      improve_below(root_of_[group], NONE, p, nearest, near_enough);
+      improve_below(root_of_[group], NONE, p, nearest, -1);
   }
 
 private:
@@ -151,14 +149,6 @@ private:
     // Exceeds the rounding errors of dot products with axes.
     static double margin(const Vector& p) { return 1e-14 * (std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2])); }
   };
-
-  static std::size_t number_of_leaves(std::size_t faces)
-  {
-    std::size_t leaves = faces == 0 ? 0 : 1;
-    for (; leaves * max_faces < faces; leaves *= 2) {
-    }
-    return leaves;
-  }
 
   // Omits the subtree of another node. Returns the number of faces and boxes with which the point is compared.
   std::size_t improve_below(Index root, Index omitted, const Vector& p, Nearest_point& nearest, double near_enough) const
@@ -243,14 +233,6 @@ private:
     return turned_box({{first, cross(third, first), third}}, leaf.first);
   }
 
-  Bbox_3 box_of(Index f) const
-  {
-    Bbox_3 box;
-    for (const Index c : mesh_.corners(f))
-      box += box_of_point(mesh_.points[mesh_.corner_vertex[c]]);
-    return box;
-  }
-
   // Divides items along the axis along which the centers of their boxes are spread most, until at most `max_items` remain for
   // `make_leaf(begin, end)`. Both functions return the number of a node.
   template <class Make_leaf>
@@ -281,7 +263,7 @@ private:
   {
     std::vector<Bbox_3> boxes;
     for (const Index f : faces)
-      boxes.push_back(box_of(f));
+      boxes.push_back(face_box(mesh_, f));
     std::vector<Index> items(boxes.size());
     std::iota(items.begin(), items.end(), Index(0));
     const Index first = Index(order_.size());
@@ -362,9 +344,9 @@ class Coarse_mesh_search
 {
 public:
   Coarse_mesh_search(const std::vector<Triangle>& triangles, const std::vector<Vector>& positions)
-    : first_corners_(first_corners(triangles)),
-      mesh_(mesh_of(triangles, positions)),
-      search_(mesh_, first_corners_, positions.size())
+    : mesh_(mesh_of(triangles, positions)),
+      search_(mesh_, Bucketed_items<Index>(numbers_below(Index(triangles.size())), positions.size(),
+                                           [&](Index t) { return triangles[t][0]; }))
   {}
 
   Coarse_mesh_search(const Coarse_mesh_search&) = delete;
@@ -372,22 +354,10 @@ public:
 
   const Flat_mesh& mesh() const { return mesh_; }
 
-  // The first corner of a triangle.
-  Index first_corner(Index t) const { return first_corners_[t]; }
-
   // The search begins at the triangles whose first corner is `vertex`.
   Nearest_point operator()(const Vector& p, Index vertex) const { return search_(p, vertex); }
 
 private:
-  static std::vector<Index> first_corners(const std::vector<Triangle>& triangles)
-  {
-    std::vector<Index> corners;
-    corners.reserve(triangles.size());
-    for (const Triangle& t : triangles)
-      corners.push_back(t[0]);
-    return corners;
-  }
-
   static Flat_mesh mesh_of(const std::vector<Triangle>& triangles, const std::vector<Vector>& positions)
   {
     Flat_mesh mesh;
@@ -400,7 +370,6 @@ private:
     return mesh;
   }
 
-  const std::vector<Index> first_corners_;
   const Flat_mesh mesh_;
   const Nearest_point_search search_;
 };

@@ -3,22 +3,22 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_TRIANGLE_CONFLICTS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_TRIANGLE_CONFLICTS_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_hierarchy.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Intersections_3/Segment_3_Triangle_3.h>
 #include <CGAL/Intersections_3/Triangle_3_Triangle_3.h>
-#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <initializer_list>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -80,7 +80,8 @@ public:
     if (common == 3)
       return true;
     if (common == 2) {
-      const Index a = t[(other + 1) % 3], b = t[(other + 2) % 3], c = t[other], d = third(u, a, b);
+      const int i = (other + 1) % 3, j = (other + 2) % 3;
+      const Index a = t[i], b = t[j], c = t[other], d = u[3 - in_u[i] - in_u[j]];
       return !are_across(a, b, c, d) && folds(a, b, c, d);
     }
     if (common == 1) {
@@ -94,13 +95,13 @@ public:
       if (are_apart(t[shared], a, b, c, d))
         return false;
       // In most cases, all corners of one triangle except the common corner lie on one side of the plane of the other triangle.
-      if (are_beside(t, a, b) || are_beside(u, c, d))
+      if (are_beside(t, {a, b}) || are_beside(u, {c, d}))
         return false;
       return crosses(t, a, b) || crosses(u, c, d);
     }
     if (const std::optional<bool> certain = cross_certainly(t, u))
       return *certain;
-    if (is_beside(t, u) || is_beside(u, t) || is_flat(t) || is_flat(u))
+    if (are_beside(u, {t[0], t[1], t[2]}) || are_beside(t, {u[0], u[1], u[2]}) || is_flat(t) || is_flat(u))
       return false;
     return do_intersect(triangle(t), triangle(u));
   }
@@ -113,16 +114,17 @@ public:
 
   Bbox_3 box(const Triangle& t) const { return box(t[0], t[1]) + box_of_point(points_[t[2]]); }
 
+  std::vector<Bbox_3> boxes(const std::vector<Triangle>& triangles) const
+  {
+    std::vector<Bbox_3> all;
+    all.reserve(triangles.size());
+    for (const Triangle& t : triangles)
+      all.push_back(box(t));
+    return all;
+  }
+
 private:
   Bbox_3 box(Index a, Index b) const { return box_of_point(points_[a]) + box_of_point(points_[b]); }
-
-  static Index third(const Triangle& t, Index a, Index b)
-  {
-    for (const Index v : t)
-      if (v != a && v != b)
-        return v;
-    return t[0];
-  }
 
   // Exceeds the relative error of determinants and of dot products of three terms, unless these are smaller than the second
   // number.
@@ -282,10 +284,10 @@ private:
     Vector normal{{0, 0, 0}};
     std::array<double, 4> length;
     for (std::size_t i = 0; i < 4; ++i) {
-      length[i] = std::sqrt(dot(to[i], to[i]));
+      length[i] = internal::length(to[i]);
       normal = normal + ((i < 2 ? 1 : -1) / length[i]) * to[i];
     }
-    const double bound = rounding * std::sqrt(dot(normal, normal));
+    const double bound = rounding * internal::length(normal);
     return dot(normal, to[0]) > bound * length[0] && dot(normal, to[1]) > bound * length[1] &&
            dot(normal, to[2]) < -bound * length[2] && dot(normal, to[3]) < -bound * length[3];
   }
@@ -339,17 +341,12 @@ private:
     return collinear(exact(a), exact(b), exact(c));
   }
 
-  // Returns whether a triangle lies on one side of the plane of another triangle; a quick test.
-  bool is_beside(const Triangle& t, const Triangle& u) const
+  // Returns whether points lie on one side of the plane of a triangle; a quick test.
+  bool are_beside(const Triangle& t, std::initializer_list<Index> points) const
   {
-    const Orientation side = side_of(u[0], u[1], u[2], t[0]);
-    return side != COPLANAR && side_of(u[0], u[1], u[2], t[1]) == side && side_of(u[0], u[1], u[2], t[2]) == side;
-  }
-
-  bool are_beside(const Triangle& t, Index a, Index b) const
-  {
-    const Orientation side = side_of(t[0], t[1], t[2], a);
-    return side != COPLANAR && side_of(t[0], t[1], t[2], b) == side;
+    const Orientation side = side_of(t[0], t[1], t[2], *points.begin());
+    return side != COPLANAR &&
+           std::all_of(points.begin() + 1, points.end(), [&](Index v) { return side_of(t[0], t[1], t[2], v) == side; });
   }
 
   Exact_tests::Triangle_3 triangle(const Triangle& t) const { return {exact(t[0]), exact(t[1]), exact(t[2])}; }
@@ -364,62 +361,47 @@ private:
   // Returns whether an edge opposite to the vertex shared with a triangle intersects that triangle.
   bool crosses(const Triangle& t, Index a, Index b) const
   {
-    const Orientation at_a = side_of(t[0], t[1], t[2], a), at_b = side_of(t[0], t[1], t[2], b);
-    if (at_a == at_b && at_a != COPLANAR)
-      return false;
-    if (points_[a] == points_[b] || is_flat(t))
-      return false;
-    return do_intersect(triangle(t), Exact_tests::Segment_3(exact(a), exact(b)));
+    return points_[a] != points_[b] && !is_flat(t) && do_intersect(triangle(t), Exact_tests::Segment_3(exact(a), exact(b)));
   }
 
   const std::vector<Vector>& points_;
   bool has_wide_exponents_;
 };
 
-typedef Box_intersection_d::Box_with_info_d<double, 3, Index> Triangle_box;
-
-inline std::vector<Triangle_box> triangle_boxes(const std::vector<Triangle>& triangles, const Triangle_conflict& conflict)
-{
-  std::vector<Triangle_box> boxes;
-  boxes.reserve(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    boxes.emplace_back(conflict.box(triangles[t]), Index(t));
-  return boxes;
-}
-
-// Returns all pairs of conflicting triangles, in order. Adds the number of tests to `tests`.
+// Returns all pairs of conflicting triangles, in order. `boxes` are the boxes of the triangles. Adds the number of tests to
+// `tests`.
 inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>& triangles, const Triangle_conflict& conflict,
-                                                    const Run_context& context, std::size_t& tests)
+                                                    const Box_hierarchy& boxes, const Run_context& context, std::size_t& tests)
 {
-  std::vector<Triangle_box> boxes = triangle_boxes(triangles, conflict);
-  // Very many coincident points would be compared pairwise, so triangles that are points are left out.
-  const auto is_point = [&](const Triangle_box& b) { return conflict.is_point(triangles[b.info()]); };
-  boxes.erase(std::remove_if(boxes.begin(), boxes.end(), is_point), boxes.end());
+  struct Part
+  {
+    std::vector<Triangle_pair> pairs;
+    std::size_t tests;
+  };
   std::vector<Triangle_pair> pairs;
-  std::vector<Triangle_pair> waiting;
-  const auto test_waiting = [&] {
-    context.poll(waiting.size());
-    tests += waiting.size();
-    std::vector<char> is_conflict(waiting.size());
-    for_each_chunk(context.uninterrupted(), waiting.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        is_conflict[i] = conflict(triangles[waiting[i].first], triangles[waiting[i].second]);
+  for_each_part<Part>(
+    context.uninterrupted(), triangles.size(), 64,
+    [&](Part& part, std::size_t begin, std::size_t end) {
+      part = Part();
+      for (std::size_t t = begin; t < end; ++t) {
+        // Very many coincident points would be compared pairwise, so triangles that are points are left out.
+        if (conflict.is_point(triangles[t]))
+          continue;
+        boxes.for_each_overlapping(conflict.box(triangles[t]), [&](Index u) {
+          if (u <= t || conflict.is_point(triangles[u]))
+            return;
+          ++part.tests;
+          if (conflict(triangles[t], triangles[u]))
+            part.pairs.emplace_back(Index(t), u);
+        });
+      }
+    },
+    [&](const Part& part) {
+      context.poll(part.tests);
+      tests += part.tests;
+      pairs.insert(pairs.end(), part.pairs.begin(), part.pairs.end());
     });
-    for (std::size_t i = 0; i < waiting.size(); ++i)
-      if (is_conflict[i])
-        pairs.push_back(waiting[i]);
-    waiting.clear();
-  };
-  const auto note_pair = [&](const Triangle_box& a, const Triangle_box& b) {
-    waiting.push_back(std::minmax(a.info(), b.info()));
-    if (waiting.size() == 1 << 14)
-      test_waiting();
-  };
-  constexpr std::ptrdiff_t compared_one_by_one = 200; // number of boxes; the default of CGAL, 10, takes longer
-  box_self_intersection_d(boxes.begin(), boxes.end(), note_pair, Box_intersection_d::Box_traits_d<Triangle_box>(),
-                          compared_one_by_one);
-  test_waiting();
-  sort_unique(pairs);
+  std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 

@@ -50,7 +50,7 @@ public:
     const Coarse_mesh_search on_coarse(triangles, positions);
     const Cluster_labels& labels = surface_.labels();
     return (std::max)(mean(surface_.input().mesh, on_coarse, [&](Index f) { return labels[f]; }),
-                      mean(on_coarse.mesh(), on_surface_, [&](Index t) { return on_coarse.first_corner(t); }));
+                      mean(on_coarse.mesh(), on_surface_, [&](Index t) { return triangles[t][0]; }));
   }
 
 private:

@@ -101,13 +101,6 @@ public:
 private:
   std::vector<Index> outward(Index f) { return faces_in_bfs_order(labels_, f); }
 
-  template <class Visit>
-  void for_each_side(Index f, const Visit& visit) const
-  {
-    for (const Index c : mesh_.corners(f))
-      visit(c);
-  }
-
   // Returns whether the cluster has no vertex on the border or on a feature, so it may lose its faces.
   bool is_free(Index x)
   {
@@ -147,11 +140,7 @@ private:
   bool split_around(Index y, Index x, Index f)
   {
     const std::vector<Index> faces = outward(f);
-    const Index former = std::exchange(face_of_[x], f);
-    if (try_split(y, x, faces, faces.back(), f) || split_anyhow(y, x, faces))
-      return true;
-    face_of_[x] = former;
-    return false;
+    return try_split(y, x, faces, faces.back(), f) || split_anyhow(y, x, faces);
   }
 
   // Splits cluster `x` into two clusters of similar extent. The new cluster is `y`.
@@ -217,11 +206,11 @@ private:
   {
     std::vector<Index> neighbors;
     for (const Index f : faces)
-      for_each_side(f, [&](Index c) {
+      for (const Index c : mesh_.corners(f)) {
         const Index y = labels_.label_across(c);
         if (y != labels_[f] && !Cluster_labels::is_cap(y))
           neighbors.push_back(y);
-      });
+      }
     sort_unique(neighbors);
     return neighbors;
   }
@@ -230,12 +219,9 @@ private:
   Moments moments_of(const std::vector<Index>& faces) const
   {
     Moments result;
-    for (const Index f : faces) {
-      result.mass += input_.mass(f);
-      result.centroid = result.centroid + input_.mass(f) * input_.centroid(f);
-    }
-    if (result.mass > 0)
-      result.centroid = (1 / result.mass) * result.centroid;
+    for (const Index f : faces)
+      result.add_to_centroid(input_.mass(f), input_.centroid(f));
+    result.end_centroid();
     return result;
   }
 
@@ -243,23 +229,21 @@ private:
   bool is_valid_around(Index x)
   {
     const std::vector<Index> faces = outward(face_of_[x]);
-    if (!is_disc(x, faces))
-      return false;
-    const Directed_edge edge = boundary_edge(faces);
-    if (edge.face == NONE || is_at_fault(edge))
+    if (!is_disc(x, faces) || !has_simple_link(faces))
       return false;
     std::vector<Index> link;
-    walk_.along_link(edge, [&](Index y) {
+    walk_.along_link(boundary_edge(faces), [&](Index y) {
       if (!Cluster_labels::is_cap(y))
         link.push_back(y);
       return true;
     });
-    for (const Index y : link) {
-      const Directed_edge its = boundary_edge(outward(face_of_[y]));
-      if (its.face == NONE || is_at_fault(its))
-        return false;
-    }
-    return true;
+    return std::all_of(link.begin(), link.end(), [this](Index y) { return has_simple_link(outward(face_of_[y])); });
+  }
+
+  bool has_simple_link(const std::vector<Index>& faces)
+  {
+    const Directed_edge edge = boundary_edge(faces);
+    return edge.face != NONE && walk_.first_link_defect(edge) == NONE;
   }
 
   Directed_edge boundary_edge(const std::vector<Index>& faces) const
@@ -272,21 +256,16 @@ private:
     return {};
   }
 
-  bool is_at_fault(const Directed_edge& edge)
-  {
-    return walk_.first_link_defect(edge) != NONE;
-  }
-
   // The faces form a connected component of the cluster.
   bool is_disc(Index x, const std::vector<Index>& faces) const
   {
     long euler = long(faces.size());
     std::vector<Index> vertices, runs;
     for (const Index f : faces)
-      for_each_side(f, [&](Index c) {
+      for (const Index c : mesh_.corners(f)) {
         vertices.push_back(mesh_.corner_vertex[c]);
         euler -= labels_.label_across(c) != x || mesh_.face_across[c] > f;
-      });
+      }
     sort_unique(vertices);
     for (const Index v : vertices) {
       clusters_around_vertex(labels_, v, runs);

@@ -26,16 +26,6 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Returns the bounding box of some faces.
-inline Bbox_3 box_of_faces(const Clustered_faces& surface, const Clustered_faces::Range& faces)
-{
-  Bbox_3 box;
-  for (const Index f : faces)
-    for (const Index v : surface.vertices(f))
-      box += box_of_point(surface.point(v));
-  return box;
-}
-
 // The bounding boxes of blocks of consecutive faces of each cluster, and of groups of consecutive blocks.
 class Cluster_boxes
 {
@@ -55,7 +45,8 @@ public:
     for_each_chunk(context, surface.number_of_clusters(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t x = begin; x < end; ++x)
         for (std::size_t i = first_block_[x]; i < first_block_[x + 1]; ++i) {
-          block_[i] = box_of_faces(surface_, faces(x, i));
+          for (const Index f : faces(x, i))
+            block_[i] += face_box(surface_.input().mesh, f);
           group_[group_of(x, i)] += block_[i];
         }
     });
@@ -160,7 +151,7 @@ public:
         [&](double, const Face_range& block) {
           for (const Index f : block) {
             visited += number_of_triangles(f);
-            const double squared_distance = squared_distance_from_face(middle, f, 1.000001 * same_as(nearest, size));
+            const double squared_distance = input_.squared_distance_from_face(middle, f, 1.000001 * same_as(nearest, size));
             if (squared_distance <= same_as(nearest, size))
               faces.emplace_back(squared_distance, f);
             nearest = (std::min)(nearest, squared_distance);
@@ -215,15 +206,6 @@ private:
 
   std::size_t number_of_triangles(Index f) const { return surface_.input().mesh.degree(f) - 2; }
 
-  // Returns the squared distance from a face; infinity if it is known to exceed `limit`. Due to rounding, a face may be nearer
-  // than its box.
-  double squared_distance_from_face(const Vector& p, Index f, double limit) const
-  {
-    return squared_distance_from_box(p, box_of_faces(surface_, Face_range(&f, &f + 1))) > (1 + 1e-12) * limit
-             ? std::numeric_limits<double>::infinity()
-             : input_.squared_distance_from_face(p, f, limit);
-  }
-
   // Returns the squared distance from the faces of the block whose box is nearest. Adds the number of triangles in the fans of
   // the faces and a fraction of the number of boxes that it compares to `visited`.
   double squared_distance_from_nearest_block(const Vector& p, const Triangle& t, std::size_t& visited) const
@@ -241,7 +223,7 @@ private:
     visited += boxes / boxes_of_face;
     for (const Index f : block) {
       visited += number_of_triangles(f);
-      nearest = (std::min)(nearest, squared_distance_from_face(p, f, nearest));
+      nearest = (std::min)(nearest, input_.squared_distance_from_face(p, f, nearest));
     }
     return nearest;
   }
@@ -271,12 +253,8 @@ private:
     if (of_x.empty() || of_y.empty())
       return false;
     const Triangle_conflict conflict(surface_.input().mesh.points, has_wide_exponents_);
-    std::vector<Bbox_3> boxes_of_y;
-    boxes_of_y.reserve(of_y.size());
-    for (const Triangle& t : of_y)
-      boxes_of_y.push_back(conflict.box(t));
     Box_hierarchy hierarchy;
-    hierarchy.build(std::move(boxes_of_y));
+    hierarchy.build(conflict.boxes(of_y));
     std::size_t left = max_pairs(of_x.size() + of_y.size());
     bool found = false;
     for (std::size_t i = 0; i < of_x.size() && !found && left > 0; ++i)
@@ -300,7 +278,7 @@ private:
   {
     std::vector<Triangle> triangles;
     for (const Index f : surface_.faces(x)) {
-      if (!do_overlap(box_of_faces(surface_, Face_range(&f, &f + 1)), box))
+      if (!do_overlap(face_box(surface_.input().mesh, f), box))
         continue;
       const Clustered_faces::Range v = surface_.vertices(f);
       for (std::size_t i = 2; i < v.size(); ++i)

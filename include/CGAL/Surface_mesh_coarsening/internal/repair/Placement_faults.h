@@ -43,15 +43,11 @@ public:
     has_wide_exponents_ = have_wide_exponents(points_);
     has_coarse_coordinates_ = have_coarse_coordinates();
     const Triangle_conflict conflict = exact_test();
-    std::vector<Bbox_3> boxes;
-    boxes.reserve(coarse_.triangles().size());
-    for (const Triangle& t : coarse_.triangles())
-      boxes.push_back(conflict.box(t));
-    boxes_.build(std::move(boxes));
+    boxes_.build(conflict.boxes(coarse_.triangles()));
     conflicts_.assign(coarse_.triangles().size(), {});
     number_of_pairs_ = 0;
     std::size_t tests = 0;
-    for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), conflict, surface_.context(), tests))
+    for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), conflict, boxes_, surface_.context(), tests))
       if (!is_in_input(pair))
         add_pair(pair.first, pair.second);
     budget_.spend(tests * work_of_test());
@@ -131,8 +127,7 @@ public:
     surface_.context().poll(near_.size());
     std::sort(near_.begin(), near_.end());
     near_boxes_.resize(near_.size());
-    for (std::size_t i = 0; i < near_.size(); ++i)
-      near_boxes_.set(i, conflict.box(coarse_.triangles()[near_[i]]));
+    update_near_boxes(near_);
     last_altered_.clear();
   }
 
