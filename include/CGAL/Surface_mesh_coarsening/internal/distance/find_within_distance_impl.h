@@ -43,15 +43,16 @@ public:
   {
     const std::vector<std::size_t> numbers = trial_numbers();
     std::vector<char> is_too_far(numbers.size(), false);
-    std::size_t first = 0, end = numbers.size() - 1, found = end, tried = numbers.size();
+    std::size_t first = 0, end = numbers.size() - 1, tried = numbers.size();
     trials_ = 2 + std::size_t(std::ceil(std::log2(double(numbers.size()))));
+    std::optional<Result> found;
     const auto try_number = [&](std::size_t i) {
       if (is_too_far[i])
         return false;
       tried = i;
       is_too_far[i] = !is_within_distance(numbers[i], false);
       if (!is_too_far[i])
-        found = i;
+        found = {numbers[i], labels(state_).labels(), std::move(dual_), state_.report.exchanged_vertices};
       return !is_too_far[i];
     };
     while (first < end) {
@@ -63,10 +64,13 @@ public:
       else
         first = middle + 1;
     }
-    if (tried != found && !is_within_distance(numbers[found], true) && numbers[found] < goal_.max_vertices)
+    if (found) {
+      return_to(std::move(*found));
+    } else if (!is_within_distance(numbers.back(), true) && numbers.back() < goal_.max_vertices) {
       throw Unreachable_distance("no result within a distance of " + number_text(goal_.distance) + " was found",
                                  state_.frame.length_to_mesh(rounded_up * nearest_));
-    report_.vertices = numbers[found];
+    }
+    report_.vertices = state_.number_of_clusters();
     work_left_ = work_of_trial();
     const double bound = measure(true).bound;
     report_.is_within_distance = bound <= local_distance_;
@@ -75,6 +79,15 @@ public:
   }
 
 private:
+  // The clusters and the placement of a trial.
+  struct Result
+  {
+    std::size_t number;
+    std::vector<Index> labels;
+    Placed_dual dual;
+    std::size_t exchanged;
+  };
+
   // Every result is closer, because vertices lie near their clusters. Squares of much larger distances would overflow.
   static double max_distance(const Clustering_input& input)
   {
@@ -116,6 +129,23 @@ private:
     return work_of_triangle * (std::max)(mesh.corner_vertex.size() - 2 * mesh.number_of_faces(), min_triangles);
   }
 
+  void cluster(std::size_t n)
+  {
+    seed(state_, {Seeding::FOR_NUMBER, n, true});
+    grow(state_);
+    minimize(state_, goal_.end);
+    ++report_.clusterings;
+  }
+
+  void return_to(Result result)
+  {
+    cluster(result.number);
+    dual_ = std::move(result.dual);
+    restore_clusters(state_, result.labels, dual_);
+    state_.report.exchanged_vertices = result.exchanged;
+    begin_bounds();
+  }
+
   // Computes the result for a number of vertices, as far as the answer needs it, or completely.
   bool is_within_distance(std::size_t n, bool is_last)
   {
@@ -123,15 +153,12 @@ private:
     constexpr double largest_gain = 4;
     nearest_ = infinite;
     try {
-      seed(state_, {Seeding::FOR_NUMBER, n, true});
-      grow(state_);
+      cluster(n);
     } catch (const Unreachable_number_of_vertices&) {
       if (is_last)
         throw;
       return false;
     }
-    minimize(state_, goal_.end);
-    ++report_.clusterings;
     Repair_budget budget = repair_budget(state_, parts_per_trial * trials_);
     work_left_ = work_of_trial();
     if (may_exchange_vertices(state_, placement_)) {
@@ -151,8 +178,7 @@ private:
   {
     constexpr int max_steps = 3;
     constexpr double max_ratio = 2;
-    bound_of_.emplace(state_.base_input().mesh, clusters_of_base_faces(state_), dual_.positions.size(), work_left_,
-                      state_.context);
+    begin_bounds();
     std::unique_ptr<Bordered_surface> surface;
     for (int step = 0;; ++step) {
       const Measured_distance measured = measure(false);
@@ -170,6 +196,12 @@ private:
       if (dual_.number_left() > left)
         step = max_steps - 1; // one more look
     }
+  }
+
+  void begin_bounds()
+  {
+    bound_of_.emplace(state_.base_input().mesh, clusters_of_base_faces(state_), dual_.positions.size(), work_left_,
+                      state_.context);
   }
 
   // Bounds the distance after rounding to the output; see `Distance_bound`.

@@ -32,6 +32,14 @@ inline std::unique_ptr<Clustered_faces> clustered_faces(const Clustering_state& 
   return std::make_unique<Clustered_faces>(*dual.pieces, state.number_of_clusters(), state.context);
 }
 
+// Restores the clusters of a placement, after the same clustering has been computed again without relocated clusters.
+inline void restore_clusters(Clustering_state& state, const std::vector<Index>& old_labels, Placed_dual& dual)
+{
+  state.labels->move_all(old_labels);
+  state.minimization.reset();
+  dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
+}
+
 // The surface with its current clusters, and the positions of vertices on its border and features.
 struct Bordered_surface
 {

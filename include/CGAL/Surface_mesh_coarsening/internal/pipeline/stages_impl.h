@@ -381,9 +381,7 @@ inline Placed_dual return_to_first(Clustering_state& state, const std::vector<do
                                    Placed_dual dual)
 {
   recluster(state, densities);
-  state.labels->move_all(first);
-  state.minimization.reset();
-  dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
+  restore_clusters(state, first, dual);
   return dual;
 }
 
