@@ -110,7 +110,10 @@ public:
     const auto is_below = [](const Part& a, const Part& b) { return a.bound < b.bound; };
     const auto measure = [&](Part part) {
       context_.poll(16);
-      const Nearest_point near = nearest_to_center(part, part.is_coarse ? surface_ : coarse, reached);
+      const Surface& to = part.is_coarse ? surface_ : coarse;
+      if (part.nearest != NONE && distance_of_corners(part, to) <= far_part * reached)
+        return;
+      const Nearest_point near = nearest_to_center(part, to, reached);
       const double distance = std::sqrt(near.squared_distance);
       reached = (std::max)(reached, distance);
       if (distance > far_part * reached)
@@ -215,8 +218,8 @@ private:
     Index triangle, group;
     bool is_coarse; // whether it is a part of the coarse mesh
     double bound;
-    std::size_t nearest = 0; // the triangle nearest to the center
-    int cuts = 0;            // since it was halved
+    Index nearest = NONE; // the triangle nearest to the center; at first, of the divided part
+    int cuts = 0;         // since it was halved
   };
 
   Far_point far_point(const Part& part, const Nearest_point& near, const Surface& coarse) const
@@ -241,15 +244,22 @@ private:
     const double distance = std::sqrt(nearest.squared_distance);
     part.bound = distance + radius;
     if (part.bound > near_enough) {
-      const Corner_points triangle = to.corners(nearest.face);
-      double squared = 0;
-      for (const Vector& p : part.corners)
-        squared = (std::max)(squared, closest_on_triangle(p, triangle[0], triangle[1], triangle[2]).squared_distance);
-      part.bound = (std::min)(part.bound, std::sqrt(squared));
       part.group = to.group[nearest.face];
       part.nearest = nearest.face;
+      part.bound = (std::min)(part.bound, distance_of_corners(part, to));
     }
     return nearest;
+  }
+
+  // Returns the largest distance of the corners from the nearest triangle, which bounds the distance of all points of the part.
+  double distance_of_corners(const Part& part, const Surface& to)
+  {
+    const Corner_points triangle = to.corners(part.nearest);
+    double squared = 0;
+    for (const Vector& p : part.corners)
+      squared = (std::max)(squared, closest_on_triangle(p, triangle[0], triangle[1], triangle[2]).squared_distance);
+    work_left_ -= (std::min)(part.corners.size(), work_left_);
+    return std::sqrt(squared);
   }
 
   // Divides a part, where possible into what lies over its nearest triangle and what does not: over one triangle, the bound is
@@ -310,8 +320,8 @@ private:
       if (squared_length(i) > squared_length(longest))
         longest = i;
     const Vector middle = 0.5 * (c[longest] + c[(longest + 1) % 3]), opposite = c[(longest + 2) % 3];
-    visit({{{c[longest], middle, opposite}}, part.triangle, part.group, part.is_coarse, part.bound});
-    visit({{{middle, c[(longest + 1) % 3], opposite}}, part.triangle, part.group, part.is_coarse, part.bound});
+    visit({{{c[longest], middle, opposite}}, part.triangle, part.group, part.is_coarse, part.bound, part.nearest});
+    visit({{{middle, c[(longest + 1) % 3], opposite}}, part.triangle, part.group, part.is_coarse, part.bound, part.nearest});
   }
 
   Surface surface_;
