@@ -379,6 +379,8 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
     std::size_t tests;
   };
   std::vector<Triangle_pair> pairs;
+  Shared_cancellation_point cancellation(context);
+  cancellation.begin();
   for_each_part<Part>(
     context.uninterrupted(), triangles.size(), 64,
     [&](Part& part, std::size_t begin, std::size_t end) {
@@ -387,6 +389,7 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
         // Very many coincident points would be compared pairwise, so triangles that are points are left out.
         if (conflict.is_point(triangles[t]))
           continue;
+        const std::size_t before = part.tests;
         boxes.for_each_overlapping(conflict.box(triangles[t]), [&](Index u) {
           if (u <= t || conflict.is_point(triangles[u]))
             return;
@@ -394,10 +397,12 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
           if (conflict(triangles[t], triangles[u]))
             part.pairs.emplace_back(Index(t), u);
         });
+        // One part can have very many tests, where all triangles are long.
+        if (!cancellation.poll(part.tests - before))
+          return;
       }
     },
     [&](const Part& part) {
-      context.poll(part.tests);
       tests += part.tests;
       pairs.insert(pairs.end(), part.pairs.begin(), part.pairs.end());
     });
