@@ -214,7 +214,7 @@ endfunction()
 check_phrase(${manual} "or turns by more than 60 degrees" internal/features/find_features_impl.h "dot(a, b) < 0.5 * std::sqrt")
 check_phrase(${theory} "uses the seeds of the largest level that gives twice this number" internal/seeding/Component_plan.h
   "seeds_per_cluster = 2;")
-check_phrase(Robustness.txt "The mesh is clustered at most six times" internal/pipeline/stages_impl.h "max_repetitions = 4;")
+check_phrase(Robustness.txt "The mesh is clustered at most four times" internal/pipeline/stages_impl.h "max_repetitions = 2;")
 
 # The numbers of seeds in the text are the numbers of table 1.
 check_constant(Following_the_paper.txt "Bunny lies in between: it gives ([0-9]+) seeds" doc/Surface_mesh_coarsening/tables/paper.md

@@ -351,7 +351,7 @@ BOOST_AUTO_TEST_CASE(own_weight_that_does_not_depend_on_densities)
 {
   const auto np = SMC::parameters::maximum_density(10).feature_angle(180).vertex_placement(SMC::Quadric_placement());
   std::size_t most = 0, left = 0;
-  for (const double thickness : {0.002, 0.004})
+  for (const double thickness : {0.0005, 0.001})
     for (const std::size_t n : {20, 50, 80}) {
       const Mesh mesh = test::to_mesh(generated::thin_plate(30, thickness));
       Mesh output;

@@ -322,7 +322,7 @@ public:
   /// the function raises the densities in their clusters by a factor of four and reclusters the mesh, which gives more clusters
   /// there and fewer elsewhere. It selects the result with the fewest intersections, or the first if no other has fewer.
   ///
-  /// Seeding, growth and minimization are repeated at most 4 times, and once more to restore the selected result. They are
+  /// Seeding, growth and minimization are repeated at most twice, and once more to restore the selected result. They are
   /// not repeated if the weight is `Uniform_weight`, which does not depend on densities, if parameter `repair_output` is
   /// `false`, if clusters were given, edited or frozen, or if the number of intersecting pairs of triangles exceeds half the
   /// number of clusters. The parameters are the parameters of `extract_dual_mesh()`. `Coarsening_report::clusterings` is the

@@ -73,13 +73,12 @@ public:
   // Whether clusters consist of cells of vertices at any number of them.
   bool prefers_cells() const { return mean_angle_ < internal::min_angle_of_faces; }
 
-  // The same with rounds that exchange vertices. Returns the mesh before these rounds.
-  internal::Plain_fit place_and_exchange(const internal::Clustered_faces& clusters, const Border_arcs& border,
-                                           std::vector<internal::Triangle>& triangles,
-                                           std::vector<internal::Vector>& positions,
-                                           const internal::Vertex_relocation& relocation) const
+  // The same with rounds that exchange vertices.
+  void place_and_exchange(const internal::Clustered_faces& clusters, const Border_arcs& border,
+                          std::vector<internal::Triangle>& triangles, std::vector<internal::Vector>& positions,
+                          const internal::Vertex_relocation& relocation) const
   {
-    return internal::fit_vertices(clusters, border, rounds_, mean_angle_, triangles, positions, relocation);
+    internal::fit_vertices(clusters, border, rounds_, mean_angle_, triangles, positions, relocation);
   }
 
   // The same from positions of `Start`, without exchanges.

@@ -3,7 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_PLACE_AND_EXCHANGE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_PLACE_AND_EXCHANGE_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
@@ -12,7 +11,6 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -129,17 +127,6 @@ inline Repair_counts repair_exchanged(const Clustering_state& state, const Borde
   return repaired(state, surface, placement, output_coordinates, dual, budget);
 }
 
-// Returns the root mean square of the movements of vertices.
-inline double mean_movement(const std::vector<Vector>& from, const std::vector<Vector>& to)
-{
-  double sum = 0;
-  for (std::size_t x = 0; x < from.size(); ++x) {
-    const Vector d = to[x] - from[x];
-    sum += dot(d, d);
-  }
-  return std::sqrt(sum / double(from.size()));
-}
-
 // Returns whether each triangle joins clusters of one component, so that a vertex lies on the component of its cluster.
 inline bool stay_on_components(const Clustered_faces& surface, const std::vector<Triangle>& triangles)
 {
@@ -149,150 +136,40 @@ inline bool stay_on_components(const Clustered_faces& surface, const std::vector
   });
 }
 
-// Places the vertices, exchanges some of them together with their clusters, and repairs the placement.
-class Exchanging_placement
+// Places the vertices, exchanges some of them together with their clusters, and repairs the placement. Nothing changes if this fails.
+inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_model& placement,
+                                       const Output_coordinates& output_coordinates, Repair_budget& budget)
 {
-public:
-  Exchanging_placement(Clustering_state& state, const Placement_model& placement, const Output_coordinates& output_coordinates,
-                       Repair_budget& budget)
-    : state_(state), placement_(placement), output_coordinates_(output_coordinates), budget_(budget),
-      clusters_(state.featured_input(), *state.labels, Index(state.number_of_clusters()))
-  {}
-
-  // Selects the better placement, with or without exchange.
-  Placed_dual run()
-  {
-    try {
-      place_and_exchange();
-      const std::size_t exchanged = clusters_.number();
-      const bool keeps_exchanges = exchanged > 0 && !restore_plain_placement_if_better();
-      if (keeps_exchanges) {
-        state_.minimization.reset();
-        state_.editing.reset();
-      }
-      state_.report.exchanged_vertices = keeps_exchanges ? exchanged : 0;
-      return std::move(dual_);
-    } catch (...) {
-      clusters_.undo();
-      throw;
-    }
-  }
-
-private:
-  static constexpr std::size_t max_repairs_by_exchange = 5;
-
-  void place_and_exchange()
-  {
-    const Run_context& context = state_.context;
+  const Run_context& context = state.context;
+  Cluster_relocation clusters(state.featured_input(), *state.labels, Index(state.number_of_clusters()));
+  try {
+    Placed_dual dual;
     context.stage_begins(Coarsening_stage::TRIANGULATION);
-    surface_ = bordered_surface(state_, dual_);
-    dual_.triangles = dual_triangles(labels(state_), context);
+    std::unique_ptr<Bordered_surface> surface = bordered_surface(state, dual);
+    dual.triangles = dual_triangles(labels(state), context);
     context.stage_ends(Coarsening_stage::TRIANGULATION);
     context.stage_begins(Coarsening_stage::PLACEMENT);
-    dual_.positions.resize(state_.number_of_clusters());
-    surface_->border.place(dual_.positions);
-    plain_ = placement_.exchanging(*surface_->faces, surface_->border, dual_.triangles, dual_.positions, relocation());
+    dual.positions.resize(state.number_of_clusters());
+    surface->border.place(dual.positions);
+    placement.exchanging(*surface->faces, surface->border, dual.triangles, dual.positions,
+                         vertex_relocation(state, *surface->faces, clusters));
     context.stage_ends(Coarsening_stage::FEEDBACK);
-    if (clusters_.number() > 0)
-      surface_ = bordered_surface(state_, dual_);
-    CGAL_assertion(stay_on_components(*surface_->faces, dual_.triangles));
-    const std::vector<Vector> fitted = dual_.positions;
-    repair(dual_);
-    for (std::size_t i = 0; i < max_repairs_by_exchange && is_worth_repairing(state_, dual_, budget_); ++i)
-      if (!repair_by_exchange())
-        break;
-    movement_by_repair_ = mean_movement(fitted, dual_.positions);
+    if (clusters.number() > 0)
+      surface = bordered_surface(state, dual);
+    CGAL_assertion(stay_on_components(*surface->faces, dual.triangles));
+    dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual, budget);
     context.throw_if_cancelled();
-  }
-
-  Vertex_relocation relocation() { return vertex_relocation(state_, *surface_->faces, clusters_); }
-
-  void repair(Placed_dual& dual) const
-  {
-    dual.counts = repair_exchanged(state_, *surface_, placement_, output_coordinates_, dual, budget_);
-  }
-
-  // Relocates vertices to the triangles that still intersect. Returns whether fewer pairs remain; otherwise nothing changes.
-  bool repair_by_exchange()
-  {
-    budget_.spend(placement_tests * dual_.triangles.size());
-    const std::vector<Index> old_labels = labels(state_).labels();
-    std::vector<Index> triangles;
-    for (const auto& pair : dual_.counts.intersections_left)
-      triangles.insert(triangles.end(), {pair.first, pair.second});
-    sort_unique(triangles);
-    Placed_dual next = with_vertices_at(triangles);
-    if (next.number_left() < dual_.number_left()) {
-      dual_ = std::move(next);
-      return true;
+    if (clusters.number() > 0) {
+      state.minimization.reset();
+      state.editing.reset();
     }
-    clusters_.take_labels(old_labels);
-    surface_ = bordered_surface(state_, dual_);
-    return false;
+    state.report.exchanged_vertices = clusters.number();
+    return dual;
+  } catch (...) {
+    clusters.undo();
+    throw;
   }
-
-  // Relocates a vertex from elsewhere to each of some triangles, and repeats the repair of the placement.
-  Placed_dual with_vertices_at(const std::vector<Index>& triangles)
-  {
-    Placed_dual next;
-    next.triangles = dual_.triangles;
-    next.positions = dual_.positions;
-    Vertex_relocation to_triangles = relocation();
-    to_triangles.destinations = triangles;
-    state_.context.stage_begins(Coarsening_stage::FEEDBACK);
-    placement_.exchanging(*surface_->faces, surface_->border, next.triangles, next.positions, to_triangles);
-    state_.context.stage_ends(Coarsening_stage::FEEDBACK);
-    surface_ = bordered_surface(state_, next);
-    repair(next);
-    next.counts.intersections_found = dual_.counts.intersections_found;
-    next.counts.reversals_found = dual_.counts.reversals_found;
-    return next;
-  }
-
-  // Replaces the placement by the placement without exchange in two cases: many intersections remain and the other placement has
-  // fewer, or it has no more intersections and a smaller distance. Returns whether the placement was replaced.
-  bool restore_plain_placement_if_better()
-  {
-    const bool has_many = has_many_intersections(state_, dual_);
-    if (!has_many &&
-        (budget_.is_spent() || !plain_may_be_closer() ||
-         is_closer(*clustered_faces(state_, dual_), dual_.triangles, dual_.positions, plain_.triangles, plain_.positions)))
-      return false;
-    const std::vector<Index> labels_of_dual = labels(state_).labels();
-    clusters_.undo();
-    budget_.spend(placement_tests * dual_.triangles.size());
-    Placed_dual plain = place(state_, placement_, output_coordinates_, budget_);
-    const std::size_t left = plain.number_left();
-    if ((has_many && left < dual_.number_left()) ||
-        (left <= dual_.number_left() && is_closer(*clustered_faces(state_, plain), plain.triangles, plain.positions,
-                                                  dual_.triangles, dual_.positions))) {
-      dual_ = std::move(plain);
-      return true;
-    }
-    clusters_.take_labels(labels_of_dual);
-    return false;
-  }
-
-  // Returns whether the placement without exchange may be closer than the repaired placement. Except for its flips, the repair
-  // increases the root mean square distance by no more than the vertices move.
-  bool plain_may_be_closer() const
-  {
-    constexpr double max_part = 0.1; // of the vertices
-    const std::size_t found = dual_.counts.intersections_found + dual_.counts.reversals_found;
-    const bool is_small = double(found) < max_part * double(state_.number_of_clusters());
-    return found > 0 && !(is_small && std::sqrt(plain_.error_after_exchange) + movement_by_repair_ < std::sqrt(plain_.error));
-  }
-
-  Clustering_state& state_;
-  const Placement_model& placement_;
-  const Output_coordinates& output_coordinates_;
-  Repair_budget& budget_;
-  Cluster_relocation clusters_;
-  std::unique_ptr<Bordered_surface> surface_; // with the current clusters
-  Placed_dual dual_;
-  Plain_fit plain_;               // without exchange, before the repair
-  double movement_by_repair_ = 0; // the root mean square over the vertices
-};
+}
 
 // Returns whether the clusters of cells are so many that only the distance counts.
 inline bool has_dense_cells(const Clustering_state& state)
@@ -311,7 +188,7 @@ inline bool may_exchange_vertices(const Clustering_state& state, const Placement
 inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
                                       const Output_coordinates& output_coordinates, Repair_budget& budget)
 {
-  return may_exchange_vertices(state, placement) ? Exchanging_placement(state, placement, output_coordinates, budget).run()
+  return may_exchange_vertices(state, placement) ? place_with_exchange(state, placement, output_coordinates, budget)
                                                  : place(state, placement, output_coordinates, budget);
 }
 

@@ -390,7 +390,8 @@ inline Placed_dual return_to_first(Clustering_state& state, const std::vector<do
 CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state& state, const Placement_model& placement,
                                                                const Output_coordinates& output_coordinates)
 {
-  constexpr std::size_t max_repetitions = 4;
+  // Four times leave more pairs, because each spends a part of the budget.
+  constexpr std::size_t max_repetitions = 2;
   Repair_budget budget = repair_budget(state);
   Placed_dual first = place_and_exchange(state, placement, output_coordinates, budget);
   if (!is_worth_reclustering(state, first, budget))
@@ -423,7 +424,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
       ++clusterings;
     }
     if (!is_last || may_exchange_vertices(state, placement)) {
-      budget = repair_budget(state); // the selected result must not be worse than before
+      budget = repair_budget(state, 2); // the selected result must not be worse than before
       dual = place_and_exchange(state, placement, output_coordinates, budget);
     }
   }

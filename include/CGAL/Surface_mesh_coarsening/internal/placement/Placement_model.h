@@ -26,9 +26,9 @@ struct Placement_model
   // may flip edges of the triangles.
   std::function<Vector(const Clustered_faces&, std::size_t)> local;
   std::function<void(const Clustered_faces&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&)> global;
-  // The same with vertex exchange between regions. Returns the mesh without exchange.
-  std::function<Plain_fit(const Clustered_faces&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&,
-                          const Vertex_relocation&)>
+  // The same with vertex exchange between regions.
+  std::function<void(const Clustered_faces&, const Border_arcs&, std::vector<Triangle>&, std::vector<Vector>&,
+                     const Vertex_relocation&)>
     exchanging;
   // Set for some global placements: a position for each cluster, and the placement that begins with these positions.
   std::function<Vector(const Clustered_faces&, std::size_t)> start;
@@ -87,7 +87,7 @@ Placement_model placement_model(const Placement& placement)
   if constexpr (exchanges_vertices<Placement>)
     model.exchanging = [&placement](const Clustered_faces& clusters, const Border_arcs& border, std::vector<Triangle>& triangles,
                                     std::vector<Vector>& positions, const Vertex_relocation& relocation) {
-      return placement.place_and_exchange(clusters, border, triangles, positions, relocation);
+      placement.place_and_exchange(clusters, border, triangles, positions, relocation);
     };
   if constexpr (has_start<Placement>) {
     model.start = [](const Clustered_faces& clusters, std::size_t cluster) -> Vector {

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -31,7 +30,13 @@ public:
   // Returns the number of exchanged vertices.
   std::size_t run(const Angle_worth& worth)
   {
-    begin(worth);
+    worth_ = worth;
+    compared_ = 0;
+    is_touched_.assign(mesh_.positions().size(), false);
+    candidates_.measure_triangles(worth);
+    removals_ = std::priority_queue<Vertex_removal>();
+    insertions_ = std::priority_queue<Vertex_insertion>();
+    candidates_.for_each_removal([this](const Vertex_removal& r) { removals_.push(r); });
     candidates_.for_each_insertion([this](const Vertex_insertion& x) { insertions_.push(x); });
     std::size_t exchanged = 0;
     const std::size_t max_compared = comparisons_of_vertex * mesh_.positions().size();
@@ -44,7 +49,7 @@ public:
       if (do_overlap(removal, insertion))
         continue;
       insertions_.pop();
-      const Relocation outcome = exchange(removal, insertion, insertion.gain());
+      const Relocation outcome = exchange(removal, insertion);
       exchanged += outcome == Relocation::DONE;
       if (outcome == Relocation::NOT_THERE)
         removals_.push(removal);
@@ -54,14 +59,6 @@ public:
     return exchanged;
   }
 
-  // Moves one vertex to each of some triangles, at any cost.
-  void run_at(const std::vector<Index>& triangles)
-  {
-    begin(Angle_worth());
-    for (const Index t : triangles)
-      take_vertex_to(t);
-  }
-
 private:
   // Gain and loss are estimated before other vertices adapt, which reduces the loss more than the gain.
   static constexpr double min_ratio = 0.6;
@@ -69,40 +66,6 @@ private:
   // compare_quality need less: their results are the same without this limit.
   static constexpr std::size_t comparisons_of_vertex = 500;
   static constexpr std::size_t at_a_time = 16, steps_of_candidate = 64;
-
-  void begin(const Angle_worth& worth)
-  {
-    worth_ = worth;
-    compared_ = 0;
-    is_touched_.assign(mesh_.positions().size(), false);
-    candidates_.measure_triangles(worth);
-    removals_ = std::priority_queue<Vertex_removal>();
-    insertions_ = std::priority_queue<Vertex_insertion>();
-    candidates_.for_each_removal([this](const Vertex_removal& r) { removals_.push(r); });
-  }
-
-  void take_vertex_to(Index t)
-  {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 3; ++i)
-      if (mesh_.across(t, i) != NONE)
-        insertions_.push(candidates_.insertion_at(t, i));
-    while (find_best(insertions_) && find_best(removals_)) {
-      const Vertex_removal removal = removals_.top();
-      const Vertex_insertion insertion = insertions_.top();
-      removals_.pop();
-      if (do_overlap(removal, insertion))
-        continue;
-      const Relocation outcome = exchange(removal, insertion, infinite);
-      if (outcome == Relocation::DONE)
-        break;
-      if (outcome == Relocation::NOT_THERE) {
-        insertions_.pop();
-        removals_.push(removal);
-      }
-    }
-    insertions_ = std::priority_queue<Vertex_insertion>();
-  }
 
   template <class Visit>
   bool any_around(Index v, const Visit& visit) const
@@ -193,8 +156,8 @@ private:
     return faces;
   }
 
-  // Fails if the cost in both directions would grow by more than `max_growth`, or if the clusters cannot be relocated.
-  Relocation exchange(const Vertex_removal& r, const Vertex_insertion& x, double max_growth)
+  // Fails if the cost in both directions would grow by more than the estimated gain, or if the clusters cannot be relocated.
+  Relocation exchange(const Vertex_removal& r, const Vertex_insertion& x)
   {
     const Index v = r.vertex;
     const std::vector<Index> faces = faces_around(x);
@@ -217,7 +180,7 @@ private:
       before.push_back(mesh_.triangle(t));
     std::vector<Index> all = around;
     all.insert(all.end(), {x.t, x.u});
-    const double max_cost = mesh_.cost_of(all, worth_) + max_growth;
+    const double max_cost = mesh_.cost_of(all, worth_) + x.gain();
     Fit_samples& samples = mesh_.samples();
     std::vector<Vector>& positions = mesh_.positions();
     const bool is_one_component = samples.component(around) == samples.component({x.t, x.u});

@@ -24,8 +24,6 @@ struct Vertex_relocation
   std::size_t rounds = 0; // the number of rounds with exchanges
   // Called between the fit and the rounds with exchanges.
   std::function<void()> begins;
-  // Triangles that get a vertex each from elsewhere. If there are any, the placement does nothing else.
-  std::vector<Index> destinations;
   // Merges cluster `x` into a neighbor, if possible into `into`, and forms it again around one of some faces of the surface, the
   // first possible one.
   std::function<Relocation(Index x, Index into, const std::vector<Index>& faces)> relocate;
@@ -50,12 +48,6 @@ struct Fitted_mesh
   }
 };
 
-// The mesh that a fit has without exchanges.
-struct Plain_fit : Fitted_mesh
-{
-  double error_after_exchange = 0;
-};
-
 // With a smaller goal for the mean angle, cells of vertices are clustered instead of faces: they are merged by quadrics, which makes
 // long clusters.
 constexpr double min_angle_of_faces = 30;
@@ -67,19 +59,14 @@ constexpr double min_share_of_dense = 0.3;
 // Fits all vertices together, starting from quadrics; see `Fitted_placement`. `mean_angle` is in degrees. After `rounds` rounds,
 // `relocation` determines the number of rounds that exchange vertices; they end early when there are no profitable exchanges.
 // Two rounds without exchange follow, and further ones if only the angles are not good enough. The plain fit is the result unless
-// the last mesh is closer and its angles are no worse. The plain fit is returned if `relocation` has rounds.
-Plain_fit fit_vertices(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
-                       std::vector<Triangle>& triangles, std::vector<Vector>& positions,
-                       const Vertex_relocation& relocation = Vertex_relocation());
+// the last mesh is closer and its angles are no worse.
+void fit_vertices(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
+                  std::vector<Triangle>& triangles, std::vector<Vector>& positions,
+                  const Vertex_relocation& relocation = Vertex_relocation());
 
 // The same from given positions, without exchanges.
 void fit_vertices_from(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
                        std::vector<Triangle>& triangles, std::vector<Vector>& positions);
-
-// Returns whether a coarse mesh is closer to the surface than another one. The mean squared distances in the direction in which
-// they are larger are compared, as measured by `Sampled_distance`.
-bool is_closer(const Clustered_faces& surface, const std::vector<Triangle>& triangles, const std::vector<Vector>& positions,
-               const std::vector<Triangle>& other_triangles, const std::vector<Vector>& other_positions);
 
 } // namespace internal
 } // namespace Surface_mesh_coarsening

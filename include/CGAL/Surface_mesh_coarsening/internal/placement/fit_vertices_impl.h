@@ -8,8 +8,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Input_surface.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_improvement.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Edge_flips.h>
@@ -22,66 +20,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
-
-// The distance between a surface and coarse meshes, measured as in `measure_coarsening()`: samples of each surface find their
-// nearest points on the other surface. The samples of the surface are the same for all meshes. The samples of a fit are not
-// suitable for this comparison, because the vertices have been fitted to them and their feet are local.
-class Sampled_distance
-{
-public:
-  // `triangles` is about the number of triangles of the coarse meshes.
-  Sampled_distance(const Clustered_faces& surface, std::size_t triangles)
-    : surface_(surface),
-      number_((std::max)(samples_per_triangle * triangles,
-                         (std::min)(samples_per_face * surface.input().mesh.number_of_faces(), min_samples))),
-      on_surface_(surface.input().mesh, surface.labels().labels(), surface.number_of_clusters())
-  {}
-
-  // Returns the mean squared distance of the direction in which it is larger.
-  double squared(const std::vector<Triangle>& triangles, const std::vector<Vector>& positions) const
-  {
-    const Coarse_mesh_search on_coarse(triangles, positions);
-    const Cluster_labels& labels = surface_.labels();
-    return (std::max)(mean(surface_.input().mesh, on_coarse, [&](Index f) { return labels[f]; }),
-                      mean(on_coarse.mesh(), on_surface_, [&](Index t) { return triangles[t][0]; }));
-  }
-
-private:
-  static constexpr std::size_t samples_per_triangle = 1;
-  // On meshes of a few hundred faces, 1,000 samples would take up to a third of the time of a run.
-  static constexpr std::size_t min_samples = 1000, samples_per_face = 3;
-
-  // `group(face)` is the group in which the search for points of a face begins.
-  template <class Search, class Group>
-  double mean(const Flat_mesh& from, const Search& to, const Group& group) const
-  {
-    const Run_context& context = surface_.context();
-    const Input_surface samples(from);
-    std::vector<Input_point> points;
-    points.reserve(number_);
-    samples.for_each_sample(number_, samples.area(context), context, [&](const Input_point& p) { points.push_back(p); });
-    std::vector<double> squares(points.size());
-    for_each_chunk(context, points.size(), 64, [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        squares[i] = to(points[i].position, group(points[i].face)).squared_distance;
-    });
-    double sum = 0;
-    for (const double square : squares)
-      sum += square;
-    return squares.empty() ? 0 : sum / double(squares.size());
-  }
-
-  const Clustered_faces& surface_;
-  const std::size_t number_;
-  const Nearest_point_search on_surface_;
-};
 
 // Returns whether the result has all vertices of the input.
 inline bool has_all_vertices(const Clustered_faces& surface)
@@ -111,8 +55,6 @@ public:
     has_feet_ = true;
     step_ = step;
   }
-
-  void exchange_at_destinations() { exchange_.run_at(mesh_.relocation().destinations); }
 
   // From now on, the exchange rate between angles and distance changes slowly.
   void keep_rate() { is_steady_ = true; }
@@ -250,10 +192,10 @@ inline void place_by_quadrics(const Clustered_faces& surface, const Border_arcs&
   });
 }
 
-// Continues a fit with rounds that exchange vertices, and some rounds without exchange. Returns the mesh after these rounds, or
-// nothing if it does not improve on the plain fit.
-inline std::optional<Fitted_mesh> fit_after_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, std::size_t rounds,
-                                                      double mean_angle, const Run_context& context)
+// Continues a fit with rounds that exchange vertices, and some rounds without exchange. Returns whether the mesh is closer then,
+// and its angles reach the goal or are not worse.
+inline bool improves_by_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, std::size_t rounds, double mean_angle,
+                                  const Run_context& context)
 {
   // The number of rounds after the last exchange, and of further rounds while only the angles are not good enough.
   constexpr std::size_t last_rounds = 2, max_corrections = 3;
@@ -277,9 +219,7 @@ inline std::optional<Fitted_mesh> fit_after_exchanges(Vertex_fit& fit, const Fit
     fit.settle();
     mesh = fit.mesh();
   }
-  if (!mesh.improves(plain, mean_angle))
-    return std::nullopt;
-  return mesh;
+  return mesh.improves(plain, mean_angle);
 }
 
 // The rounds without exchange.
@@ -316,60 +256,33 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices_from(const Clustered_faces
   triangles = mesh.triangles();
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE Plain_fit fit_vertices(const Clustered_faces& surface, const Border_arcs& border,
-                                                           std::size_t rounds, double mean_angle,
-                                                           std::vector<Triangle>& triangles, std::vector<Vector>& positions,
-                                                           const Vertex_relocation& relocation)
+CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices(const Clustered_faces& surface, const Border_arcs& border,
+                                                      std::size_t rounds, double mean_angle, std::vector<Triangle>& triangles,
+                                                      std::vector<Vector>& positions, const Vertex_relocation& relocation)
 {
-  if (relocation.destinations.empty())
-    place_by_quadrics(surface, border, positions);
+  place_by_quadrics(surface, border, positions);
   if (are_input(surface, triangles))
-    return Plain_fit();
+    return;
   if (surface.has_cells() && surface.clusters_per_cell() > min_share_of_dense) {
     // Five rounds are no closer at 60 and 80 % of the vertices of the Horse.
     constexpr std::size_t rounds_of_dense = 2;
     mean_angle = 0;
     rounds = (std::min)(rounds, rounds_of_dense);
   }
-  std::optional<Coarse_mesh> mesh(std::in_place, surface, border, triangles, positions, relocation);
-  std::optional<Vertex_fit> fit(std::in_place, *mesh, mean_angle);
-  if (!relocation.destinations.empty()) {
-    fit->find_feet();
-    fit->exchange_at_destinations();
-    triangles = mesh->triangles();
-    return Plain_fit();
-  }
-  run_plain_rounds(*fit, rounds, surface.context());
-  triangles = mesh->triangles();
+  Coarse_mesh mesh(surface, border, triangles, positions, relocation);
+  Vertex_fit fit(mesh, mean_angle);
+  run_plain_rounds(fit, rounds, surface.context());
+  triangles = mesh.triangles();
   if (relocation.rounds == 0)
-    return Plain_fit();
+    return;
   relocation.begins();
-  // The errors at the samples of the fit decide only if they differ much, because the vertices have been fitted to these samples.
-  constexpr double much_less = 0.9;
-  Plain_fit plain{fit->mesh()};
-  std::optional<Fitted_mesh> after = fit_after_exchanges(*fit, plain, relocation.rounds, mean_angle, surface.context());
-  fit.reset(); // frees memory, also of the samples
-  mesh.reset();
-  if (after && (after->error < much_less * plain.error ||
-                is_closer(surface, after->triangles, after->positions, plain.triangles, plain.positions))) {
-    plain.error_after_exchange = after->error;
-    triangles = std::move(after->triangles);
-    positions = std::move(after->positions);
+  const Fitted_mesh plain = fit.mesh();
+  if (improves_by_exchanges(fit, plain, relocation.rounds, mean_angle, surface.context())) {
+    triangles = mesh.triangles();
   } else {
-    triangles = plain.triangles;
     positions = plain.positions;
     relocation.undo();
   }
-  return plain;
-}
-
-CGAL_SURFACE_MESH_COARSENING_INLINE bool is_closer(const Clustered_faces& surface, const std::vector<Triangle>& triangles,
-                                                   const std::vector<Vector>& positions,
-                                                   const std::vector<Triangle>& other_triangles,
-                                                   const std::vector<Vector>& other_positions)
-{
-  const Sampled_distance distance(surface, triangles.size());
-  return distance.squared(triangles, positions) < distance.squared(other_triangles, other_positions);
 }
 
 } // namespace internal

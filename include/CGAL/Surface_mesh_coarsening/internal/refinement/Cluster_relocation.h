@@ -22,9 +22,11 @@ class Cluster_relocation
 public:
   Cluster_relocation(const Featured_input& input, Cluster_labels& labels, Index clusters)
     : mesh_(input.items.mesh), cells_(input.cells.get()), labels_(labels), old_labels_(labels.labels()),
-      editing_(input, labels, clusters), bounds_(clusters), has_changed_(clusters, false)
+      editing_(input, labels, clusters), bounds_(clusters), has_changed_(clusters, false),
+      clusters_of_component_(input.items.mesh.components.size(), 0)
   {
-    count();
+    for (Index x = 0; x < clusters; ++x)
+      ++clusters_of_component_[component_of(x)];
   }
 
   // The number of relocated clusters.
@@ -57,22 +59,12 @@ public:
     return outcome;
   }
 
+  // Restores the labels; afterwards, nothing can be relocated.
   void undo()
   {
     has_changed_.assign(has_changed_.size(), false);
-    take_labels(old_labels_);
+    labels_.move_all(old_labels_);
     number_ = 0;
-  }
-
-  // Sets the labels of the faces.
-  void take_labels(const std::vector<Index>& labels)
-  {
-    labels_.move_all(labels);
-    editing_.find_clusters();
-    count();
-    for (std::size_t x = 0; x < bounds_.size(); ++x)
-      if (has_changed_[x])
-        bounds_[x] = internal::vertex_bounds(mesh_, editing_.faces(Index(x)));
   }
 
 private:
@@ -82,13 +74,6 @@ private:
   {
     const Index c = mesh_.component[face];
     return c == from || clusters_of_component_[c] < mesh_.components[c].max_clusters();
-  }
-
-  void count()
-  {
-    clusters_of_component_.assign(mesh_.components.size(), 0);
-    for (std::size_t x = 0; x < bounds_.size(); ++x)
-      ++clusters_of_component_[component_of(Index(x))];
   }
 
   const Flat_mesh& mesh_;

@@ -57,7 +57,7 @@ public:
   bool is_spent_for_input() const { return left_for_input_ == 0; }
 
 private:
-  // With 2,500 tests a face, helmet.off keeps three pairs of intersecting triangles at 10 % of its vertices; with these, none.
+  // With 2,500 tests a face, six thin plates keep 32 pairs of intersecting triangles in 30 runs; with these, 12.
   static constexpr std::size_t tests_per_face = 3000, tests_of_output = 250000;
   static constexpr std::size_t max_tests_of_repair = 16000000; // one or two seconds
 

@@ -56,12 +56,12 @@ public:
       at_input_vertices_(at_input_vertices)
   {}
 
-  // `vertices` are the corners of the triangles `faulty`.
-  std::vector<Placement_change> at(const std::vector<Index>& faulty, const std::vector<Index>& vertices) const
+  // `vertices` are the corners of the triangles `faulty`. `tries_faces` adds moves to faces of the clusters.
+  std::vector<Placement_change> at(const std::vector<Index>& faulty, const std::vector<Index>& vertices, bool tries_faces) const
   {
     std::vector<Placement_change> changes;
     for (const Index v : vertices)
-      for (const Vector& to : border_.is_on_border(v) ? places_on_line(v) : places_for(v))
+      for (const Vector& to : border_.is_on_border(v) ? places_on_line(v) : places_for(v, tries_faces))
         changes.push_back({{{v, to}}, NONE, 0});
     for (const Index t : faulty)
       for (int i = 0; i < 3; ++i) {
@@ -79,10 +79,10 @@ public:
   }
 
 private:
-  static constexpr std::size_t max_input_vertices = 24;
+  static constexpr std::size_t max_input_vertices = 24, max_input_faces = 12;
 
   // Returns possible positions of a vertex.
-  std::vector<Vector> places_for(Index v) const
+  std::vector<Vector> places_for(Index v, bool tries_faces) const
   {
     std::vector<Vector> places;
     if (at_input_vertices_) {
@@ -99,6 +99,10 @@ private:
       places.push_back(from + part * (centroid - from));
       places.push_back(from + part * (middle - from));
     }
+    const Clustered_faces::Range faces = surface_.faces(v);
+    const std::size_t step = 1 + faces.size() / max_input_faces;
+    for (std::size_t i = step / 2; tries_faces && i < faces.size(); i += step)
+      places.push_back(surface_.centroid(faces.begin()[i]));
     for (const double part : {0.01, 0.03, 0.1, 0.25}) {
       const Vector out = part * size_around(coarse_, positions_, v) * reference_.normal(v);
       places.push_back(from + out);
