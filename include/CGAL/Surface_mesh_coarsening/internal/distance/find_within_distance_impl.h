@@ -173,13 +173,14 @@ private:
   }
 
   // Returns whether the result is within the distance. Where it is too far, moves vertices: the fit minimizes the mean of the
-  // squared distances, and a few places determine the maximum.
+  // squared distances, and a few places determine the maximum. Steps end where the distance is far too large and has not fallen.
   bool approach(Repair_budget& budget)
   {
     constexpr int max_steps = 3;
-    constexpr double max_ratio = 2;
+    constexpr double max_ratio = 2, max_ratio_without_gain = 1.25;
     begin_bounds();
     std::unique_ptr<Bordered_surface> surface;
+    double last_bound = infinite;
     for (int step = 0;; ++step) {
       const Measured_distance measured = measure(false);
       nearest_ = (std::min)(nearest_, measured.bound);
@@ -187,6 +188,9 @@ private:
         return true;
       if (step == max_steps || measured.bound > max_ratio * local_distance_ || has_many_intersections(state_, dual_))
         return false;
+      if (measured.bound >= last_bound && measured.bound > max_ratio_without_gain * local_distance_)
+        return false;
+      last_bound = measured.bound;
       const std::size_t left = dual_.number_left();
       if (!surface)
         surface = bordered_surface(state_, dual_);

@@ -23,9 +23,12 @@ public:
   Prepared_triangle(const Vector& a, const Vector& b, const Vector& c) : corners_{{a, b, c}}
   {
     const Vector ab = b - a, ac = c - a, n = cross(ab, ac);
-    const double square = dot(n, n), longest = (std::max)(dot(ab, ab), dot(ac, ac));
-    if (!(square > (std::max)(flat * longest * longest, tiny)))
+    const double square = dot(n, n), longest = (std::max)(dot(ab, ab), dot(ac, ac)), least = flat * longest * longest;
+    if (!(square > (std::max)(least, tiny))) {
+      if (least > tiny)
+        find_longest_side();
       return;
+    }
     normal_ = (1 / std::sqrt(square)) * n;
     gradients_[0] = (1 / square) * cross(ac, n);
     gradients_[1] = (1 / square) * cross(n, ab);
@@ -40,7 +43,7 @@ public:
   Foot_point closest(const Vector& p) const
   {
     if (is_flat_)
-      return closest_on_triangle(p, corners_[0], corners_[1], corners_[2]);
+      return closest_on_flat(p);
     const Vector d = p - corners_[0];
     return closest(p, dot(normal_, d), dot(gradients_[0], d), dot(gradients_[1], d));
   }
@@ -51,7 +54,7 @@ public:
   {
     Foot_point foot;
     if (is_flat_) {
-      foot = closest_on_triangle(p, corners_[0], corners_[1], corners_[2]);
+      foot = closest_on_flat(p);
     } else {
       const Vector d = p - corners_[0];
       const double across = dot(normal_, d), v = dot(gradients_[0], d), w = dot(gradients_[1], d);
@@ -88,6 +91,28 @@ private:
   // A square of this size has no finite reciprocal, or is inexact. A vertex far from all others makes such triangles.
   static constexpr double tiny = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
 
+  void find_longest_side()
+  {
+    double longest = -1;
+    for (int i = 0; i < 3; ++i) {
+      const Vector side = corners_[std::size_t((i + 1) % 3)] - corners_[std::size_t(i)];
+      if (dot(side, side) > longest) {
+        longest = dot(side, side);
+        longest_side_ = i;
+      }
+    }
+  }
+
+  Foot_point closest_on_flat(const Vector& p) const
+  {
+    if (longest_side_ < 0)
+      return closest_on_triangle(p, corners_[0], corners_[1], corners_[2]);
+    const std::size_t i = std::size_t(longest_side_), j = (i + 1) % 3;
+    Foot_point best{{{1, 0, 0}}, -1};
+    improve_on_side(p - corners_[i], corners_[j] - corners_[i], i, j, best);
+    return best;
+  }
+
   // `across` is the distance from the plane; `v` and `w` are the last two barycentric coordinates.
   Foot_point closest(const Vector& p, double across, double v, double w) const
   {
@@ -110,6 +135,7 @@ private:
   Vector normal_{{0, 0, 0}};
   std::array<double, 3> heights_;
   bool is_flat_ = true;
+  int longest_side_ = -1; // of a flat triangle whose other sides lie on it but for rounding errors, from this corner to the next
 };
 
 } // namespace internal
