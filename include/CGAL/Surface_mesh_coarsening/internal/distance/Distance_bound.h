@@ -98,9 +98,10 @@ public:
   }
 
   // Bounds the distance, up to a 32nd part of it if it is larger than `limit`. Otherwise the bound is at most `limit` and, if it is
-  // `precise`, exceeds the distance by at most a 32nd part of `limit`. When the work is spent, bounds are larger.
+  // `precise`, exceeds the distance by at most a 32nd part of `limit`. When the work is spent, or a distance exceeds `hopeless`, bounds are
+  // larger.
   Measured_distance operator()(const std::vector<Vector>& positions, const std::vector<Triangle>& triangles, double limit,
-                               bool precise)
+                               bool precise, double hopeless)
   {
     const Surface coarse(positions, triangles);
     Measured_distance measured;
@@ -131,7 +132,7 @@ public:
           measure({from->corners(t), Index(t), from->group[t], from == &coarse, 0});
     const double least_error = (std::max)(limit / 8192, 1e-12 * surface_.largest_coordinate);
     std::size_t number = 0; // of the points until the distance is known up to a 32nd, which does not depend on the limit
-    while (!undecided.empty() && work_left_ > 0) {
+    while (!undecided.empty() && work_left_ > 0 && reached <= hopeless) {
       const double largest = undecided.front().bound;
       if (number == 0 && largest <= reached + reached / 32) {
         number = points.size();

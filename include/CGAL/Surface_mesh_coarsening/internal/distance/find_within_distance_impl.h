@@ -72,6 +72,7 @@ public:
     }
     report_.vertices = state_.number_of_clusters();
     work_left_ = work_of_trial();
+    hopeless_ = infinite;
     const double bound = measure(true).bound;
     report_.is_within_distance = bound <= local_distance_;
     report_.distance_bound = state_.frame.length_to_mesh(bound);
@@ -149,9 +150,8 @@ private:
   // Computes the result for a number of vertices, as far as the answer needs it, or completely.
   bool is_within_distance(std::size_t n, bool is_last)
   {
-    // The exchange of vertices lowers the largest distance less.
-    constexpr double largest_gain = 4;
     nearest_ = infinite;
+    hopeless_ = is_last ? infinite : largest_gain * local_distance_;
     try {
       cluster(n);
     } catch (const Unreachable_number_of_vertices&) {
@@ -165,7 +165,7 @@ private:
       dual_ = place(state_, placement_, output_coordinates_, budget);
       if (approach(budget))
         return true;
-      if (nearest_ > largest_gain * local_distance_ && !is_last)
+      if (nearest_ > hopeless_)
         return false;
     }
     dual_ = place_and_exchange(state_, placement_, output_coordinates_, budget);
@@ -215,12 +215,14 @@ private:
     for (const Vector& p : dual_.positions)
       rounded.push_back(state_.frame.to_local(output_coordinates_(p)));
     ++report_.bounds;
-    return (*bound_of_)(rounded, dual_.triangles, local_distance_, precise);
+    return (*bound_of_)(rounded, dual_.triangles, local_distance_, precise, hopeless_);
   }
 
   // A trial is repaired with a small part of the usual work. The numbers found for twelve models and distances from .003 to .02
   // are the same with a whole part.
   static constexpr std::size_t parts_per_trial = 8;
+  // The exchange of vertices lowers the largest distance less.
+  static constexpr double largest_gain = 4;
   // The bound of a narrow miss, in requested distances.
   static constexpr double narrow_miss = 1.5;
   static constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -237,6 +239,7 @@ private:
   std::size_t work_left_ = 0; // of the bounds of a trial
   std::optional<Distance_bound> bound_of_;
   double nearest_ = infinite; // the least bound of the last trial
+  double hopeless_ = infinite; // the distance beyond which a trial ends
 };
 
 CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual

@@ -92,8 +92,8 @@ private:
       tries_faces_ = rounds_without_gain >= kinds_of_perturbation;
       const std::vector<Triangle_pair> pairs = faults_.pairs();
       const std::vector<Index> reversed = faults_.reversed();
-      if (rounds_without_gain > 0)
-        perturb_around(pairs, reversed, rounds_without_gain);
+      if (rounds_without_gain > 0 && !perturb_around(pairs, reversed, rounds_without_gain) && prefers_gain_)
+        break;
       repair_faults(pairs, reversed);
       ++rounds_without_gain;
       if (faults_.number() < least) {
@@ -309,8 +309,8 @@ private:
 
   // If no change has helped, moves the vertices around faults outwards, which thickens thin parts, halfway to the centroids of
   // their clusters, or inwards, which widens gaps, each time farther. Then changes are tried again. When each perturbation has
-  // been made once, moves to faces of the clusters are tried, too.
-  void perturb_around(const std::vector<Triangle_pair>& pairs, const std::vector<Index>& reversed, std::size_t time)
+  // been made once, moves to faces of the clusters are tried, too. Returns whether a vertex has moved.
+  bool perturb_around(const std::vector<Triangle_pair>& pairs, const std::vector<Index>& reversed, std::size_t time)
   {
     std::set<Index> vertices;
     const auto add_ring = [&](Index t) {
@@ -324,6 +324,7 @@ private:
     }
     for (const Index t : reversed)
       add_ring(t);
+    bool has_moved = false;
     for (const Index v : vertices) {
       if (at_input_vertices_ || border_.is_on_border(v))
         continue;
@@ -332,8 +333,11 @@ private:
                                          : size_around(coarse_, positions_, v) * reference_.normal(v);
       const double farther = 0.03 * double(1 + (time - 1) / kinds_of_perturbation);
       const double part = goes_back ? 0.5 : time % kinds_of_perturbation == 1 ? farther : -farther;
-      make_for_good({{{v, surface_.within_bounds(v, without_last_digits(positions_[v] + part * direction))}}, NONE, 0});
+      const Vector from = positions_[v];
+      make_for_good({{{v, surface_.within_bounds(v, without_last_digits(from + part * direction))}}, NONE, 0});
+      has_moved = has_moved || positions_[v] != from;
     }
+    return has_moved;
   }
 
   const Clustered_faces& surface_;
