@@ -186,8 +186,8 @@ BOOST_AUTO_TEST_CASE(bounds_of_relocated_clusters)
   const Clustering_state& state = clustering.state();
   Cluster_relocation clusters(state.featured_input(), *state.labels, Index(n));
   Placed_dual dual;
-  const std::unique_ptr<Clustered_faces> surface = clustered_faces(state, dual);
-  const Vertex_relocation relocation = vertex_relocation(state, *surface, clusters);
+  const std::unique_ptr<Bordered_surface> surface = bordered_surface(state, dual);
+  const Vertex_relocation relocation = vertex_relocation(state, surface->faces, clusters);
   for (std::size_t x = 0; x < n; ++x)
     relocation.relocate(Index(x), NONE, {Index(x * (mesh.number_of_faces() / n))});
   BOOST_CHECK_GT(clusters.number(), n / 4);

@@ -194,7 +194,7 @@ private:
       const std::size_t left = dual_.number_left();
       if (!surface)
         surface = bordered_surface(state_, dual_);
-      approach_far_points(measured.far, far_part * measured.reached, *surface->faces, surface->border, dual_.triangles,
+      approach_far_points(measured.far, far_part * measured.reached, surface->faces, surface->border, dual_.triangles,
                           dual_.positions);
       dual_.counts = repair_exchanged(state_, *surface, placement_, output_coordinates_, dual_, budget);
       if (dual_.number_left() > left)

@@ -23,13 +23,6 @@ namespace internal {
 // Each placement after the first takes about as long as this number of exact tests for each triangle.
 constexpr std::size_t placement_tests = 1000;
 
-// Returns the surface with its current clusters.
-inline std::unique_ptr<Clustered_faces> clustered_faces(const Clustering_state& state, Placed_dual& dual)
-{
-  dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
-  return std::make_unique<Clustered_faces>(*dual.pieces, state.number_of_clusters(), state.context);
-}
-
 // Restores the clusters of a placement, after the same clustering has been computed again without relocated clusters.
 inline void restore_clusters(Clustering_state& state, const std::vector<Index>& old_labels, Placed_dual& dual)
 {
@@ -41,18 +34,19 @@ inline void restore_clusters(Clustering_state& state, const std::vector<Index>& 
 // The surface with its current clusters, and the positions of vertices on its border and features.
 struct Bordered_surface
 {
-  Bordered_surface(std::unique_ptr<Clustered_faces> surface, bool places_on_borders)
-    : faces(std::move(surface)),
-      border(*faces, places_on_borders)
+  Bordered_surface(const Clustering_state& state, const Labelled_pieces& pieces)
+    : faces(pieces, state.number_of_clusters(), state.context),
+      border(faces, !state.follows_paper)
   {}
 
-  std::unique_ptr<Clustered_faces> faces;
+  Clustered_faces faces;
   Border_arcs border;
 };
 
 inline std::unique_ptr<Bordered_surface> bordered_surface(const Clustering_state& state, Placed_dual& dual)
 {
-  return std::make_unique<Bordered_surface>(clustered_faces(state, dual), !state.follows_paper);
+  dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
+  return std::make_unique<Bordered_surface>(state, *dual.pieces);
 }
 
 // Returns one of some parts of the budget.
@@ -61,13 +55,7 @@ inline Repair_budget repair_budget(const Clustering_state& state, std::size_t pa
   return Repair_budget(state.base_input().mesh.number_of_faces(), parts);
 }
 
-// Returns whether pairs of triangles still intersect, and are at most half as many as the clusters.
-inline bool is_worth_repairing(const Clustering_state& state, const Placed_dual& dual, const Repair_budget& budget)
-{
-  return dual.number_left() > 0 && 2 * dual.number_left() <= state.number_of_clusters() && !budget.is_spent();
-}
-
-// Returns whether there are more than one for a thousand clusters. Fewer do not justify another placement or clustering of the
+// Returns whether more than one pair of triangles for a thousand clusters intersect. Fewer do not justify another clustering of the
 // whole mesh.
 inline bool has_many_intersections(const Clustering_state& state, const Placed_dual& dual)
 {
@@ -98,7 +86,7 @@ inline Repair_counts repaired(const Clustering_state& state, const Bordered_surf
 {
   if (!state.repairs_output)
     return Repair_counts();
-  return repair_placement({*surface.faces, surface.border, placement}, output_coordinates, dual.triangles, dual.positions,
+  return repair_placement({surface.faces, surface.border, placement}, output_coordinates, dual.triangles, dual.positions,
                           budget);
 }
 
@@ -111,7 +99,7 @@ inline Placed_dual place(const Clustering_state& state, const Placement_model& p
   const std::unique_ptr<Bordered_surface> surface = bordered_surface(state, dual);
   dual.triangles = dual_triangles(labels(state), state.context);
   state.context.stage_ends(Coarsening_stage::TRIANGULATION);
-  dual.positions = place_vertices({*surface->faces, surface->border, placement}, dual.triangles);
+  dual.positions = place_vertices({surface->faces, surface->border, placement}, dual.triangles);
   dual.counts = repaired(state, *surface, placement, output_coordinates, dual, budget);
   state.context.throw_if_cancelled();
   return dual;
@@ -123,7 +111,7 @@ inline Repair_counts repair_exchanged(const Clustering_state& state, const Borde
                                       Placed_dual& dual, Repair_budget& budget)
 {
   for (std::size_t x = 0; x < dual.positions.size(); ++x)
-    dual.positions[x] = surface.faces->within_bounds(x, dual.positions[x]);
+    dual.positions[x] = surface.faces.within_bounds(x, dual.positions[x]);
   return repaired(state, surface, placement, output_coordinates, dual, budget);
 }
 
@@ -151,12 +139,12 @@ inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_
     context.stage_begins(Coarsening_stage::PLACEMENT);
     dual.positions.resize(state.number_of_clusters());
     surface->border.place(dual.positions);
-    placement.exchanging(*surface->faces, surface->border, dual.triangles, dual.positions,
-                         vertex_relocation(state, *surface->faces, clusters));
+    placement.exchanging(surface->faces, surface->border, dual.triangles, dual.positions,
+                         vertex_relocation(state, surface->faces, clusters));
     context.stage_ends(Coarsening_stage::FEEDBACK);
     if (clusters.number() > 0)
       surface = bordered_surface(state, dual);
-    CGAL_assertion(stay_on_components(*surface->faces, dual.triangles));
+    CGAL_assertion(stay_on_components(surface->faces, dual.triangles));
     dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual, budget);
     context.throw_if_cancelled();
     if (clusters.number() > 0) {

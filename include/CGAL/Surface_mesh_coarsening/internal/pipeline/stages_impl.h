@@ -351,10 +351,10 @@ inline void recluster(Clustering_state& state, const std::vector<double>& densit
   minimize(state, end);
 }
 
-// Returns whether other densities are likely to reduce the number of intersections.
+// Returns whether other densities are likely to reduce the number of intersections. They do not if it exceeds half of the clusters.
 inline bool is_worth_reclustering(const Clustering_state& state, const Placed_dual& dual, const Repair_budget& budget)
 {
-  return is_worth_repairing(state, dual, budget) && has_many_intersections(state, dual) &&
+  return has_many_intersections(state, dual) && 2 * dual.number_left() <= state.number_of_clusters() && !budget.is_spent() &&
          state.seeding.kind != Seeding::BY_CALLER && state.energy->depends_on_densities() && !has_vertex_cells(state.input);
 }
 
