@@ -11,10 +11,14 @@
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/coarsen_mesh_to_distance.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Prepared_triangle.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <ctime>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -50,6 +54,30 @@ BOOST_AUTO_TEST_CASE(repair)
   constexpr double bound = 20;
   BOOST_CHECK_LE(seconds_each("bipyramid", test::to_mesh(bipyramid(1000)), 350), bound * usual);
   BOOST_CHECK_LE(seconds_each("tube", test::to_mesh(triangulated(tube(3, 1000))), 300), bound * usual);
+}
+
+// Flat triangles are compared by one side only; the feet are the nearest points nevertheless.
+BOOST_AUTO_TEST_CASE(feet_on_flat_triangles)
+{
+  using namespace SMC::internal;
+  constexpr double tolerance = 1e-9;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(-1, 1), place(-1, 2);
+  const auto point = [&] { return Vector{{coordinate(random), coordinate(random), coordinate(random)}}; };
+  for (int i = 0; i < 1000; ++i) {
+    const Vector a = point(), b = point(), c = a + place(random) * (b - a) + 1e-13 * point(), p = point();
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& side : {std::array<Vector, 2>{{a, b}}, {{b, c}}, {{c, a}}}) {
+      const double part = closest_on_segment(p, side[0], side[1]);
+      nearest = (std::min)(nearest, length(side[0] + part * (side[1] - side[0]) - p));
+    }
+    for (const auto& t : {std::array<Vector, 3>{{a, b, c}}, {{b, c, a}}, {{c, a, b}}}) {
+      const Foot_point foot = Prepared_triangle(t[0], t[1], t[2]).closest(p);
+      const Vector offset = foot.barycentric[0] * t[0] + foot.barycentric[1] * t[1] + foot.barycentric[2] * t[2] - p;
+      BOOST_CHECK_SMALL(std::sqrt(foot.squared_distance) - nearest, tolerance);
+      BOOST_CHECK_SMALL(length(offset) - nearest, tolerance);
+    }
+  }
 }
 
 // Neither exponents far from each other, nor coincident and coplanar points, nor large polygons take long: at most 100 times the

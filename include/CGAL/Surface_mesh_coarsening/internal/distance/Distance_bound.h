@@ -97,9 +97,9 @@ public:
     surface_.prepare();
   }
 
-  // Bounds the distance, up to a 32nd part of it if it is larger than `limit`. Otherwise the bound is at most `limit` and, if it is
-  // `precise`, exceeds the distance by at most a 32nd part of `limit`. When the work is spent, or a distance exceeds `hopeless`, bounds are
-  // larger.
+  // Bounds the distance, up to a 32nd part of it if it is larger than `limit`. Otherwise the bound is at most `limit` and, if it
+  // is `precise`, exceeds the distance by at most a 32nd part of `limit`. When the work is spent, or the distance exceeds
+  // `hopeless`, bounds are larger.
   Measured_distance operator()(const std::vector<Vector>& positions, const std::vector<Triangle>& triangles, double limit,
                                bool precise, double hopeless)
   {

@@ -55,8 +55,8 @@ inline Repair_budget repair_budget(const Clustering_state& state, std::size_t pa
   return Repair_budget(state.base_input().mesh.number_of_faces(), parts);
 }
 
-// Returns whether more than one pair of triangles for a thousand clusters intersect. Fewer do not justify another clustering of the
-// whole mesh.
+// Returns whether more than one pair of triangles for a thousand clusters intersect. Fewer do not justify another clustering of
+// the whole mesh.
 inline bool has_many_intersections(const Clustering_state& state, const Placed_dual& dual)
 {
   return 1000 * dual.number_left() > state.number_of_clusters();
@@ -124,7 +124,8 @@ inline bool stay_on_components(const Clustered_faces& surface, const std::vector
   });
 }
 
-// Places the vertices, exchanges some of them together with their clusters, and repairs the placement. Nothing changes if this fails.
+// Places the vertices, exchanges some of them together with their clusters, and repairs the placement. If this fails, nothing
+// changes.
 inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_model& placement,
                                        const Output_coordinates& output_coordinates, Repair_budget& budget)
 {

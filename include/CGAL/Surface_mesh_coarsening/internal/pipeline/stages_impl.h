@@ -351,7 +351,8 @@ inline void recluster(Clustering_state& state, const std::vector<double>& densit
   minimize(state, end);
 }
 
-// Returns whether other densities are likely to reduce the number of intersections. They do not if it exceeds half of the clusters.
+// Returns whether other densities are likely to reduce the number of intersections. They are not if it exceeds half the number of
+// clusters.
 inline bool is_worth_reclustering(const Clustering_state& state, const Placed_dual& dual, const Repair_budget& budget)
 {
   return has_many_intersections(state, dual) && 2 * dual.number_left() <= state.number_of_clusters() && !budget.is_spent() &&
