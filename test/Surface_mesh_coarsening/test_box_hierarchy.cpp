@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(conflicts_are_exact)
       const double x = coordinate(), y = coordinate(), z = coordinate();
       points.push_back(change(x, y, z));
     }
-    const Triangle_conflict conflict(points, have_wide_exponents(points));
+    const Triangle_conflict conflict(points);
     const auto point = [&](Index v) { return Exact_point(points[v][0], points[v][1], points[v][2]); };
     const auto exact = [&](const Triangle& t) { return Exact_tests::Triangle_3(point(t[0]), point(t[1]), point(t[2])); };
     std::size_t conflicts = 0;
@@ -176,6 +176,27 @@ BOOST_AUTO_TEST_CASE(conflicts_are_exact)
     }
     BOOST_TEST(conflicts > 0u);
   }
+}
+
+// The repair's budget counts what exact numbers cost: nothing where rounding errors do not matter, and more where exponents
+// differ.
+BOOST_AUTO_TEST_CASE(exact_numbers_count_as_work)
+{
+  using namespace CGAL::Surface_mesh_coarsening::internal;
+  const auto work_of = [](const std::vector<Vector>& points) {
+    const Triangle_conflict conflict(points);
+    conflict({{0, 1, 2}}, {{3, 4, 5}});
+    const std::size_t work = conflict.take_work();
+    BOOST_TEST(conflict.take_work() == 0u);
+    return work;
+  };
+  const auto plane_through = [](double size) {
+    return std::vector<Vector>{{{0, 0, 0}}, {{size, 0, 0}}, {{0, 1, 0}}, {{0.2, 0.2, 0}}, {{1, 1, 0}}, {{0.2, 1, 0}}};
+  };
+  BOOST_TEST(work_of({{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0.2, 0.2, -1}}, {{0.2, 0.3, 1}}, {{1, 1, 1}}}) == 1u);
+  const std::size_t in_plane = work_of(plane_through(1));
+  BOOST_TEST(in_plane > 1u);
+  BOOST_TEST(work_of(plane_through(1e200)) > 4 * in_plane);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

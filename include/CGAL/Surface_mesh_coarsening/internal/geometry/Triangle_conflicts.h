@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -38,36 +39,21 @@ inline double largest_component(const Vector& v)
   return (std::max)((std::max)(std::abs(v[0]), std::abs(v[1])), std::abs(v[2]));
 }
 
-// Returns whether the filters of exact tests often fail: some points are much farther from the origin than most of them, or
-// the coordinates are very large or small.
-inline bool have_wide_exponents(const std::vector<Vector>& points)
-{
-  constexpr int usual_difference = 8, usual_exponent = 128;
-  long sum = 0, number = 0, largest = 0;
-  for (const Vector& p : points) {
-    const double size = largest_component(p);
-    if (!(size > 0))
-      continue;
-    const long exponent = std::ilogb(size);
-    largest = number == 0 ? exponent : (std::max)(largest, exponent);
-    sum += exponent;
-    ++number;
-  }
-  return number > 0 && (largest - sum / number > usual_difference || std::abs(largest) > usual_exponent);
-}
-
 // Tests exactly whether triangles have more points in common than their common vertices. A degenerate triangle conflicts with
-// a neighbor only if its longest side does. If exponents are wide, the orientation of directions is tested first: the filters of
-// CGAL fail then, and its exact numbers have hundreds of digits.
+// a neighbor only if its longest side does. The orientation of directions is tested first: where exponents differ much, the
+// filters of CGAL fail, and its exact numbers have hundreds of digits. Counts the work of exact numbers, so each thread has its
+// own copy.
 class Triangle_conflict
 {
 public:
-  explicit Triangle_conflict(const std::vector<Vector>& points, bool has_wide_exponents = false)
-    : points_(points), has_wide_exponents_(has_wide_exponents)
-  {}
+  explicit Triangle_conflict(const std::vector<Vector>& points) : points_(points) {}
+
+  // Returns the work of all tests since the last call, in usual tests.
+  std::size_t take_work() const { return std::exchange(work_, 0); }
 
   bool operator()(const Triangle& t, const Triangle& u) const
   {
+    ++work_;
     std::array<int, 3> in_u{{-1, -1, -1}};
     int common = 0, shared = 0, other = 0; // the last common corner of t, and the last one that is not
     for (int i = 0; i < 3; ++i) {
@@ -103,6 +89,7 @@ public:
       return *certain;
     if (are_beside(u, {t[0], t[1], t[2]}) || are_beside(t, {u[0], u[1], u[2]}) || is_flat(t) || is_flat(u))
       return false;
+    count_exact_computation({t[0], t[1], t[2], u[0], u[1], u[2]});
     return do_intersect(triangle(t), triangle(u));
   }
 
@@ -318,26 +305,38 @@ private:
     return sign;
   }
 
+  // Exact numbers are longer where exponents differ.
+  void count_exact_computation(std::initializer_list<Index> vertices) const
+  {
+    constexpr int work_of_word = 4, bits_of_word = 64;
+    int least = (std::numeric_limits<int>::max)(), largest = (std::numeric_limits<int>::min)();
+    for (const Index v : vertices)
+      for (const double x : points_[v])
+        if (x != 0) {
+          least = (std::min)(least, std::ilogb(x));
+          largest = (std::max)(largest, std::ilogb(x));
+        }
+    work_ += std::size_t(work_of_word * (1 + (std::max)(largest - least, 0) / bits_of_word));
+  }
+
   Orientation side_of(Index a, Index b, Index c, Index d) const
   {
-    if (has_wide_exponents_) {
-      std::array<Index, 4> v{{a, b, c, d}};
-      const double sign = begin_with_nearest(v);
-      const double det = sign * dot(direction(v[0], v[1]), cross(direction(v[0], v[2]), direction(v[0], v[3])));
-      if (std::abs(det) > rounding)
-        return det > 0 ? POSITIVE : NEGATIVE;
-    }
+    std::array<Index, 4> v{{a, b, c, d}};
+    const double sign = begin_with_nearest(v);
+    const double det = sign * dot(direction(v[0], v[1]), cross(direction(v[0], v[2]), direction(v[0], v[3])));
+    if (std::abs(det) > rounding)
+      return det > 0 ? POSITIVE : NEGATIVE;
+    count_exact_computation({a, b, c, d});
     return orientation(exact(a), exact(b), exact(c), exact(d));
   }
 
   bool are_collinear(Index a, Index b, Index c) const
   {
-    if (has_wide_exponents_) {
-      std::array<Index, 3> v{{a, b, c}};
-      begin_with_nearest(v);
-      if (largest_component(cross(direction(v[0], v[1]), direction(v[0], v[2]))) > rounding)
-        return false;
-    }
+    std::array<Index, 3> v{{a, b, c}};
+    begin_with_nearest(v);
+    if (largest_component(cross(direction(v[0], v[1]), direction(v[0], v[2]))) > rounding)
+      return false;
+    count_exact_computation({a, b, c});
     return collinear(exact(a), exact(b), exact(c));
   }
 
@@ -361,22 +360,23 @@ private:
   // Returns whether an edge opposite to the vertex shared with a triangle intersects that triangle.
   bool crosses(const Triangle& t, Index a, Index b) const
   {
+    count_exact_computation({t[0], t[1], t[2], a, b});
     return points_[a] != points_[b] && !is_flat(t) && do_intersect(triangle(t), Exact_tests::Segment_3(exact(a), exact(b)));
   }
 
   const std::vector<Vector>& points_;
-  bool has_wide_exponents_;
+  mutable std::size_t work_ = 0;
 };
 
-// Returns all pairs of conflicting triangles, in order. `boxes` are the boxes of the triangles. Adds the number of tests to
-// `tests`.
-inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>& triangles, const Triangle_conflict& conflict,
-                                                    const Box_hierarchy& boxes, const Run_context& context, std::size_t& tests)
+// Returns all pairs of conflicting triangles, in order. `boxes` are the boxes of the triangles. Adds the work of the tests to
+// `work`.
+inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>& triangles, const Triangle_conflict& exact_test,
+                                                    const Box_hierarchy& boxes, const Run_context& context, std::size_t& work)
 {
   struct Part
   {
     std::vector<Triangle_pair> pairs;
-    std::size_t tests;
+    std::size_t work = 0;
   };
   std::vector<Triangle_pair> pairs;
   Shared_cancellation_point cancellation(context);
@@ -385,25 +385,26 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
     context.uninterrupted(), triangles.size(), 64,
     [&](Part& part, std::size_t begin, std::size_t end) {
       part = Part();
+      const Triangle_conflict conflict = exact_test;
       for (std::size_t t = begin; t < end; ++t) {
         // Very many coincident points would be compared pairwise, so triangles that are points are left out.
         if (conflict.is_point(triangles[t]))
           continue;
-        const std::size_t before = part.tests;
         boxes.for_each_overlapping(conflict.box(triangles[t]), [&](Index u) {
           if (u <= t || conflict.is_point(triangles[u]))
             return;
-          ++part.tests;
           if (conflict(triangles[t], triangles[u]))
             part.pairs.emplace_back(Index(t), u);
         });
         // One part can have very many tests, where all triangles are long.
-        if (!cancellation.poll(part.tests - before))
+        const std::size_t work_of_triangle = conflict.take_work();
+        part.work += work_of_triangle;
+        if (!cancellation.poll(work_of_triangle))
           return;
       }
     },
     [&](const Part& part) {
-      tests += part.tests;
+      work += part.work;
       pairs.insert(pairs.end(), part.pairs.begin(), part.pairs.end());
     });
   std::sort(pairs.begin(), pairs.end());

@@ -112,7 +112,7 @@ class Input_oracle
 public:
   Input_oracle(const Clustered_faces& surface, Repair_budget& budget)
     : surface_(surface), input_(surface.input().mesh), boxes_(surface), normals_(surface.number_of_clusters()),
-      has_wide_exponents_(have_wide_exponents(surface.input().mesh.points)), budget_(budget)
+      budget_(budget)
   {
     const Run_context context = surface.context().uninterrupted();
     for_each_chunk(context, normals_.size(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
@@ -247,12 +247,12 @@ private:
   // long triangles, testing all pairs would take quadratic time.
   static std::size_t max_pairs(std::size_t pieces) { return 1000 + 16 * pieces; }
 
-  // Adds the number of tested pairs to `tests`.
-  bool pieces_intersect(const std::vector<Triangle>& of_x, const std::vector<Triangle>& of_y, std::size_t& tests) const
+  // Adds the work of the tests to `work`.
+  bool pieces_intersect(const std::vector<Triangle>& of_x, const std::vector<Triangle>& of_y, std::size_t& work) const
   {
     if (of_x.empty() || of_y.empty())
       return false;
-    const Triangle_conflict conflict(surface_.input().mesh.points, has_wide_exponents_);
+    const Triangle_conflict conflict(surface_.input().mesh.points);
     Box_hierarchy hierarchy;
     hierarchy.build(conflict.boxes(of_y));
     std::size_t left = max_pairs(of_x.size() + of_y.size());
@@ -262,9 +262,9 @@ private:
         if (found || left == 0)
           return;
         --left;
-        ++tests;
         found = !have_common_corner(of_x[i], of_y[j]) && conflict(of_x[i], of_y[j]);
       });
+    work += conflict.take_work();
     return found;
   }
 
@@ -291,7 +291,6 @@ private:
   Input_surface input_;
   const Cluster_boxes boxes_;
   std::vector<Vector> normals_;
-  const bool has_wide_exponents_;
   Repair_budget& budget_;
   std::unordered_map<std::uint64_t, bool> intersecting_; // tested pairs of clusters
 };

@@ -32,7 +32,7 @@ public:
   Placement_faults(const Clustered_faces& surface, Input_oracle& reference, const Flippable_triangulation& coarse,
                    const std::vector<Vector>& positions, const Output_coordinates& output, Repair_budget& budget)
     : budget_(budget), surface_(surface), reference_(reference), coarse_(coarse), positions_(positions), output_(output),
-      exponent_(exponent_of_unit()), points_(positions.size())
+      exponent_(exponent_of_unit()), points_(positions.size()), exact_test_(points_)
   {}
 
   // Finds all faults of the current positions.
@@ -40,17 +40,14 @@ public:
   {
     for (std::size_t v = 0; v < positions_.size(); ++v)
       follow(Index(v));
-    has_wide_exponents_ = have_wide_exponents(points_);
-    has_coarse_coordinates_ = have_coarse_coordinates();
-    const Triangle_conflict conflict = exact_test();
-    boxes_.build(conflict.boxes(coarse_.triangles()));
+    boxes_.build(exact_test_.boxes(coarse_.triangles()));
     conflicts_.assign(coarse_.triangles().size(), {});
     number_of_pairs_ = 0;
-    std::size_t tests = 0;
-    for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), conflict, boxes_, surface_.context(), tests))
+    std::size_t work = 0;
+    for (const Triangle_pair& pair : conflicting_pairs(coarse_.triangles(), exact_test_, boxes_, surface_.context(), work))
       if (!is_in_input(pair))
         add_pair(pair.first, pair.second);
-    budget_.spend(tests * work_of_test());
+    budget_.spend(work);
     find_reversed();
   }
 
@@ -93,17 +90,15 @@ public:
   // Updates the faults of triangles after a permanent change.
   void update(const std::vector<Index>& triangles)
   {
-    const Triangle_conflict conflict = exact_test();
     for (const Index t : triangles) {
-      boxes_.grow(t, conflict.box(coarse_.triangles()[t]));
+      boxes_.grow(t, exact_test_.box(coarse_.triangles()[t]));
       remove_pairs_of(t);
     }
     for (const Index t : triangles) {
       surface_.context().poll();
-      boxes_.for_each_overlapping(conflict.box(coarse_.triangles()[t]), [&](Index u) {
+      boxes_.for_each_overlapping(exact_test_.box(coarse_.triangles()[t]), [&](Index u) {
         if (u == t || (u < t && std::binary_search(triangles.begin(), triangles.end(), u)))
           return;
-        budget_.spend(work_of_test());
         if (is_fault(t, u))
           add_pair(t, u);
       });
@@ -114,11 +109,10 @@ public:
   // Finds the triangles that changes at some vertices may affect.
   void look_around(const std::vector<Index>& vertices)
   {
-    const Triangle_conflict conflict = exact_test();
     Bbox_3 region;
     for (const Index v : vertices)
       for (const Index t : coarse_.around(v))
-        region += conflict.box(coarse_.triangles()[t]);
+        region += exact_test_.box(coarse_.triangles()[t]);
     for (const Index v : vertices)
       region += box_of_point(in_unit(output_(surface_.cluster_centroid(v))));
     region = grown(region, 0.25 * (std::max)({region.x_span(), region.y_span(), region.z_span()}));
@@ -178,30 +172,11 @@ private:
     return exponent_ == 0 ? p : Vector{{scaled(p[0]), scaled(p[1]), scaled(p[2])}};
   }
 
-  Triangle_conflict exact_test() const { return Triangle_conflict(points_, has_wide_exponents_); }
-
-  // Returns whether so many triangles have collinear corners that coordinates seem to be rounded. The filters of exact tests
-  // often fail then.
-  bool have_coarse_coordinates() const
-  {
-    constexpr std::size_t usual_share = 32;
-    const Triangle_conflict conflict = exact_test();
-    const auto& triangles = coarse_.triangles();
-    const auto flat =
-      std::count_if(triangles.begin(), triangles.end(), [&](const Triangle& t) { return conflict.is_flat(t); });
-    return usual_share * std::size_t(flat) > triangles.size();
-  }
-
-  // In units of a usual test. At faults, the quick filters decide few tests.
-  std::size_t work_of_test() const
-  {
-    constexpr std::size_t work_with_wide_exponents = 32, work_with_coarse_coordinates = 8;
-    return has_wide_exponents_ ? work_with_wide_exponents : has_coarse_coordinates_ ? work_with_coarse_coordinates : 1;
-  }
-
   bool is_fault(Index t, Index u)
   {
-    return exact_test()(coarse_.triangles()[t], coarse_.triangles()[u]) && !is_in_input({t, u});
+    const bool is_conflict = exact_test_(coarse_.triangles()[t], coarse_.triangles()[u]);
+    budget_.spend(exact_test_.take_work());
+    return is_conflict && !is_in_input({t, u});
   }
 
   void add_pair(Index t, Index u)
@@ -232,7 +207,6 @@ private:
   {
     long faults = 0;
     for (std::size_t i = 0; i < known_pairs_.size() && faults < limit; ++i) {
-      budget_.spend(work_of_test());
       faults += is_fault(known_pairs_[i].first, known_pairs_[i].second);
     }
     for (std::size_t i = 0; i < known_reversed_.size() && faults < limit; ++i)
@@ -243,7 +217,6 @@ private:
   // Returns the number of all faults of some triangles; stops when it reaches `limit`.
   long number_near(const std::vector<Index>& altered, long limit)
   {
-    const Triangle_conflict conflict = exact_test();
     update_near_boxes(last_altered_); // their changes may have been undone
     update_near_boxes(altered);
     last_altered_ = altered;
@@ -252,11 +225,10 @@ private:
       const Index t = altered[i];
       surface_.context().poll(near_.size());
       budget_.spend(near_.size() / 16); // a comparison of boxes takes a fraction of the time of an exact test
-      near_boxes_.for_each_overlapping(conflict.box(coarse_.triangles()[t]), [&](std::size_t n) {
+      near_boxes_.for_each_overlapping(exact_test_.box(coarse_.triangles()[t]), [&](std::size_t n) {
         const Index u = near_[n];
         if (faults >= limit || u == t || (u < t && std::binary_search(altered.begin(), altered.end(), u)))
           return;
-        budget_.spend(work_of_test());
         faults += is_fault(t, u);
       });
     }
@@ -267,11 +239,10 @@ private:
 
   void update_near_boxes(const std::vector<Index>& triangles)
   {
-    const Triangle_conflict conflict = exact_test();
     for (const Index t : triangles) {
       const auto place = std::lower_bound(near_.begin(), near_.end(), t);
       if (place != near_.end() && *place == t)
-        near_boxes_.set(std::size_t(place - near_.begin()), conflict.box(coarse_.triangles()[t]));
+        near_boxes_.set(std::size_t(place - near_.begin()), exact_test_.box(coarse_.triangles()[t]));
     }
   }
 
@@ -288,7 +259,7 @@ private:
   {
     const Triangle& triangle = coarse_.triangles()[t];
     return reference_.has_area(triangle) &&
-           (exact_test().is_flat(triangle) || reference_.is_against(triangle, positions_, visited));
+           (Triangle_conflict(points_).is_flat(triangle) || reference_.is_against(triangle, positions_, visited));
   }
 
   void find_reversed()
@@ -316,7 +287,7 @@ private:
   const Output_coordinates output_;
   const int exponent_;
   std::vector<Vector> points_; // of the vertices, with the coordinates of the output in this unit
-  bool has_wide_exponents_ = false, has_coarse_coordinates_ = false;
+  const Triangle_conflict exact_test_;
   Box_hierarchy boxes_;
   std::vector<std::vector<Index> > conflicts_; // the triangles that intersect each triangle where the input does not
   std::vector<char> is_reversed_;              // each triangle
