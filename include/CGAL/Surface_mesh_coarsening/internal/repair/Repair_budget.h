@@ -21,8 +21,9 @@ struct Repair_counts
   std::vector<std::pair<Index, Index> > intersections_left; // pairs of triangles
 };
 
-// Bounds the work of all repairs of one output in proportion to the input, and the work of each repair. The unit is one exact test
-// of two triangles, and steps that take as long. If sheets are too close everywhere, the remaining faults are not repaired.
+// Bounds the work of all repairs of one output in proportion to the input, and the work of each repair. The unit is a test of two
+// triangles that needs no exact numbers, and steps that take as long. If sheets are too close everywhere, the remaining faults
+// are not repaired.
 class Repair_budget
 {
 public:
