@@ -125,9 +125,9 @@ inline bool stay_on_components(const Clustered_faces& surface, const std::vector
 }
 
 // Places the vertices, exchanges some of them together with their clusters, and repairs the placement. If this fails, nothing
-// changes.
+// changes. `plain` may be the repaired placement of these clusters without exchanges: it is the result if exchanges are undone.
 inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_model& placement,
-                                       const Output_coordinates& output_coordinates, Repair_budget& budget)
+                                       const Output_coordinates& output_coordinates, Repair_budget& budget, Placed_dual* plain)
 {
   const Run_context& context = state.context;
   Cluster_relocation clusters(state.featured_input(), *state.labels, Index(state.number_of_clusters()));
@@ -146,13 +146,15 @@ inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_
     if (clusters.number() > 0)
       surface = bordered_surface(state, dual);
     CGAL_assertion(stay_on_components(surface->faces, dual.triangles));
+    state.report.exchanged_vertices = clusters.number();
+    if (plain && clusters.is_undone())
+      return std::move(*plain);
     dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual, budget);
     context.throw_if_cancelled();
     if (clusters.number() > 0) {
       state.minimization.reset();
       state.editing.reset();
     }
-    state.report.exchanged_vertices = clusters.number();
     return dual;
   } catch (...) {
     clusters.undo();
@@ -177,7 +179,7 @@ inline bool may_exchange_vertices(const Clustering_state& state, const Placement
 inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
                                       const Output_coordinates& output_coordinates, Repair_budget& budget)
 {
-  return may_exchange_vertices(state, placement) ? place_with_exchange(state, placement, output_coordinates, budget)
+  return may_exchange_vertices(state, placement) ? place_with_exchange(state, placement, output_coordinates, budget, nullptr)
                                                  : place(state, placement, output_coordinates, budget);
 }
 

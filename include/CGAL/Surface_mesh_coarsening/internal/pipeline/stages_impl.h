@@ -424,10 +424,11 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
       recluster(state, best_densities);
       ++clusterings;
     }
-    if (!is_last || may_exchange_vertices(state, placement)) {
-      budget = repair_budget(state, 2); // the selected result must not be worse than before
-      dual = place_and_exchange(state, placement, output_coordinates, budget);
-    }
+    budget = repair_budget(state, 2); // the selected result must not be worse than before
+    if (may_exchange_vertices(state, placement))
+      dual = place_with_exchange(state, placement, output_coordinates, budget, is_last ? &dual : nullptr);
+    else if (!is_last)
+      dual = place(state, placement, output_coordinates, budget);
   }
   dual.clusterings = clusterings;
   return dual;

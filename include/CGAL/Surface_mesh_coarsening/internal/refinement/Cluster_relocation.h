@@ -31,6 +31,7 @@ public:
 
   // The number of relocated clusters.
   std::size_t number() const { return number_; }
+  bool is_undone() const { return is_undone_; }
   bool has_changed(Index x) const { return has_changed_[x]; }
   // Returns the bounds of the vertex of a changed cluster. Many threads may call this function, so the faces are visited earlier.
   const Bbox_3& vertex_bounds(Index x) const { return bounds_[x]; }
@@ -65,6 +66,7 @@ public:
     has_changed_.assign(has_changed_.size(), false);
     labels_.move_all(old_labels_);
     number_ = 0;
+    is_undone_ = true;
   }
 
 private:
@@ -84,6 +86,7 @@ private:
   std::vector<Bbox_3> bounds_; // of the vertices of changed clusters
   std::vector<char> has_changed_;
   std::size_t number_ = 0;
+  bool is_undone_ = false;
   std::vector<std::size_t> clusters_of_component_;
 };
 

@@ -33,23 +33,32 @@ public:
   static constexpr std::size_t faces_of_block = 8, blocks_of_group = 8;
 
   explicit Cluster_boxes(const Clustered_faces& surface)
-    : surface_(surface), first_block_(surface.number_of_clusters() + 1, 0), first_group_(first_block_)
+    : surface_(surface), first_block_(surface.number_of_clusters() + 1, 0), first_group_(first_block_), first_face_(first_block_)
   {
     for (std::size_t x = 0; x < surface.number_of_clusters(); ++x) {
+      first_face_[x + 1] = first_face_[x] + surface.faces(x).size();
       first_block_[x + 1] = first_block_[x] + number_of_parts(surface.faces(x).size(), faces_of_block);
       first_group_[x + 1] = first_group_[x] + number_of_parts(first_block_[x + 1] - first_block_[x], blocks_of_group);
+      order_.insert(order_.end(), surface.faces(x).begin(), surface.faces(x).end());
     }
-    block_.resize(first_block_.back());
-    group_.resize(first_group_.back());
-    const Run_context context = surface.context().uninterrupted();
-    for_each_chunk(context, surface.number_of_clusters(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t x = begin; x < end; ++x)
-        for (std::size_t i = first_block_[x]; i < first_block_[x + 1]; ++i) {
-          for (const Index f : faces(x, i))
-            block_[i] += face_box(surface_.input().mesh, f);
-          group_[group_of(x, i)] += block_[i];
-        }
+    compute_boxes();
+  }
+
+  // Puts near faces into the same blocks, for many searches.
+  void sort()
+  {
+    for_each_cluster([this](std::size_t x) {
+      std::vector<Bbox_3> boxes;
+      std::vector<Index> numbers;
+      for (const Index f : surface_.faces(x)) {
+        numbers.push_back(Index(boxes.size()));
+        boxes.push_back(face_box(surface_.input().mesh, f));
+      }
+      sort(boxes, numbers, 0, numbers.size());
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        order_[first_face_[x] + i] = surface_.faces(x).begin()[numbers[i]];
     });
+    compute_boxes();
   }
 
   // Returns the bounding box of a cluster.
@@ -83,6 +92,41 @@ public:
   }
 
 private:
+  template <class Visit>
+  void for_each_cluster(const Visit& visit) const
+  {
+    const Run_context context = surface_.context().uninterrupted();
+    for_each_chunk(context, surface_.number_of_clusters(), 16, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t x = begin; x < end; ++x)
+        visit(x);
+    });
+  }
+
+  void compute_boxes()
+  {
+    block_.assign(first_block_.back(), Bbox_3());
+    group_.assign(first_group_.back(), Bbox_3());
+    for_each_cluster([this](std::size_t x) {
+      for (std::size_t i = first_block_[x]; i < first_block_[x + 1]; ++i) {
+        for (const Index f : faces(x, i))
+          block_[i] += face_box(surface_.input().mesh, f);
+        group_[group_of(x, i)] += block_[i];
+      }
+    });
+  }
+
+  static void sort(const std::vector<Bbox_3>& boxes, std::vector<Index>& numbers, std::size_t begin, std::size_t end)
+  {
+    if (end - begin <= faces_of_block)
+      return;
+    Bbox_3 extent;
+    for (std::size_t i = begin; i < end; ++i)
+      extent += boxes[numbers[i]];
+    const std::size_t middle = divide_boxes(boxes, extent, numbers, begin, end);
+    sort(boxes, numbers, begin, middle);
+    sort(boxes, numbers, middle, end);
+  }
+
   static std::size_t number_of_parts(std::size_t size, std::size_t size_of_part)
   {
     return (size + size_of_part - 1) / size_of_part;
@@ -95,13 +139,14 @@ private:
 
   Clustered_faces::Range faces(std::size_t cluster, std::size_t block) const
   {
-    const Clustered_faces::Range all = surface_.faces(cluster);
-    const auto begin = all.begin() + std::ptrdiff_t((block - first_block_[cluster]) * faces_of_block);
-    return Clustered_faces::Range(begin, begin + (std::min)(std::ptrdiff_t(faces_of_block), all.end() - begin));
+    const std::size_t begin = first_face_[cluster] + (block - first_block_[cluster]) * faces_of_block,
+                      end = (std::min)(begin + faces_of_block, first_face_[cluster + 1]);
+    return Clustered_faces::Range(order_.data() + begin, order_.data() + end);
   }
 
   const Clustered_faces& surface_;
-  std::vector<std::size_t> first_block_, first_group_; // of each cluster
+  std::vector<std::size_t> first_block_, first_group_, first_face_; // of each cluster
+  std::vector<Index> order_;                                        // of the faces in the blocks
   std::vector<Bbox_3> block_, group_;
 };
 
@@ -120,6 +165,9 @@ public:
         normals_[x] = mean_normal(x);
     });
   }
+
+  // Prepares many tests of orientation.
+  void sort_faces() { boxes_.sort(); }
 
   // The mean normal of the faces of a cluster. It is shorter for curved clusters, and zero if the faces have no area.
   const Vector& normal(Index cluster) const { return normals_[cluster]; }
@@ -255,7 +303,8 @@ private:
     const Triangle_conflict conflict(surface_.input().mesh.points);
     Box_hierarchy hierarchy;
     hierarchy.build(conflict.boxes(of_y));
-    std::size_t left = max_pairs(of_x.size() + of_y.size());
+    const std::size_t most = max_pairs(of_x.size() + of_y.size());
+    std::size_t left = most;
     bool found = false;
     for (std::size_t i = 0; i < of_x.size() && !found && left > 0; ++i)
       hierarchy.for_each_overlapping(conflict.box(of_x[i]), [&](Index j) {
@@ -264,7 +313,7 @@ private:
         --left;
         found = !have_common_corner(of_x[i], of_y[j]) && conflict(of_x[i], of_y[j]);
       });
-    work += conflict.take_work();
+    work += (most - left) / 8 + conflict.take_work(); // a comparison of corners takes a fraction of the time of a test
     return found;
   }
 
@@ -289,7 +338,7 @@ private:
 
   const Clustered_faces& surface_;
   Input_surface input_;
-  const Cluster_boxes boxes_;
+  Cluster_boxes boxes_;
   std::vector<Vector> normals_;
   Repair_budget& budget_;
   std::unordered_map<std::uint64_t, bool> intersecting_; // tested pairs of clusters

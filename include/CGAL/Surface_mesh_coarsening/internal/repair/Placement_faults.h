@@ -206,9 +206,8 @@ private:
   long number_left(long limit)
   {
     long faults = 0;
-    for (std::size_t i = 0; i < known_pairs_.size() && faults < limit; ++i) {
+    for (std::size_t i = 0; i < known_pairs_.size() && faults < limit; ++i)
       faults += is_fault(known_pairs_[i].first, known_pairs_[i].second);
-    }
     for (std::size_t i = 0; i < known_reversed_.size() && faults < limit; ++i)
       faults += is_reversed_now(known_reversed_[i]);
     return faults;
