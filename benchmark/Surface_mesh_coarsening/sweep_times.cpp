@@ -4,8 +4,8 @@
 // many sides, jagged borders, very many loops and components; or on small random meshes, as `attack` makes them: without
 // options, with features, with repair of the input and within a distance. Each run has to end, with a result or a refusal,
 // within a tenth of a second and a multiple of the processor time per face of a reference mesh: the horse if given, otherwise
-// a rough sphere of about its size. Prints a line per run, of random meshes only the longest, and ends with 1 if one took
-// longer. The tool's path is in the environment variable COARSEN_MESH.
+// a rough sphere, coarsened with the same options. Prints a line per run, of random meshes only the longest, and ends with 1 if
+// one took longer. The tool's path is in the environment variable COARSEN_MESH.
 
 #include "attack/random_mesh.h"
 #include "support/Tool_process.h"
@@ -25,6 +25,7 @@
 #include <functional>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <random>
 #include <string>
 #include <utility>
@@ -123,16 +124,17 @@ double processor_seconds_of_children()
 class Sweep
 {
 public:
-  Sweep(double limit, const std::string& options) : limit_(limit), options_(options) {}
-
-  // The reference time per face.
-  void run_reference(const std::string& file, std::size_t faces, std::size_t vertices)
+  // The reference mesh is the file, or a rough sphere if it is empty.
+  Sweep(const std::string& reference, double limit, const std::string& options)
+    : limit_(limit), options_(options), reference_(reference)
   {
-    const auto outcome = time("'" + file + "'", "", vertices, 300);
-    if (outcome.first != 0)
-      throw std::runtime_error("the tool does not coarsen the reference mesh " + file);
-    seconds_a_face_ = outcome.second / double(faces);
-    std::cout << "reference: " << 1e6 * seconds_a_face_ << " microseconds a face" << std::endl;
+    if (!reference_.empty())
+      return;
+    const Soup sphere = generated::with_noise(generated::triangle_sphere(6), 0.001);
+    directory_.write("reference.off", mesh_files::off(sphere));
+    reference_ = "reference.off";
+    reference_faces_ = sphere.polygons.size();
+    reference_vertices_ = 1200;
   }
 
   // A run of a random mesh is repeated if it takes long, because another process may have disturbed it, and printed only if it
@@ -140,7 +142,7 @@ public:
   void run(const std::string& name, const Soup& soup, std::size_t number, const std::string& options, bool is_random)
   {
     directory_.write("in.off", mesh_files::off(soup));
-    const double limit = 0.1 + limit_ * seconds_a_face_ * double(soup.polygons.size());
+    const double limit = 0.1 + limit_ * reference_seconds_a_face(options) * double(soup.polygons.size());
     auto outcome = time("in.off", options, number, limit);
     for (int repetitions = 0; is_random && outcome.second > 0.8 * limit && repetitions < 2; ++repetitions)
       outcome.second = (std::min)(outcome.second, time("in.off", options, number, limit).second);
@@ -160,19 +162,34 @@ public:
 
   bool finish() const
   {
-    std::cout << runs_ << " runs, " << failures_ << " longer than the limit; the longest took " << worst_ << " of it" << std::endl;
+    std::cout << runs_ << " runs, " << failures_ << " longer than the limit; the longest took " << worst_ << " of it"
+              << std::endl;
     return failures_ == 0;
   }
 
 private:
+  double reference_seconds_a_face(const std::string& options)
+  {
+    const auto known = seconds_a_face_.find(options);
+    if (known != seconds_a_face_.end())
+      return known->second;
+    const auto outcome = time("'" + reference_ + "'", options, reference_vertices_, 300);
+    if (outcome.first != 0)
+      throw std::runtime_error("the tool does not coarsen the reference mesh " + reference_ + " " + options);
+    const double seconds = outcome.second / double(reference_faces_);
+    std::cout << "reference: " << 1e6 * seconds << " microseconds a face  " << options << std::endl;
+    return seconds_a_face_[options] = seconds;
+  }
+
   // The status and the processor time of a run. Ends runs far beyond the limit.
   std::pair<int, double> time(const std::string& input, const std::string& options, std::size_t number, double limit)
   {
     const double before = processor_seconds_of_children();
     const unsigned most = unsigned((std::min)(600., 2 * limit + 2));
+    const std::string arguments =
+      input + " out.off --quiet --force " + options_ + " " + options + " -n " + std::to_string(number);
     const test::Tool_outcome outcome =
-      test::Tool_process(directory_.path(), input + " out.off --quiet --force " + options_ + " " + options + " -n " + std::to_string(number),
-                         "ulimit -c 0; ulimit -t " + std::to_string(most))
+      test::Tool_process(directory_.path(), arguments, "ulimit -c 0; ulimit -t " + std::to_string(most))
         .wait(std::chrono::seconds(3600));
     return {outcome.status, processor_seconds_of_children() - before};
   }
@@ -180,7 +197,10 @@ private:
   const double limit_;
   const std::string options_; // of the tool, for all runs
   test::Tool_directory directory_;
-  double seconds_a_face_ = 0, worst_ = 0;
+  std::string reference_;
+  std::size_t reference_faces_ = 96966, reference_vertices_ = 1579; // of the horse
+  std::map<std::string, double> seconds_a_face_;                    // of the reference mesh, with these options
+  double worst_ = 0;
   std::size_t runs_ = 0, failures_ = 0;
 };
 
@@ -239,15 +259,8 @@ try {
   const Options options = read_options(argc, argv);
   if (!std::getenv("COARSEN_MESH"))
     throw std::runtime_error("the environment variable COARSEN_MESH does not name the tool");
-  Sweep sweep(options.limit, options.tool_options);
-  if (!options.reference.empty()) {
-    sweep.run_reference(std::filesystem::absolute(options.reference).string(), 96966, 1579);
-  } else {
-    const Soup sphere = generated::with_noise(generated::triangle_sphere(6), 0.001);
-    const test::Tool_directory directory;
-    directory.write("in.off", mesh_files::off(sphere));
-    sweep.run_reference((directory / "in.off").string(), sphere.polygons.size(), 1200);
-  }
+  Sweep sweep(options.reference.empty() ? "" : std::filesystem::absolute(options.reference).string(), options.limit,
+              options.tool_options);
   options.random_meshes > 0 ? run_random_meshes(options, sweep) : run_difficult_meshes(options, sweep);
   return sweep.finish() ? 0 : 1;
 } catch (const std::exception& e) {

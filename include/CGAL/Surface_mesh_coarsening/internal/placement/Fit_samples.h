@@ -167,13 +167,9 @@ public:
   void redistribute(Index t, Index u)
   {
     const Search_starts starts = starts_between(t, u);
-    std::vector<Index> samples;
-    for (const Index old : {t, u}) {
-      for (Index i = first_on_[old]; i != NONE; i = next_on_[i])
-        samples.push_back(i);
-      first_on_[old] = NONE;
-      prepared_[old] = Prepared_triangle(positions_, coarse_.triangles()[old]);
-    }
+    const std::vector<Index> samples = unlinked_samples({t, u});
+    for (const Index changed : {t, u})
+      prepared_[changed] = Prepared_triangle(positions_, coarse_.triangles()[changed]);
     for (std::size_t k = samples.size(); k-- > 0;) {
       Sample& s = samples_[samples[k]];
       const Foot_point on_t = prepared_[t].closest(s.position), on_u = prepared_[u].closest(s.position);
@@ -205,12 +201,7 @@ public:
   // Returns the number of comparisons of samples with triangles.
   std::size_t redistribute(const std::vector<Index>& old_triangles, const std::vector<Index>& new_triangles)
   {
-    std::vector<Index> samples;
-    for (const Index t : old_triangles) {
-      for (Index i = first_on_[t]; i != NONE; i = next_on_[i])
-        samples.push_back(i);
-      first_on_[t] = NONE;
-    }
+    const std::vector<Index> samples = unlinked_samples(old_triangles);
     for (const Index t : new_triangles)
       prepared_[t] = Prepared_triangle(positions_, coarse_.triangles()[t]);
     for (std::size_t k = samples.size(); k-- > 0;) {
@@ -303,6 +294,18 @@ private:
   }
 
   std::size_t number_of_used() const { return (samples_.size() + step_ - 1) / step_; }
+
+  // Removes the samples whose feet lie on some triangles from their lists, and returns them.
+  std::vector<Index> unlinked_samples(const std::vector<Index>& triangles)
+  {
+    std::vector<Index> samples;
+    for (const Index t : triangles) {
+      for (Index i = first_on_[t]; i != NONE; i = next_on_[i])
+        samples.push_back(i);
+      first_on_[t] = NONE;
+    }
+    return samples;
+  }
 
   void link(Index i)
   {

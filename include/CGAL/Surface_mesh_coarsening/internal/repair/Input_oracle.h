@@ -193,7 +193,8 @@ public:
     double nearest = squared_distance_from_nearest_block(middle, t, visited);
     std::size_t boxes = 0;
     std::vector<std::pair<double, Index> > faces;
-    for (const Index x : t)
+    for (const Index x : t) {
+      const auto begin = std::ptrdiff_t(faces.size());
       boxes += boxes_.for_each_near(
         middle, x, [&](double squared_distance) { return squared_distance > same_as(nearest, size); },
         [&](double, const Face_range& block) {
@@ -205,6 +206,8 @@ public:
             nearest = (std::min)(nearest, squared_distance);
           }
         });
+      std::sort(faces.begin() + begin, faces.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    }
     visited += boxes / boxes_of_face;
     Vector there{{0, 0, 0}};
     for (const auto& [squared_distance, f] : faces)

@@ -59,7 +59,7 @@ public:
 
 private:
   // With 2,500 tests a face, six thin plates keep 32 pairs of intersecting triangles in 30 runs; with these, 12.
-  static constexpr std::size_t tests_per_face = 3000, tests_of_output = 200000;
+  static constexpr std::size_t tests_per_face = 3000, tests_of_output = 250000;
   static constexpr std::size_t max_tests_of_repair = 16000000; // one or two seconds
 
   std::size_t all_, left_, left_of_repair_ = 0, left_for_input_ = 0;
