@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The boxes that a `Box_hierarchy` and a `Box_list` find are the boxes that a loop over all finds, also after boxes have changed.
-// Triangles are in conflict if CGAL's exact predicates say so.
+// Triangles are in conflict if CGAL's exact predicates say so. The work of repairs is bounded.
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_hierarchy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Triangle_conflicts.h>
+#include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_budget.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -197,6 +198,18 @@ BOOST_AUTO_TEST_CASE(exact_numbers_count_as_work)
   const std::size_t in_plane = work_of(plane_through(1));
   BOOST_TEST(in_plane > 1u);
   BOOST_TEST(work_of(plane_through(1e200)) > 4 * in_plane);
+}
+
+// Tests whether the input intersects itself leave less for the repair.
+BOOST_AUTO_TEST_CASE(a_repair_ends_with_the_budget_of_all)
+{
+  CGAL::Surface_mesh_coarsening::internal::Repair_budget budget(100);
+  budget.begin_repair();
+  budget.spend_on_input(1000);
+  BOOST_TEST(!budget.is_spent_for_repair());
+  budget.spend_on_input(100000000);
+  BOOST_TEST(budget.is_spent_for_input());
+  BOOST_TEST(budget.is_spent_for_repair());
 }
 
 BOOST_AUTO_TEST_SUITE_END()
