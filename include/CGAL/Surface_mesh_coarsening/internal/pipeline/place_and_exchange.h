@@ -146,15 +146,18 @@ inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_
     if (clusters.number() > 0)
       surface = bordered_surface(state, dual);
     CGAL_assertion(stay_on_components(surface->faces, dual.triangles));
-    state.report.exchanged_vertices = clusters.number();
-    if (plain && clusters.is_undone())
+    if (plain && clusters.is_undone()) {
+      context.throw_if_cancelled();
+      state.report.exchanged_vertices = 0;
       return std::move(*plain);
+    }
     dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual, budget);
     context.throw_if_cancelled();
     if (clusters.number() > 0) {
       state.minimization.reset();
       state.editing.reset();
     }
+    state.report.exchanged_vertices = clusters.number();
     return dual;
   } catch (...) {
     clusters.undo();

@@ -206,6 +206,7 @@ public:
             nearest = (std::min)(nearest, squared_distance);
           }
         });
+      // Sums that cancel must not depend on the order of the boxes.
       std::sort(faces.begin() + begin, faces.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     }
     visited += boxes / boxes_of_face;
