@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(feet_on_flat_triangles)
   std::mt19937 random(1);
   std::uniform_real_distribution<double> coordinate(-1, 1), place(-1, 2);
   const auto point = [&] { return Vector{{coordinate(random), coordinate(random), coordinate(random)}}; };
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 3000; ++i) {
     const Vector a = point(), b = point(), c = a + place(random) * (b - a) + 1e-13 * point(), p = point();
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto& side : {std::array<Vector, 2>{{a, b}}, {{b, c}}, {{c, a}}}) {
@@ -72,10 +72,11 @@ BOOST_AUTO_TEST_CASE(feet_on_flat_triangles)
       nearest = (std::min)(nearest, length(side[0] + part * (side[1] - side[0]) - p));
     }
     for (const auto& t : {std::array<Vector, 3>{{a, b, c}}, {{b, c, a}}, {{c, a, b}}}) {
-      const Foot_point foot = Prepared_triangle(t[0], t[1], t[2]).closest(p);
-      const Vector offset = foot.barycentric[0] * t[0] + foot.barycentric[1] * t[1] + foot.barycentric[2] * t[2] - p;
-      BOOST_CHECK_SMALL(std::sqrt(foot.squared_distance) - nearest, tolerance);
-      BOOST_CHECK_SMALL(length(offset) - nearest, tolerance);
+      for (const Foot_point& foot : {Prepared_triangle(t[0], t[1], t[2]).closest(p), closest_on_triangle(p, t[0], t[1], t[2])}) {
+        const Vector offset = foot.barycentric[0] * t[0] + foot.barycentric[1] * t[1] + foot.barycentric[2] * t[2] - p;
+        BOOST_CHECK_SMALL(std::sqrt(foot.squared_distance) - nearest, tolerance);
+        BOOST_CHECK_SMALL(length(offset) - nearest, tolerance);
+      }
     }
   }
 }

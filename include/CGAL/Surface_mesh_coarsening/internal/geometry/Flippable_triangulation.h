@@ -57,21 +57,23 @@ inline Foot_point closest_on_triangle(const Vector& p, const Vector& a, const Ve
   const double uu = dot(ab, ab), uv = dot(ab, ac), vv = dot(ac, ac), pu = dot(ap, ab), pv = dot(ap, ac);
   const double determinant = uu * vv - uv * uv;
   const double s = vv * pu - uv * pv, t = uu * pv - uv * pu, r = determinant - s - t;
-  if (determinant > 0 && s >= 0 && t >= 0 && r >= 0) {
-    const double u = s / determinant, v = t / determinant;
-    const Vector d = ap - u * ab - v * ac;
-    return {{{1 - u - v, u, v}}, dot(d, d)};
-  }
   // The margin covers rounding errors, which are bounded unless the triangle is a needle.
   constexpr double needle = 1e-4, margin = 1e-6, least = 1e-18;
   const bool is_needle = !(determinant > needle * uu * vv);
-  if (!is_needle) {
+  Foot_point best{{{1, 0, 0}}, -1};
+  if (determinant > 0 && s >= 0 && t >= 0 && r >= 0) {
+    const double u = s / determinant, v = t / determinant;
+    const Vector d = ap - u * ab - v * ac;
+    best = {{{1 - u - v, u, v}}, dot(d, d)};
+    if (!is_needle)
+      return best;
+  } else if (!is_needle) {
     const double far = determinant * ((1 + margin) * limit + least * (dot(a, a) + uu + vv));
     if ((s < 0 && s * s > far * vv) || (t < 0 && t * t > far * uu) || (r < 0 && r * r > far * (uu - 2 * uv + vv)))
       return {{{1, 0, 0}}, std::numeric_limits<double>::infinity()};
   }
-  // The closest point lies on a side that separates the point from the triangle.
-  Foot_point best{{{1, 0, 0}}, -1};
+  // The closest point lies on a side that separates the point from the triangle. In a needle of almost no area, the point inside
+  // may be anywhere, and a side is closer.
   if (is_needle || t < 0)
     improve_on_side(ap, ab, 0, 1, best);
   if (is_needle || r < 0)
