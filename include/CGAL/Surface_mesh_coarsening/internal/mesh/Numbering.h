@@ -3,14 +3,12 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NUMBERING_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NUMBERING_H
 
-#include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -21,8 +19,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -115,56 +111,6 @@ struct Numbering
   Index number_of(face_descriptor f) const { return faces.number_of(f); }
   Index number_of(vertex_descriptor v) const { return vertices.number_of(v); }
 };
-
-template <class Face, class FaceIndexMap>
-void sort_by_map(std::vector<Face>& faces, const FaceIndexMap& index, const Run_context& context)
-{
-  std::vector<bool> taken(faces.size(), false);
-  std::vector<Face> ordered(faces);
-  for (const Face f : faces) {
-    context.poll();
-    const std::size_t i = std::size_t(get(index, f));
-    if (i >= ordered.size() || taken[i])
-      throw Invalid_input("the face index map gives " + std::to_string(i) + (i < ordered.size() ? " twice" : "") +
-                          " for a mesh of " + std::to_string(ordered.size()) + " faces");
-    taken[i] = true;
-    ordered[i] = f;
-  }
-  faces.swap(ordered);
-}
-
-template <class FaceGraph, class FaceIndexMap>
-Numbering<FaceGraph> number_elements(const FaceGraph& mesh, [[maybe_unused]] const FaceIndexMap& index,
-                                     const Run_context& context)
-{
-  constexpr bool has_index = !std::is_same<FaceIndexMap, CGAL::internal_np::Param_not_found>::value;
-  const auto all_faces = faces(mesh);
-  const auto all_vertices = vertices(mesh);
-  const std::size_t number_of_faces = std::size_t(std::distance(all_faces.begin(), all_faces.end())),
-                    number_of_vertices = std::size_t(std::distance(all_vertices.begin(), all_vertices.end()));
-  check_countable(number_of_faces, "faces");
-  check_countable(number_of_vertices, "vertices");
-  bool has_face_numbers = false, has_vertex_numbers = false;
-  if constexpr (Is_surface_mesh<FaceGraph>::value) {
-    has_face_numbers = !has_index && mesh.number_of_removed_faces() == 0;
-    has_vertex_numbers = mesh.number_of_removed_vertices() == 0;
-  }
-  typedef Numbering<FaceGraph> Elements;
-  Elements n;
-  if (has_face_numbers) {
-    n.faces.assign_numbered(number_of_faces);
-  } else {
-    std::vector<typename Elements::face_descriptor> list(all_faces.begin(), all_faces.end());
-    if constexpr (has_index)
-      sort_by_map(list, index, context);
-    n.faces.assign(mesh, std::move(list), context);
-  }
-  if (has_vertex_numbers)
-    n.vertices.assign_numbered(number_of_vertices);
-  else
-    n.vertices.assign(mesh, std::vector<typename Elements::vertex_descriptor>(all_vertices.begin(), all_vertices.end()), context);
-  return n;
-}
 
 // A sequence of faces.
 struct Face_list

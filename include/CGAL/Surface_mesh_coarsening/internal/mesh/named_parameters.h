@@ -12,7 +12,8 @@
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -93,7 +94,6 @@ typedef Parameter_list<CGAL::internal_np::edge_is_constrained_t, CGAL::internal_
                        CGAL::internal_np::face_patch_t>
   Feature_map_parameters;
 
-// The parameters of all functions that cluster a mesh.
 typedef Parameter_lists<Geometry_parameters, Order_parameters, Density_parameters, Feature_map_parameters,
                         Parameter_list<internal_np::face_density_t, internal_np::cluster_weight_t, internal_np::cluster_energy_t,
                                        internal_np::subdivide_input_t, internal_np::repair_output_t,
@@ -101,7 +101,6 @@ typedef Parameter_lists<Geometry_parameters, Order_parameters, Density_parameter
                                        CGAL::internal_np::visitor_t> >
   Clustering_parameters;
 
-// The parameters of all functions that compute a coarser mesh.
 typedef Parameter_lists<Clustering_parameters,
                         Parameter_list<CGAL::internal_np::number_of_iterations_t, internal_np::convergence_tolerance_t,
                                        internal_np::vertex_placement_t, internal_np::face_cluster_t,
@@ -149,10 +148,54 @@ constexpr bool fits_maps_of_clusters()
   return fits_map<internal_np::vertex_boundary_count_t, Vertex, std::size_t, NamedParameters>() && fits_faces;
 }
 
-template <class FaceGraph, class NamedParameters>
-Numbering<FaceGraph> numbering(const FaceGraph& mesh, const NamedParameters& np, const Run_context& context = Run_context())
+template <class Face, class FaceIndexMap>
+void sort_by_map(std::vector<Face>& faces, const FaceIndexMap& index, const Run_context& context)
 {
-  return number_elements(mesh, get_parameter(np, CGAL::internal_np::face_index), context);
+  std::vector<bool> taken(faces.size(), false);
+  std::vector<Face> ordered(faces);
+  for (const Face f : faces) {
+    context.poll();
+    const std::size_t i = std::size_t(get(index, f));
+    if (i >= ordered.size() || taken[i])
+      throw Invalid_input("the face index map gives " + std::to_string(i) + (i < ordered.size() ? " twice" : "") +
+                          " for a mesh of " + std::to_string(ordered.size()) + " faces");
+    taken[i] = true;
+    ordered[i] = f;
+  }
+  faces.swap(ordered);
+}
+
+template <class FaceGraph, class NamedParameters>
+Numbering<FaceGraph> numbering(const FaceGraph& mesh, [[maybe_unused]] const NamedParameters& np,
+                               const Run_context& context = Run_context())
+{
+  constexpr bool has_index = has_parameter<CGAL::internal_np::face_index_t, NamedParameters>;
+  const auto all_faces = faces(mesh);
+  const auto all_vertices = vertices(mesh);
+  const std::size_t number_of_faces = std::size_t(std::distance(all_faces.begin(), all_faces.end())),
+                    number_of_vertices = std::size_t(std::distance(all_vertices.begin(), all_vertices.end()));
+  check_countable(number_of_faces, "faces");
+  check_countable(number_of_vertices, "vertices");
+  bool has_face_numbers = false, has_vertex_numbers = false;
+  if constexpr (Is_surface_mesh<FaceGraph>::value) {
+    has_face_numbers = !has_index && mesh.number_of_removed_faces() == 0;
+    has_vertex_numbers = mesh.number_of_removed_vertices() == 0;
+  }
+  typedef Numbering<FaceGraph> Elements;
+  Elements n;
+  if (has_face_numbers) {
+    n.faces.assign_numbered(number_of_faces);
+  } else {
+    std::vector<typename Elements::face_descriptor> list(all_faces.begin(), all_faces.end());
+    if constexpr (has_index)
+      sort_by_map(list, get_parameter(np, CGAL::internal_np::face_index), context);
+    n.faces.assign(mesh, std::move(list), context);
+  }
+  if (has_vertex_numbers)
+    n.vertices.assign_numbered(number_of_vertices);
+  else
+    n.vertices.assign(mesh, std::vector<typename Elements::vertex_descriptor>(all_vertices.begin(), all_vertices.end()), context);
+  return n;
 }
 
 // Returns a function that reads the coordinates of vertices by the caller's point map and traits.
@@ -197,7 +240,6 @@ Density_choice density_choice(const NamedParameters& np)
   return {r, !choose_parameter(get_parameter(np, internal_np::paper_rules_p), false)};
 }
 
-// Checks and returns the caller's densities.
 template <class FaceGraph, class DensityMap>
 std::vector<double> read_densities(const Numbering<FaceGraph>& n, const DensityMap& map,
                                    const Run_context& context = Run_context())
