@@ -27,11 +27,11 @@ struct Face_geometry
 inline Vector vector_area(const Flat_mesh& m, Index f)
 {
   const Index begin = m.first_corner[f], end = m.first_corner[f + 1];
-  const Vector& p = m.points[m.corner_vertex[begin]];
+  const Vector& p = m.point_at(begin);
   Vector sum{{0, 0, 0}};
-  Vector side = m.points[m.corner_vertex[begin + 1]] - p;
+  Vector side = m.point_at(begin + 1) - p;
   for (Index c = begin + 2; c != end; ++c) {
-    const Vector next = m.points[m.corner_vertex[c]] - p;
+    const Vector next = m.point_at(c) - p;
     sum = sum + cross(side, next);
     side = next;
   }
@@ -42,7 +42,7 @@ inline Vector mean_of_corners(const Flat_mesh& m, Index f)
 {
   Vector sum{{0, 0, 0}};
   for (const Index c : m.corners(f))
-    sum = sum + m.points[m.corner_vertex[c]];
+    sum = sum + m.point_at(c);
   return (1. / m.degree(f)) * sum;
 }
 
@@ -51,12 +51,11 @@ inline double face_area(const Flat_mesh& m, Index f)
   return length(vector_area(m, f));
 }
 
-// Returns the bounding box of the corners of a face.
 inline Bbox_3 face_box(const Flat_mesh& m, Index f)
 {
   Bbox_3 box;
   for (const Index c : m.corners(f))
-    box += box_of_point(m.points[m.corner_vertex[c]]);
+    box += box_of_point(m.point_at(c));
   return box;
 }
 
@@ -67,9 +66,9 @@ inline Vector centroid_of_star(const Flat_mesh& m, Index f)
   const Vector center = mean_of_corners(m, f);
   Vector sum{{0, 0, 0}};
   double weight = 0;
-  Vector a = m.points[m.corner_vertex[m.first_corner[f + 1] - 1]] - center;
+  Vector a = m.point_at(m.first_corner[f + 1] - 1) - center;
   for (const Index c : m.corners(f)) {
-    const Vector b = m.points[m.corner_vertex[c]] - center, n = cross(a, b);
+    const Vector b = m.point_at(c) - center, n = cross(a, b);
     const double size = length(n);
     sum = sum + (size / 3) * (a + b);
     weight += size;
@@ -90,11 +89,11 @@ inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
   if (!(area > 0))
     return {area, centroid_of_star(m, f)};
   // Fan triangles on the other side of the boundary have negative weights.
-  const Vector& p = m.points[m.corner_vertex[begin]];
+  const Vector& p = m.point_at(begin);
   Vector sum{{0, 0, 0}};
   double absolute_weight = 0;
   for (Index c = begin + 2; c != end; ++c) {
-    const Vector a = m.points[m.corner_vertex[c - 1]] - p, b = m.points[m.corner_vertex[c]] - p;
+    const Vector a = m.point_at(c - 1) - p, b = m.point_at(c) - p;
     const double weight = dot(cross(a, b), normal) / (6 * area * area);
     sum = sum + weight * (a + b);
     absolute_weight += std::abs(weight);
@@ -103,7 +102,7 @@ inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
   // Weights sum to a third. With negative weights, the sum is a centroid only if the polygon is simple and nearly
   // planar; it then lies in the bounding box. If weights nearly cancel, the sum consists of rounding errors.
   constexpr double convex = (1 + 1e-6) / 3, cancelling = 1e9;
-  if (absolute_weight < convex || (absolute_weight < cancelling && is_in_box(centroid, face_box(m, f))))
+  if (absolute_weight < convex || (absolute_weight < cancelling && squared_distance_from_box(centroid, face_box(m, f)) == 0))
     return {area, centroid};
   return {area, centroid_of_star(m, f)};
 }

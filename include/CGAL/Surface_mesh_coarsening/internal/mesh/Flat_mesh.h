@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,22 +38,18 @@ public:
   void reserve(std::size_t n) { reserved_ = n; }
   void push_back(Index offset)
   {
-    if (!is_listed_ && offset != Index(3 * size_))
-      list();
+    if (!is_listed_ && offset != Index(3 * size_)) {
+      is_listed_ = true;
+      offsets_.reserve((std::max)(reserved_, size_ + 1));
+      for (std::size_t i = 0; i < size_; ++i)
+        offsets_.push_back(Index(3 * i));
+    }
     if (is_listed_)
       offsets_.push_back(offset);
     ++size_;
   }
 
 private:
-  void list()
-  {
-    offsets_.reserve((std::max)(reserved_, size_ + 1));
-    for (std::size_t i = 0; i < size_; ++i)
-      offsets_.push_back(Index(3 * i));
-    is_listed_ = true;
-  }
-
   std::vector<Index> offsets_;
   std::size_t size_ = 0, reserved_ = 0;
   bool is_listed_ = false;
@@ -65,9 +62,7 @@ public:
   Index operator[](std::size_t f) const { return numbers_.empty() ? 0 : numbers_[f]; }
   void set(std::vector<Index> numbers, std::size_t components)
   {
-    if (components < 2)
-      numbers = std::vector<Index>();
-    numbers_.swap(numbers);
+    numbers_ = components < 2 ? std::vector<Index>() : std::move(numbers);
   }
 
 private:
@@ -107,6 +102,7 @@ struct Flat_mesh
   std::size_t number_of_faces() const { return first_corner.size() - 1; }
   std::size_t number_of_vertices() const { return first_in_star.size() - 1; }
   bool is_on_border(Index v) const { return loop[v] != NONE; }
+  Index valence(std::size_t v) const { return first_in_star[v + 1] - first_in_star[v]; }
   Index degree(Index f) const { return first_corner[f + 1] - first_corner[f]; }
   Number_range corners(std::size_t f) const { return number_range(first_corner[f], first_corner[f + 1]); }
   Iterator_range<std::vector<Index>::const_iterator> faces_around(std::size_t v) const
@@ -114,6 +110,7 @@ struct Flat_mesh
     return {star.begin() + first_in_star[v], star.begin() + first_in_star[v + 1]};
   }
 
+  const Vector& point_at(Index corner) const { return points[corner_vertex[corner]]; }
   Index next_corner(Index f, Index c) const { return c + 1 == first_corner[f + 1] ? first_corner[f] : c + 1; }
   Index previous_corner(Index f, Index c) const
   {
@@ -126,6 +123,8 @@ struct Flat_mesh
       ++c;
     return c;
   }
+  // Returns the vector from corner `c` to the next corner.
+  Vector edge_vector(Index f, Index c) const { return point_at(next_corner(f, c)) - point_at(c); }
   // Returns the corner before the same edge in the face across the edge after corner `c`; NONE on the border.
   Index opposite_corner(Index f, Index c) const
   {
@@ -164,6 +163,25 @@ void flood_fill(const Flat_mesh& m, Index seed, std::vector<Index>& reached, con
   }
 }
 
+// Calls `visit(loop)` for the vertices of each border loop, from the smallest along the border.
+template <class Visit>
+void for_each_border_loop(const Flat_mesh& m, const Run_context& context, const Visit& visit)
+{
+  std::vector<bool> done(m.number_of_vertices(), false);
+  std::vector<Index> loop;
+  for (std::size_t v = 0; v < done.size(); ++v) {
+    if (!m.is_on_border(Index(v)) || done[v])
+      continue;
+    loop.clear();
+    for (Index w = Index(v); !done[w]; w = m.next_on_border(w)) {
+      context.poll();
+      done[w] = true;
+      loop.push_back(w);
+    }
+    visit(loop);
+  }
+}
+
 // Returns the bounding box of the faces of a cluster, enlarged by half its diagonal.
 template <class FaceRange>
 Bbox_3 vertex_bounds(const Flat_mesh& mesh, const FaceRange& faces)
@@ -171,7 +189,7 @@ Bbox_3 vertex_bounds(const Flat_mesh& mesh, const FaceRange& faces)
   Bbox_3 box;
   for (const Index f : faces)
     for (const Index c : mesh.corners(f))
-      box += box_of_point(mesh.points[mesh.corner_vertex[c]]);
+      box += box_of_point(mesh.point_at(c));
   // Computed positions may differ by their rounding.
   double largest = 0;
   for (int i = 0; i < 3; ++i)

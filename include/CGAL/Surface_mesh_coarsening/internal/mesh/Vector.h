@@ -49,20 +49,6 @@ inline double squared_diagonal(const Bbox_3& box)
   return dot(d, d);
 }
 
-// Returns zero for points inside the box.
-inline double squared_distance_from_box(const Vector& p, const Bbox_3& box)
-{
-  const Vector low = low_corner(box), high = high_corner(box);
-  double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double d = (std::max)((std::max)(low[i] - p[i], p[i] - high[i]), 0.);
-    sum += d * d;
-  }
-  return sum;
-}
-
-inline bool is_in_box(const Vector& p, const Bbox_3& box) { return squared_distance_from_box(p, box) == 0; }
-
 inline Vector closest_in_box(const Vector& p, const Bbox_3& box)
 {
   const Vector low = low_corner(box), high = high_corner(box);
@@ -70,6 +56,13 @@ inline Vector closest_in_box(const Vector& p, const Bbox_3& box)
   for (std::size_t i = 0; i < 3; ++i)
     result[i] = (std::min)((std::max)(p[i], low[i]), high[i]);
   return result;
+}
+
+// Returns zero for points inside the box.
+inline double squared_distance_from_box(const Vector& p, const Bbox_3& box)
+{
+  const Vector d = p - closest_in_box(p, box);
+  return dot(d, d);
 }
 
 // Returns the box with all sides moved outwards by `width`.
@@ -117,7 +110,6 @@ struct Local_frame
   int exponent = 0;
   std::shared_ptr<const Exact_points> exact;
 
-  // Converts from coordinates of the mesh to coordinates of the arrays.
   Vector to_local(const Vector& p) const
   {
     Vector q;
@@ -140,7 +132,7 @@ struct Local_frame
     Vector q;
     for (std::size_t i = 0; i < 3; ++i) {
       const double x = origin[i] + (exponent == 0 ? p[i] : std::ldexp(p[i], exponent));
-      q[i] = (std::min)((std::max)(x, -largest), largest);
+      q[i] = std::clamp(x, -largest, largest);
     }
     return q;
   }
@@ -157,20 +149,18 @@ inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector
                             const Run_context& context)
 {
   Local_frame frame;
-  const double inf = std::numeric_limits<double>::infinity();
-  Vector low{{inf, inf, inf}}, high{{-inf, -inf, -inf}};
+  Bbox_3 box;
   for (std::size_t v = 0; v < points.size(); ++v) {
     context.poll();
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (first_in_star[v] == first_in_star[v + 1])
-        continue;
+    if (first_in_star[v] == first_in_star[v + 1])
+      continue;
+    for (std::size_t i = 0; i < 3; ++i)
       if (!std::isfinite(points[v][i]))
         throw Invalid_input("coordinate " + std::to_string(i) + " of vertex " + std::to_string(v) + " is " +
                             number_text(points[v][i]));
-      low[i] = (std::min)(low[i], points[v][i]);
-      high[i] = (std::max)(high[i], points[v][i]);
-    }
+    box += box_of_point(points[v]);
   }
+  const Vector low = low_corner(box), high = high_corner(box);
   double extent = 0;
   for (std::size_t i = 0; i < 3; ++i)
     if (low[i] <= high[i]) {

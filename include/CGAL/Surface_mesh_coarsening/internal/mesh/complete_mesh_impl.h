@@ -29,7 +29,6 @@ class Flat_mesh_topology
 public:
   Flat_mesh_topology(Flat_mesh& m, const Run_context& context) : m_(m), context_(context) {}
 
-  // Computes stars and loops.
   void complete_stars(std::size_t number_of_vertices)
   {
     const std::size_t wrong_face = first_of(context_, m_.number_of_faces(), [&](Index f) { return !fault_of(f).empty(); });
@@ -45,7 +44,12 @@ public:
     if (wrong < number_of_vertices)
       throw Invalid_input("vertex " + std::to_string(wrong) +
                           " is not a manifold vertex: the faces around it form more than one fan");
-    number_loops();
+    Index loops = 0;
+    for_each_border_loop(m_, context_, [&](const std::vector<Index>& loop) {
+      for (const Index v : loop)
+        m_.loop[v] = loops;
+      ++loops;
+    });
   }
 
   void number_components()
@@ -67,7 +71,7 @@ public:
     m_.component.set(std::move(number), m_.components.size());
     Index loops = 0; // they are numbered in the order of their first vertices
     for (std::size_t v = 0; v < m_.number_of_vertices(); ++v) {
-      if (m_.first_in_star[v] == m_.first_in_star[v + 1])
+      if (m_.valence(v) == 0)
         continue;
       Component& component = m_.components[m_.component[m_.star[m_.first_in_star[v]]]];
       ++component.vertices;
@@ -145,34 +149,15 @@ private:
     return i == end && (closed ? f == first : f == NONE);
   }
 
-  void number_loops()
-  {
-    std::vector<bool> done(m_.number_of_vertices(), false);
-    Index loops = 0;
-    for (std::size_t v = 0; v < m_.number_of_vertices(); ++v) {
-      if (m_.loop[v] == NONE || done[v])
-        continue;
-      for (Index w = Index(v); !done[w]; w = m_.next_on_border(w)) {
-        context_.poll();
-        done[w] = true;
-        m_.loop[w] = loops;
-      }
-      ++loops;
-    }
-  }
-
-  // Counts faces and edges.
   Component component_of(const std::vector<Index>& faces) const
   {
     Component component;
     component.faces = faces.size();
-    std::size_t corners = 0, border_edges = 0;
+    std::size_t sides = 0;
     for (const Index f : faces)
-      for (const Index c : m_.corners(f)) {
-        ++corners;
-        border_edges += m_.face_across[c] == NONE;
-      }
-    component.edges = (corners + border_edges) / 2;
+      for (const Index c : m_.corners(f))
+        sides += m_.face_across[c] == NONE ? 2 : 1;
+    component.edges = sides / 2;
     return component;
   }
 
@@ -195,7 +180,7 @@ public:
 
   void raise(std::vector<double>& deviations)
   {
-    measure_border();
+    for_each_border_loop(mesh_, context_, [this](const std::vector<Index>& loop) { measure_loop(loop); });
     spread();
     const double most = max_raised * largest_of(deviations);
     for (std::size_t f = 0; f < deviations.size(); ++f) {
@@ -227,29 +212,12 @@ private:
   static constexpr double max_raised = 4;
   //! [border]
 
-  void measure_border()
-  {
-    std::vector<bool> done(mesh_.number_of_vertices(), false);
-    for (std::size_t v = 0; v < done.size(); ++v) {
-      if (!mesh_.is_on_border(Index(v)) || done[v])
-        continue;
-      std::vector<Index> loop;
-      double perimeter = 0;
-      for (Index w = Index(v); !done[w];) {
-        context_.poll();
-        done[w] = true;
-        loop.push_back(w);
-        const Index next = mesh_.next_on_border(w);
-        perimeter += distance(w, next);
-        w = next;
-      }
-      measure_loop(loop, perimeter);
-    }
-  }
-
-  void measure_loop(const std::vector<Index>& loop, double perimeter)
+  void measure_loop(const std::vector<Index>& loop)
   {
     const std::size_t n = loop.size(), k = (std::max)(std::size_t(1), (std::min)(edges_aside, n / 4));
+    double perimeter = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      perimeter += distance(loop[i], loop[(i + 1) % n]);
     for (std::size_t i = 0; i < n; ++i) {
       const Index before = loop[(i + n - k) % n], at = loop[i], after = loop[(i + k) % n];
       const double a = distance(before, at), b = distance(at, after);
@@ -279,7 +247,7 @@ private:
       const Index v = entry.second;
       if (entry.first > radius_[v])
         continue;
-      context_.poll(mesh_.first_in_star[v + 1] - mesh_.first_in_star[v]);
+      context_.poll(mesh_.valence(v));
       for (const Index f : mesh_.faces_around(v))
         for_each_neighbor(f, v, [&](Index w) {
           const double radius = entry.first + distance(v, w);
@@ -337,12 +305,14 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<double> compute_densities(const 
   return densities;
 }
 
-// Computes the centroids of the faces if one face has a large part of all corners. In other meshes, computing them takes less
-// time than reading.
-inline void store_centroids_if_slow(Clustering_input& input, const Run_context& context)
+CGAL_SURFACE_MESH_COARSENING_INLINE void compute_areas_and_centroids(Clustering_input& input, const Run_context& context)
 {
-  constexpr std::size_t many_corners = 64, part = 64;
   const Flat_mesh& m = input.mesh;
+  input.area.resize(m.number_of_faces());
+  for_each_number(context, input.area.size(), [&](Index f) { input.area[f] = face_area(m, f); });
+  // Centroids are stored if one face has a large part of all corners. In other meshes, computing them takes less time than
+  // reading.
+  constexpr std::size_t many_corners = 64, part = 64;
   std::size_t most = 0;
   for (std::size_t f = 0; f < m.number_of_faces(); ++f)
     most = (std::max)(most, std::size_t(m.degree(Index(f))));
@@ -351,13 +321,6 @@ inline void store_centroids_if_slow(Clustering_input& input, const Run_context& 
   std::vector<Vector> centroids(m.number_of_faces());
   for_each_number(context, centroids.size(), [&](Index f) { centroids[f] = input.centroid(f); });
   input.item_centroid.swap(centroids);
-}
-
-CGAL_SURFACE_MESH_COARSENING_INLINE void compute_areas_and_centroids(Clustering_input& input, const Run_context& context)
-{
-  input.area.resize(input.mesh.number_of_faces());
-  for_each_number(context, input.area.size(), [&](Index f) { input.area[f] = face_area(input.mesh, f); });
-  store_centroids_if_slow(input, context);
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE Clustering_input cut_input(const Clustering_input& whole, Flat_mesh pieces,
