@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -22,6 +22,14 @@ namespace internal {
 class Face_cutting : public Flat_mesh_builder
 {
 public:
+  // The original face of each new face, and the original corner before the edge that contains the edge after each new corner;
+  // NONE inside the face.
+  const std::vector<Index>& old_face() const { return old_face_; }
+  const std::vector<Index>& old_corner() const { return old_corner_; }
+  // The midpoint of the edge after each corner; NONE if it is not halved.
+  const std::vector<Index>& middle() const { return middle_; }
+
+protected:
   // The opposite edge has the parts in the other order.
   enum Part : unsigned char { AT_SOURCE, WHOLE, AT_TARGET };
 
@@ -48,7 +56,7 @@ public:
 
   void add_outer_corner(const Place& place)
   {
-    add_corner(place.vertex, NONE); // finish() finds the piece across the edge
+    add_corner(place.vertex, NONE); // build() finds the piece across the edge
     old_corner_.push_back(place.corner);
     part_.push_back(place.part);
     piece_[place.corner][place.part] = number();
@@ -76,25 +84,23 @@ public:
     end_piece(f);
   }
 
-  Flat_mesh finish(const Run_context& context = Run_context())
+  // Adds the pieces of each face by `add_pieces(f)` and returns their mesh.
+  template <class Add_pieces>
+  Flat_mesh build(const Run_context& context, const Add_pieces& add_pieces)
   {
+    for (Index f = 0; f < m_.number_of_faces(); ++f) {
+      context.poll();
+      add_pieces(f);
+    }
     for (std::size_t piece = 0; piece < old_face_.size(); ++piece)
       for (const Index corner : mesh_.corners(piece))
         if (old_corner_[corner] != NONE) {
           const Index opposite = m_.opposite_corner(old_face_[piece], old_corner_[corner]);
           mesh_.face_across[corner] = opposite == NONE ? NONE : piece_[opposite][AT_TARGET - part_[corner]];
         }
-    return Flat_mesh_builder::finish(context);
+    return finish(context);
   }
 
-  // The original face of each new face, and the original corner before the edge that contains the edge after each new corner;
-  // NONE inside the face.
-  const std::vector<Index>& old_face() const { return old_face_; }
-  const std::vector<Index>& old_corner() const { return old_corner_; }
-  // The midpoint of the edge after each corner; NONE if it is not halved.
-  const std::vector<Index>& middle() const { return middle_; }
-
-protected:
   std::vector<Place> boundary(Index f) const
   {
     std::vector<Place> places;
@@ -110,9 +116,26 @@ protected:
   void halve(Index f, Index c)
   {
     const Index opposite = m_.opposite_corner(f, c);
-    middle_[c] = add_point(0.5 * (m_.points[m_.corner_vertex[c]] + m_.points[m_.corner_vertex[m_.next_corner(f, c)]]));
+    middle_[c] = add_point(0.5 * (m_.point_at(c) + m_.point_at(m_.next_corner(f, c))));
     if (opposite != NONE)
       middle_[opposite] = middle_[c];
+  }
+
+  // Adds the pieces of a face between the places `ends` of its boundary: the sectors around `center` or, without a center, the
+  // parts on both sides of a cut.
+  void add_sectors(Index f, const std::vector<std::size_t>& ends, Index center)
+  {
+    const std::vector<Place> places = boundary(f);
+    const Index n = Index(ends.size()), first = number();
+    for (Index i = 0; i < n; ++i) {
+      const std::size_t end = i + 1 < n ? ends[i + 1] : ends[0] + places.size();
+      for (std::size_t k = ends[i]; k < end; ++k)
+        add_outer_corner(places[k % places.size()]);
+      add_inner_corner(places[end % places.size()].vertex, first + (i + 1) % n);
+      if (center != NONE)
+        add_inner_corner(center, first + (i + n - 1) % n);
+      end_piece(f);
+    }
   }
 
   const Flat_mesh& m_;
@@ -138,21 +161,13 @@ public:
       corners += (is_cut_[f] ? 3 : 1) * m_.degree(f);
     }
     reserve(pieces, corners);
-    for (Index f = 0; f < m_.number_of_faces(); ++f) {
-      context.poll();
-      if (!is_cut_[f]) {
-        copy(f);
-        continue;
-      }
-      const Index first = number() - m_.first_corner[f], middle = add_point(center(f));
-      for (const Index c : m_.corners(f)) {
-        add_outer_corner({m_.corner_vertex[c], c, WHOLE});
-        add_inner_corner(m_.corner_vertex[m_.next_corner(f, c)], first + m_.next_corner(f, c));
-        add_inner_corner(middle, first + m_.previous_corner(f, c));
-        end_piece(f);
-      }
-    }
-    return finish(context);
+    return build(context, [&](Index f) {
+      if (!is_cut_[f])
+        return copy(f);
+      std::vector<std::size_t> ends(m_.degree(f));
+      std::iota(ends.begin(), ends.end(), std::size_t(0));
+      add_sectors(f, ends, add_point(center(f)));
+    });
   }
 
 private:
@@ -175,11 +190,7 @@ public:
   Flat_mesh run(const Run_context& context)
   {
     add_points(context);
-    for (Index f = 0; f < m_.number_of_faces(); ++f) {
-      context.poll();
-      is_cut_[f] ? cut(f) : copy(f);
-    }
-    return finish(context);
+    return build(context, [this](Index f) { is_cut_[f] ? cut(f) : copy(f); });
   }
 
   // Returns the piece of a subdivided face `f` at its vertex `v`.
@@ -188,28 +199,22 @@ public:
 private:
   void add_points(const Run_context& context)
   {
-    std::size_t pieces = 0, corners = 0;
+    std::size_t pieces = m_.number_of_faces(), corners = m_.corner_vertex.size();
     for (Index f = 0; f < m_.number_of_faces(); ++f) {
       context.poll();
-      pieces += is_cut_[f] ? m_.degree(f) : 1;
-      corners += is_cut_[f] ? 4 * m_.degree(f) : m_.degree(f) + number_of_cut_neighbors(f);
-      check_countable(corners, "face corners after faces were cut");
       if (!is_cut_[f])
         continue;
+      pieces += m_.degree(f) - 1;
+      corners += 3 * m_.degree(f);
       center_[f] = add_point(mean_of_corners(m_, f));
-      for (const Index c : m_.corners(f))
+      for (const Index c : m_.corners(f)) {
+        corners += m_.face_across[c] != NONE && !is_cut_[m_.face_across[c]]; // the face across gets the midpoint
         if (middle_[c] == NONE)
           halve(f, c);
+      }
+      check_countable(corners, "face corners after faces were cut");
     }
     reserve(pieces, corners);
-  }
-
-  Index number_of_cut_neighbors(Index f) const
-  {
-    Index n = 0;
-    for (const Index c : m_.corners(f))
-      n += m_.face_across[c] != NONE && is_cut_[m_.face_across[c]];
-    return n;
   }
 
   void cut(Index f)
@@ -239,7 +244,7 @@ public:
   {
     for (Index f = 0; f < m.number_of_faces(); ++f)
       for (const Index c : m.corners(f)) {
-        const Vector side = m.points[m.corner_vertex[m.next_corner(f, c)]] - m.points[m.corner_vertex[c]];
+        const Vector side = m.edge_vector(f, c);
         if (middle_[c] == NONE && dot(side, side) > max_squared_length)
           halve(f, c);
       }
@@ -249,17 +254,20 @@ public:
 
   Flat_mesh run(const Run_context& context)
   {
-    for (Index f = 0; f < m_.number_of_faces(); ++f) {
-      context.poll();
-      add_pieces(f);
-    }
-    return finish(context);
+    return build(context, [this](Index f) {
+      const std::vector<std::size_t> ends = ends_of_cuts(f);
+      if (ends.empty())
+        copy(f);
+      else
+        add_sectors(f, ends, ends.size() > 2 ? add_point(mean_of_corners(m_, f)) : NONE);
+    });
   }
 
 private:
   // Returns the places where pieces meet: none if the face stays whole.
-  static std::vector<std::size_t> ends_of_cuts(const std::vector<Place>& places)
+  std::vector<std::size_t> ends_of_cuts(Index f) const
   {
+    const std::vector<Place> places = boundary(f);
     std::vector<std::size_t> ends;
     for (std::size_t i = 0; i < places.size(); ++i)
       if (places[i].part == AT_TARGET)
@@ -268,25 +276,6 @@ private:
       ends.push_back((ends[0] + places.size() / 2) % places.size());
     std::sort(ends.begin(), ends.end());
     return ends;
-  }
-
-  void add_pieces(Index f)
-  {
-    const std::vector<Place> places = boundary(f);
-    const std::vector<std::size_t> ends = ends_of_cuts(places);
-    const Index n = Index(ends.size()), first = number();
-    if (n == 0)
-      return copy(f);
-    const Index center = n > 2 ? add_point(mean_of_corners(m_, f)) : NONE;
-    for (Index i = 0; i < n; ++i) {
-      const std::size_t end = i + 1 < n ? ends[i + 1] : ends[0] + places.size();
-      for (std::size_t k = ends[i]; k < end; ++k)
-        add_outer_corner(places[k % places.size()]);
-      add_inner_corner(places[end % places.size()].vertex, first + (i + 1) % n);
-      if (n > 2)
-        add_inner_corner(center, first + (i + n - 1) % n);
-      end_piece(f);
-    }
   }
 };
 
@@ -304,34 +293,31 @@ public:
       for (const Index c : m_.corners(f))
         if (is_cut_[c])
           add_points(f, c);
-    for (Index f = 0; f < m_.number_of_faces(); ++f) {
+    return build(Run_context(), [this](Index f) {
       const Index rest = number();
       add_rest(f);
       for (const Index c : m_.corners(f))
         if (is_cut_[c])
           add_triangle(f, c, rest);
-    }
-    return finish();
+    });
   }
 
 private:
   // Adds the points on both sides of corner `c`. Both faces of an edge share the points on it.
   void add_points(Index f, Index c)
   {
-    const Index v = m_.corner_vertex[c], previous = m_.previous_corner(f, c);
-    if (near_source_[c] == NONE) {
-      near_source_[c] = add_third(v, m_.corner_vertex[m_.next_corner(f, c)]);
-      if (const Index opposite = m_.opposite_corner(f, c); opposite != NONE)
-        near_target_[opposite] = near_source_[c];
-    }
-    if (near_target_[previous] == NONE) {
-      near_target_[previous] = add_third(v, m_.corner_vertex[previous]);
-      if (const Index opposite = m_.opposite_corner(f, previous); opposite != NONE)
-        near_source_[opposite] = near_target_[previous];
-    }
+    const Vector& p = m_.point_at(c);
+    const auto add_third = [&](Index edge, Index other_end, std::vector<Index>& points, std::vector<Index>& points_across) {
+      if (points[edge] != NONE)
+        return;
+      points[edge] = add_point(p + (1. / 3) * (m_.point_at(other_end) - p));
+      if (const Index opposite = m_.opposite_corner(f, edge); opposite != NONE)
+        points_across[opposite] = points[edge];
+    };
+    const Index previous = m_.previous_corner(f, c);
+    add_third(c, m_.next_corner(f, c), near_source_, near_target_);
+    add_third(previous, previous, near_target_, near_source_);
   }
-
-  Index add_third(Index v, Index w) { return add_point(m_.points[v] + (1. / 3) * (m_.points[w] - m_.points[v])); }
 
   void add_rest(Index f)
   {
