@@ -37,7 +37,7 @@ public:
                             Extent extent = AT_FEATURES)
   {
     auto cells = std::make_shared<Feature_cells>(base, edges, extent);
-    const std::vector<char> too_wide = cells->faces_at_bigons();
+    const std::vector<char> too_wide = cells->faces_at(&Feature_cells::has_bigon);
     if (!too_wide.empty())
       return cells->in_fans(too_wide, context);
     if (!cells->graph_.has_room())
@@ -88,7 +88,6 @@ public:
     return edges_.is_feature[c] || edges_.is_feature[base_.mesh.previous_corner(f, c)];
   }
 
-  // Calls `visit(piece)` for the pieces of a polygon.
   template <class Visit>
   void for_each_piece(Index polygon, const Visit& visit) const
   {
@@ -124,14 +123,16 @@ public:
 private:
   bool has_cell(Index v) const { return extent_ == AT_ALL_VERTICES || graph_.node_of_vertex(v) != NONE; }
 
-  // Marks the faces at vertices with a cell and only two faces: such cells have two neighbors and could not be clusters. Returns
-  // an empty vector if there are none.
-  std::vector<char> faces_at_bigons() const
+  // The cell would have two neighbors and could not be a cluster.
+  bool has_bigon(Index v) const { return has_cell(v) && base_.mesh.valence(v) == 2 && !base_.mesh.is_on_border(v); }
+
+  // Marks the faces at the vertices that satisfy a predicate. Returns an empty vector if there are none.
+  std::vector<char> faces_at(bool (Feature_cells::*is_chosen)(Index) const) const
   {
     const Flat_mesh& m = base_.mesh;
     std::vector<char> result;
     for (Index v = 0; v < m.number_of_vertices(); ++v) {
-      if (m.first_in_star[v + 1] - m.first_in_star[v] != 2 || !has_cell(v) || m.is_on_border(v))
+      if (!(this->*is_chosen)(v))
         continue;
       result.resize(m.number_of_faces(), false);
       for (const Index f : m.faces_around(v))
@@ -152,22 +153,14 @@ private:
   {
     Star_subdivision cutting(base_.mesh, is_cut);
     Flat_mesh triangles = cutting.run([this](Index f) { return mean_of_corners(base_.mesh, f); }, context);
-    const Feature_edges edges = edges_.cut(triangles, cutting.old_corner());
-    Clustering_input fans = cut_input(base_, std::move(triangles), cutting.old_face());
-    for (std::size_t i = 0; i < fans.mesh.components.size(); ++i)
-      fans.mesh.components[i].original_vertices = base_.mesh.components[i].max_clusters();
-    return run(fans, edges, context, extent_);
+    keep_bounds(triangles);
+    return cut(cutting, std::move(triangles), context);
   }
 
   Clustering_input make(const Run_context& context)
   {
-    const Flat_mesh& m = base_.mesh;
-    std::vector<char> is_cut(m.number_of_faces(), false);
-    for (Index v = 0; v < m.number_of_vertices(); ++v)
-      if (has_cell(v))
-        for (const Index f : m.faces_around(v))
-          is_cut[f] = true;
-    Quad_subdivision cutting(m, is_cut);
+    const std::vector<char> is_cut = faces_at(&Feature_cells::has_cell);
+    Quad_subdivision cutting(base_.mesh, is_cut);
     Flat_mesh cut_mesh = cutting.run(context);
     pieces_ = cut_input(base_, std::move(cut_mesh), cutting.old_face());
     face_of_piece_ = cutting.old_face();
@@ -251,30 +244,29 @@ private:
 
   void sum_up(Clustering_input& result) const
   {
-    const std::size_t n = node_of_polygon_.size();
     std::vector<Index> pieces_of_face(base_.mesh.number_of_faces(), 0);
     for (const Index f : face_of_piece_)
       ++pieces_of_face[f];
-    std::vector<double> mass(n, 0), density(n, 0), number(n, 0);
-    std::vector<Vector> moment(n, Vector{{0, 0, 0}}), sum(n, Vector{{0, 0, 0}});
-    result.area.assign(n, 0);
-    result.item_faces.assign(n, 0);
-    for (std::size_t p = 0; p < polygon_of_piece_.size(); ++p) {
-      const Index polygon = polygon_of_piece_[p];
-      const double piece_mass = pieces_.mass(Index(p));
-      result.area[polygon] += pieces_.area[p];
-      mass[polygon] += piece_mass;
-      moment[polygon] = moment[polygon] + piece_mass * pieces_.centroid(Index(p));
-      sum[polygon] = sum[polygon] + pieces_.centroid(Index(p));
-      density[polygon] += pieces_.density[p];
-      number[polygon] += 1;
-      result.item_faces[polygon] += 1. / double(pieces_of_face[face_of_piece_[p]]);
-    }
-    for (std::size_t polygon = 0; polygon < n; ++polygon) {
+    const Bucketed_items<Index> parts(numbers_below(Index(polygon_of_piece_.size())), vertex_of_polygon_.size(),
+                                      [this](Index piece) { return polygon_of_piece_[piece]; });
+    for (std::size_t polygon = 0; polygon < parts.size(); ++polygon) {
+      double area = 0, mass = 0, density = 0, faces = 0;
+      Vector moment{{0, 0, 0}}, sum{{0, 0, 0}};
+      for (const Index piece : parts[polygon]) {
+        const Vector centroid = pieces_.centroid(piece);
+        area += pieces_.area[piece];
+        mass += pieces_.mass(piece);
+        moment = moment + pieces_.mass(piece) * centroid;
+        sum = sum + centroid;
+        density += pieces_.density[piece];
+        faces += 1. / double(pieces_of_face[face_of_piece_[piece]]);
+      }
+      const double number = double(parts[polygon].size());
+      result.area.push_back(area);
+      result.density.push_back(mass > 0 ? mass / area : density / number);
+      result.item_centroid.push_back(mass > 0 ? (1 / mass) * moment : (1 / number) * sum);
+      result.item_faces.push_back(faces);
       result.parent.push_back(pieces_.parent[first_piece_[polygon]]);
-      result.density.push_back(mass[polygon] > 0 ? mass[polygon] / result.area[polygon] : density[polygon] / number[polygon]);
-      result.item_centroid.push_back(mass[polygon] > 0 ? (1 / mass[polygon]) * moment[polygon]
-                                                         : (1 / number[polygon]) * sum[polygon]);
     }
   }
 
@@ -288,6 +280,12 @@ private:
     }
     for (const Feature_line& line : graph_.lines())
       component_of(line.nodes[0]).feature_clusters += line.is_loop ? line.min_crossings : line.min_crossings - 1;
+    keep_bounds(m);
+  }
+
+  // New vertices do not permit more clusters.
+  void keep_bounds(Flat_mesh& m) const
+  {
     for (std::size_t i = 0; i < m.components.size(); ++i)
       m.components[i].original_vertices = base_.mesh.components[i].max_clusters();
   }

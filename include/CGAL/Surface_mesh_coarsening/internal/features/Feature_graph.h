@@ -30,8 +30,7 @@ struct Feature_edges
 
   bool empty() const
   {
-    const auto is_set = [](char c) { return c != 0; };
-    return std::none_of(is_feature.begin(), is_feature.end(), is_set) && std::none_of(is_corner.begin(), is_corner.end(), is_set);
+    return std::count(is_feature.begin(), is_feature.end(), true) + std::count(is_corner.begin(), is_corner.end(), true) == 0;
   }
 
   // Calls `visit(v, w)` for each feature edge with its ends.
@@ -76,6 +75,7 @@ struct Feature_line
   // another polyline, or with itself.
   Index min_crossings = 1;
 
+  Index node(std::size_t i) const { return nodes[i % nodes.size()]; } // again the first after the last
   std::size_t number_of_edges() const { return is_loop ? nodes.size() : nodes.size() - 1; }
 };
 
@@ -156,11 +156,6 @@ private:
     }
     if (!line.is_loop)
       line.nodes.push_back(node_of_vertex_[at]);
-    add_line(line);
-  }
-
-  void add_line(const Feature_line& line)
-  {
     const std::size_t n = line.nodes.size();
     for (std::size_t i = 0; i < n; ++i)
       if (!is_corner(line.nodes[i])) {
@@ -171,7 +166,7 @@ private:
       beside_corner_[line.nodes[0]].push_back(line.nodes[1]);
       beside_corner_[line.nodes[n - 1]].push_back(line.nodes[n - 2]);
     }
-    lines_.push_back(line);
+    lines_.push_back(std::move(line));
   }
 
   // A loop becomes at least a triangle. Among several lines between two corners, at most one may become a single edge, and none

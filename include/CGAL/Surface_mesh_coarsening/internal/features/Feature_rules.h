@@ -59,10 +59,10 @@ public:
       count(Index(f), labels_[Index(f)], 1);
     const Feature_graph& graph = cells_.graph();
     for (std::size_t l = 0; l < crossings_.size(); ++l) {
-      const std::vector<Index>& nodes = graph.lines()[l].nodes;
-      crossings_[l] = graph.lines()[l].is_loop && is_crossing(nodes.back(), nodes.front());
-      for (std::size_t i = 1; i < nodes.size(); ++i)
-        crossings_[l] += is_crossing(nodes[i - 1], nodes[i]);
+      const Feature_line& line = graph.lines()[l];
+      crossings_[l] = 0;
+      for (std::size_t i = 0; i < line.number_of_edges(); ++i)
+        crossings_[l] += is_crossing(line.node(i), line.node(i + 1));
     }
   }
 
@@ -104,7 +104,7 @@ public:
   }
 
   // Returns the corner cell of a cluster; NONE without a corner.
-  Index corner_cell(Index x) const { return x < clusters_.size() ? clusters_[x].corner_cell : NONE; }
+  Index corner_cell(Index x) const { return cluster(x).corner_cell; }
 
 private:
   const Cluster& cluster(Index x) const
@@ -165,7 +165,7 @@ public:
     const Cluster_labels& labels = rules.labels();
     for (std::size_t l = 0; l < spare_.size(); ++l) {
       const Feature_line& line = rules.cells().graph().lines()[l];
-      const auto cell = [&](std::size_t i) { return rules.cells().cell(line.nodes[i % line.nodes.size()]); };
+      const auto cell = [&](std::size_t i) { return rules.cells().cell(line.node(i)); };
       if (labels.mesh().component[cell(0)] != component)
         continue;
       spare_[l] = -long(line.min_crossings);

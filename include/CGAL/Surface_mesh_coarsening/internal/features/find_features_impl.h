@@ -40,7 +40,7 @@ public:
       if (m_.face_across[e.corner] != NONE)
         mark_edge(e.face, e.corner);
     for (const Index v : request.corners)
-      if (m_.first_in_star[v] != m_.first_in_star[v + 1])
+      if (m_.valence(v) > 0)
         result_.is_corner[v] = true;
     add_ends_and_turns();
     add_corners_beside_border();
@@ -57,7 +57,6 @@ private:
           visit(Index(f), c);
   }
 
-  // Adds the edge after corner `c` of face `f`.
   void add_inner_edge(Index f, Index c) { result_.is_feature[c] = result_.is_feature[m_.opposite_corner(f, c)] = true; }
 
   void mark_edge(Index f, Index c)
@@ -124,7 +123,7 @@ private:
     for (int i = 0; i < max_faces; ++i) {
       const Index next = m_.next_corner(f, c), longest = longest_edge(f);
       const double square = squared_length(f, longest), bound = tiny * tiny * square * square;
-      const Vector n = cross(point(next) - point(c), point(m_.next_corner(f, next)) - point(c));
+      const Vector n = cross(m_.edge_vector(f, c), m_.point_at(m_.next_corner(f, next)) - m_.point_at(c));
       if (dot(n, n) > bound)
         return n;
       const Vector whole = vector_area(m_, f); // some corners of a polygon may be collinear
@@ -141,7 +140,7 @@ private:
 
   double squared_length(Index f, Index c) const
   {
-    const Vector d = point(m_.next_corner(f, c)) - point(c);
+    const Vector d = m_.edge_vector(f, c);
     return dot(d, d);
   }
 
@@ -160,7 +159,7 @@ private:
     std::vector<Vector> normals;
     for (const Index f : m_.faces_around(v)) {
       const Index c = m_.corner_of(f, v);
-      const Vector a = point(m_.next_corner(f, c)) - point(c), b = point(m_.previous_corner(f, c)) - point(c), n = cross(a, b);
+      const Vector a = m_.edge_vector(f, c), b = m_.point_at(m_.previous_corner(f, c)) - m_.point_at(c), n = cross(a, b);
       const double size = length(n);
       if (!(size > 0))
         continue;
@@ -171,8 +170,6 @@ private:
     return normals.size() > 2 &&
            std::all_of(normals.begin(), normals.end(), [&](const Vector& n) { return dot(n, mean) <= bound; });
   }
-
-  const Vector& point(Index corner) const { return m_.points[m_.corner_vertex[corner]]; }
 
   // Adds a corner in the middle of each part of the border without corners that connects the ends of a line of one edge.
   // The corner separates this part from the line.
