@@ -10,6 +10,8 @@
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_rules.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -45,7 +47,7 @@ public:
   void take(Index f, Index level, std::vector<Index>& seeds)
   {
     seeds.push_back(f);
-    const Index reach = level < NONE / 4 ? 2 * level : NONE / 2;
+    const Index reach = 2 * (std::min)(level, NONE / 4);
     queue_.assign(1, f);
     steps_[f] = 0;
     for (std::size_t i = 0; i < queue_.size(); ++i) {
@@ -88,7 +90,6 @@ private:
 class Cluster_growth
 {
 public:
-  // `rules`: the rules for features, if any.
   explicit Cluster_growth(Cluster_labels& labels, const Run_context& context = Run_context(), Feature_rules* rules = nullptr)
     : labels_(labels), mesh_(labels.mesh()), context_(context), rules_(rules) {}
 

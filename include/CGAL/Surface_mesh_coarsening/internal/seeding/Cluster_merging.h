@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <numeric>
 #include <optional>
@@ -72,11 +71,9 @@ public:
   {
     std::iota(merged_into_.begin(), merged_into_.end(), Index(0));
     for (const Index f : component.faces) {
-      Size& size = size_[component.labels[f]];
-      const double mass = method_.by_area ? input.area[f] : input.mass(f);
-      size.mass += mass;
-      size.faces += input.number_of_faces_in(f);
-      mass_of_all_ += mass;
+      const Size size{method_.by_area ? input.area[f] : input.mass(f), input.number_of_faces_in(f)};
+      size_[component.labels[f]] = size_[component.labels[f]] + size;
+      mass_of_all_ += size.mass;
     }
     if (component.rules)
       features_.emplace(*component.rules, component.labels.mesh().component[*component.faces.begin()]);
@@ -159,11 +156,10 @@ private:
         for (const Index c : m.corners(piece)) {
           if (m.face_across[c] != NONE)
             continue;
-          const Vector &p = m.points[m.corner_vertex[c]], &q = m.points[m.corner_vertex[m.next_corner(piece, c)]];
-          const Vector edge = q - p;
+          const Vector edge = m.edge_vector(piece, c), middle = 0.5 * (m.point_at(c) + m.point_at(m.next_corner(piece, c)));
           const double size = length(edge);
           if (size > 0)
-            quadric_energy_.add(quadric, {size * size, 0.5 * (p + q), (1 / size) * cross(edge, normal)});
+            quadric_energy_.add(quadric, {size * size, middle, (1 / size) * cross(edge, normal)});
         }
       });
   }

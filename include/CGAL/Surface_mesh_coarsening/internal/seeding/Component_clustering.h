@@ -23,24 +23,6 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// Returns a face of each cluster: the first one among the seeds, or otherwise the first of all.
-inline std::vector<Index> faces_of_clusters(const Cluster_labels& labels, std::size_t clusters, const std::vector<Index>& seeds,
-                                            const Run_context& context)
-{
-  std::vector<Index> result(clusters, NONE);
-  const auto offer = [&](Index f) {
-    Index& face = result[labels[f]];
-    if (face == NONE)
-      face = f;
-  };
-  std::for_each(seeds.begin(), seeds.end(), offer);
-  for (std::size_t f = 0; f < labels.labels().size(); ++f) {
-    context.poll();
-    offer(Index(f));
-  }
-  return result;
-}
-
 struct Component_seeds
 {
   std::vector<Index> faces;
@@ -60,7 +42,6 @@ struct Component_growth
 class Component_clustering
 {
 public:
-  // `merges_by_area`: whether the area of clusters determines which clusters are merged.
   Component_clustering(const Featured_input& input, bool merges_by_area, const Run_context& context)
     : input_(input.items), cells_(input.cells.get()), merges_by_area_(merges_by_area),
       merges_by_quadrics_(has_vertex_cells(input)), context_(context), walk_(input.items.mesh, context) {}
@@ -100,8 +81,7 @@ public:
     Component_growth result;
     if (!splitting.run() || !plan.may_begin_with(splitting.number_of_clusters()))
       return result;
-    clusters = splitting.number_of_clusters();
-    result.clusters = clusters;
+    result.clusters = splitting.number_of_clusters();
     result.splits = splitting.number_of_splits();
     if (result.clusters <= plan.wanted())
       return result;
@@ -110,7 +90,7 @@ public:
     method.by_area = merges_by_area_ || !method.by_threes;
     method.by_quadrics = merges_by_quadrics_;
     method.may_join_at_vertices = plan.from_pieces() && plan.is_on_schedule() && !cells_;
-    Cluster_merging merging(input_, {labels, faces, clusters, growth.rules()}, method, context_);
+    Cluster_merging merging(input_, {labels, faces, splitting.number_of_clusters(), growth.rules()}, method, context_);
     result.merges = merging.run(plan.wanted());
     result.clusters -= result.merges;
     result.is_pinched = merging.has_pinches();

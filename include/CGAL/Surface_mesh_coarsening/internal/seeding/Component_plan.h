@@ -126,14 +126,10 @@ public:
     faces_ = component.faces;
     wanted_ = wanted;
     lowest_end_ = (std::numeric_limits<std::size_t>::max)();
-    if (level == NONE && has_nearest() && wanted >= nearest_ && wanted < enough_) {
-      go_to_nearest();
-      return;
-    }
-    on_schedule_ = level == NONE && wanted < enough_;
-    from_pieces_ = component.faces < wanted;
-    go_to_first();
-    level_ = level;
+    if (level == NONE && wanted >= nearest_ && wanted < enough_)
+      restart(true, nearest_from_pieces_, nearest_level_);
+    else
+      restart(level == NONE && wanted < enough_, component.faces < wanted, level);
   }
 
   // The level of the seeds. NONE: the largest level that gives min_seeds(), or the scheduled level below it.
@@ -143,7 +139,6 @@ public:
   bool from_pieces() const { return from_pieces_; }
   std::size_t wanted() const { return wanted_; }
 
-  // Returns whether merging may begin with `clusters`.
   bool may_begin_with(std::size_t clusters) const { return !is_climbing_ || clusters >= lowest_end_; }
 
   // Returns the highest level of the schedule that is at most `level`.
@@ -216,43 +211,32 @@ private:
     return (std::max)(std::size_t(2), faces_of_all_levels / faces);
   }
 
-  void go_to_first()
+  void restart(bool on_schedule, bool from_pieces, Index level)
   {
+    on_schedule_ = on_schedule;
+    from_pieces_ = from_pieces;
+    level_ = level;
     levels_without_progress_ = 0;
-    level_ = first_scheduled_level_ = NONE;
+    first_scheduled_level_ = NONE;
     is_climbing_ = lowest_has_failed_ = false;
-  }
-
-  void go_to_nearest()
-  {
-    go_to_first();
-    on_schedule_ = true;
-    level_ = nearest_level_;
-    from_pieces_ = nearest_from_pieces_;
   }
 
   bool leave_standard_method(Index level, std::size_t reached)
   {
     if (reached == 0 && !from_pieces_)
       return take_pieces();
-    on_schedule_ = true;
-    go_to_first();
-    if (wanted_ >= enough_)
-      level_ = scheduled_level(level);
+    restart(true, from_pieces_, wanted_ >= enough_ ? scheduled_level(level) : NONE);
     return true;
   }
 
   bool take_pieces()
   {
-    if (from_pieces_) {
-      if (has_nearest())
-        go_to_nearest();
-      return false;
-    }
-    from_pieces_ = true;
-    on_schedule_ = wanted_ < enough_;
-    go_to_first();
-    return true;
+    const bool remains = !from_pieces_;
+    if (remains)
+      restart(wanted_ < enough_, true, NONE);
+    else if (has_nearest())
+      restart(true, nearest_from_pieces_, nearest_level_);
+    return remains;
   }
 
   std::size_t enough_ = 0, faces_ = 0, wanted_ = 0;

@@ -75,7 +75,7 @@ public:
     return {sum(min_), sum(max_)};
   }
 
-  // Returns the smallest attainable number of clusters of each component.
+  // Returns the smallest number of each component.
   std::vector<std::size_t> minima()
   {
     find_minimum();
@@ -128,7 +128,14 @@ public:
   const Featured_input& input() const { return resolved_input_ ? *resolved_input_ : *input_; }
 
   // Returns the seeds; after growth, a face of each cluster.
-  std::vector<Index> seeds() const { return face_of_cluster_.empty() ? found_seeds() : face_of_cluster_; }
+  std::vector<Index> seeds() const
+  {
+    std::vector<Index> all = face_of_cluster_;
+    if (all.empty())
+      for (const Component_seeds& seeds : seeds_)
+        all.insert(all.end(), seeds.faces.begin(), seeds.faces.end());
+    return all;
+  }
 
   // Grows the clusters from the seeds and brings them to the required number.
   Cluster_labels grow()
@@ -148,8 +155,7 @@ public:
     if (std::any_of(grown_.begin(), grown_.end(), [](const Component_growth& g) { return g.is_pinched; }))
       resolve_pinches();
     labels_->recount();
-    face_of_cluster_ = faces_of_clusters(*labels_, report_.clusters, resolved_input_ ? std::vector<Index>() : final_seeds(),
-                                         context_);
+    face_of_cluster_ = faces_of_clusters();
     Cluster_labels labels = std::move(*labels_);
     // Later stages need the memory. A repeated growth finds the same seeds.
     labels_.reset();
@@ -159,25 +165,6 @@ public:
   }
 
 private:
-  std::vector<Index> found_seeds() const
-  {
-    std::vector<Index> all;
-    for (const Component_seeds& seeds : seeds_)
-      all.insert(all.end(), seeds.faces.begin(), seeds.faces.end());
-    return all;
-  }
-
-  // The seeds of merged clusters come before the seeds that were merged.
-  std::vector<Index> final_seeds() const
-  {
-    std::vector<Index> all;
-    for (const Component_growth& g : grown_)
-      all.insert(all.end(), g.new_seeds.begin(), g.new_seeds.end());
-    const std::vector<Index> found = found_seeds();
-    all.insert(all.end(), found.begin(), found.end());
-    return all;
-  }
-
   static std::size_t sum(const std::vector<std::size_t>& v) { return std::accumulate(v.begin(), v.end(), std::size_t(0)); }
 
   Featured_input subdivided(const Featured_input& input, const std::vector<bool>& chosen_component) const
@@ -244,10 +231,8 @@ private:
 
   bool pieces_are_up_to_date() const
   {
-    for (std::size_t i = 0; i < plan_.size(); ++i)
-      if (plan_[i].from_pieces() != cut_[i])
-        return false;
-    return faces_.has_value();
+    return faces_ && std::equal(plan_.begin(), plan_.end(), cut_.begin(),
+                                [](const Component_plan& plan, bool is_cut) { return plan.from_pieces() == is_cut; });
   }
 
   // Subdivides the components that need it, and lists the faces component by component, in their order.
@@ -277,7 +262,6 @@ private:
 
   Face_range faces_of(std::size_t i) const { return (*faces_)[i]; }
 
-  // Finds all seeds of a level.
   void find_seeds_of(Index level)
   {
     wanted_.assign(min_.size(), 0);
@@ -364,6 +348,29 @@ private:
     labels_.emplace(resolved_input_->items.mesh);
     for (std::size_t f = 0; f < new_labels.size(); ++f)
       labels_->set(Index(f), new_labels[f]);
+  }
+
+  // Returns a face of each cluster: the first of the seeds, or otherwise of all faces. The seeds of merged clusters come before
+  // the seeds that were merged.
+  std::vector<Index> faces_of_clusters() const
+  {
+    std::vector<Index> result(report_.clusters, NONE);
+    const auto offer = [&](Index f) {
+      Index& face = result[(*labels_)[f]];
+      if (face == NONE)
+        face = f;
+    };
+    if (!resolved_input_) { // its faces have other numbers than the seeds
+      for (const Component_growth& g : grown_)
+        std::for_each(g.new_seeds.begin(), g.new_seeds.end(), offer);
+      for (const Component_seeds& seeds : seeds_)
+        std::for_each(seeds.faces.begin(), seeds.faces.end(), offer);
+    }
+    for (std::size_t f = 0; f < labels_->labels().size(); ++f) {
+      context_.poll();
+      offer(Index(f));
+    }
+    return result;
   }
 
   enum class State { NEW, SEEDED, DONE };
