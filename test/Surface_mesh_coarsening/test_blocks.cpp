@@ -115,11 +115,11 @@ public:
     division = Cluster_blocks(points, number_of_blocks, Run_context());
     distributed = distribute(edges, division, Run_context());
     state.is_shared.assign(state.input.mesh.number_of_vertices(), false);
-    for (const Boundary_edge& e : distributed.between)
+    for (const Boundary_edge& e : distributed[number_of_blocks])
       mark_ends(state.input.mesh, e, state.is_shared);
     cancellation_.begin();
-    for (Boundary_edges& of_block : distributed.of_block)
-      blocks.emplace_back(state, of_block, 1, cancellation_);
+    for (std::size_t b = 0; b < number_of_blocks; ++b)
+      blocks.emplace_back(state, distributed[b], 1, cancellation_);
   }
 
   double energy() const
@@ -133,7 +133,7 @@ public:
   Cluster_labels labels; // a copy
   Minimization_state<Energy> state;
   Cluster_blocks division;
-  Distributed_edges distributed;
+  std::vector<Boundary_edges> distributed; // to blocks, and between blocks
   std::deque<Block> blocks;
 
 private:
@@ -162,10 +162,10 @@ BOOST_AUTO_TEST_CASE(edges_are_distributed)
         ++expected;
         between += divided.division[divided.labels[f]] != divided.division[divided.labels[g]];
       }
-    std::size_t number = divided.distributed.between.size();
+    std::size_t number = divided.distributed[number_of_blocks].size();
     BOOST_CHECK_EQUAL(number, between);
     for (std::size_t b = 0; b < number_of_blocks; ++b)
-      for (const Boundary_edge& e : divided.distributed.of_block[b]) {
+      for (const Boundary_edge& e : divided.distributed[b]) {
         BOOST_REQUIRE(divided.labels[e.face[0]] != divided.labels[e.face[1]]);
         for (const Index f : e.face)
           BOOST_REQUIRE_EQUAL(divided.division[divided.labels[f]], b);

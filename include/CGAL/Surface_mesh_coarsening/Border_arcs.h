@@ -29,12 +29,8 @@ public:
   {
     std::vector<bool> done(mesh_.number_of_vertices(), false);
     for (std::size_t v = 0; with_border && v < mesh_.number_of_vertices(); ++v)
-      if (mesh_.is_on_border(Index(v)) && !done[v]) {
-        const std::vector<Index> loop = loop_from(Index(v));
-        choose_places(loop);
-        for (const Index w : loop)
-          done[w] = true;
-      }
+      if (mesh_.is_on_border(Index(v)) && !done[v])
+        choose_places(Index(v), done);
     if (surface.features())
       place_on_features(*surface.features());
   }
@@ -66,22 +62,15 @@ private:
   typedef internal::Index Index;
   typedef internal::Vector Vector;
 
-  // Returns the label of the face at the border edge that begins at `v`, the first face of its star.
-  Index label_after(Index v) const { return labels_[mesh_.star[mesh_.first_in_star[v]]]; }
-
-  std::vector<Index> loop_from(Index v) const
+  // Divides the border loop from vertex `v`, and marks its vertices.
+  void choose_places(Index v, std::vector<bool>& done)
   {
-    std::vector<Index> loop(1, v);
-    for (Index w = mesh_.next_on_border(v); w != v; w = mesh_.next_on_border(w))
-      loop.push_back(w);
-    return loop;
-  }
-
-  void choose_places(const std::vector<Index>& loop)
-  {
-    std::vector<Index> cluster_after;
-    for (const Index v : loop)
-      cluster_after.push_back(label_after(v));
+    std::vector<Index> loop, cluster_after;
+    for (; !done[v]; v = mesh_.next_on_border(v)) {
+      done[v] = true;
+      loop.push_back(v);
+      cluster_after.push_back(labels_[mesh_.star[mesh_.first_in_star[v]]]); // of the face at the border edge that begins here
+    }
     internal::fit_border_loop(
       cluster_after,
       [&](const std::vector<std::size_t>& places, Index cluster) {

@@ -9,9 +9,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/transfer/Value_components.h>
 
-#include <cmath>
-#include <string>
-#include <utility>
+#include <array>
 #include <vector>
 
 namespace CGAL {
@@ -45,8 +43,6 @@ enum class Transfer_policy
 template <class FaceGraph, class CoarseFaceGraph>
 class Property_resampler
 {
-  typedef boost::graph_traits<FaceGraph> Graph_traits;
-  typedef boost::graph_traits<CoarseFaceGraph> Coarse_graph_traits;
   typedef internal::Index Index;
   template <class Map>
   using Value = typename boost::property_traits<Map>::value_type;
@@ -134,14 +130,15 @@ public:
     const auto value = [&](Index f) { return Type(get(from, numbering_.faces[f])); };
     const std::vector<internal::Triangle>& triangles = surfaces_.triangles();
     if (policy == Transfer_policy::CONSERVATIVE) {
-      const auto densities = cluster_densities<Type>([&](Index f, const auto& add) { add(surfaces_.area[f], value(f)); });
-      if constexpr (internal::has_means<Type>)
+      const auto visit = [&](Index f, const auto& add) { add(surfaces_.area[f], value(f)); };
+      with_cluster_densities<Type>(visit, [&](const auto& densities) {
         for (std::size_t t = 0; t < triangles.size(); ++t) {
-          internal::Weighted_sum<Type> mean;
+          auto mean = internal::Weighted_sum<Type>();
           for (const Index x : triangles[t])
             mean.add(1. / 3, densities[x]);
           put(to, coarse_numbering_.faces[t], mean.value());
         }
+      });
       return;
     }
     std::vector<internal::Majority<Type> > votes(triangles.size());
@@ -199,7 +196,7 @@ public:
 private:
   Surface_location<FaceGraph> location(const internal::Nearest_point& p) const
   {
-    return internal::surface_location(mesh_, numbering_, surfaces_.mesh, p, p.face);
+    return internal::surface_location(mesh_, numbering_, surfaces_.mesh, p);
   }
 
   // `value(h)` returns the value at the source of halfedge `h` of the face.
@@ -220,9 +217,10 @@ private:
     }
   }
 
-  // `visit(f, add)` calls `add(area, value)` for each contribution of face `f`.
-  template <class Type, class Visit>
-  auto cluster_densities(const Visit& visit) const
+  // Calls `use(densities)` with the densities of the clusters. `visit(f, add)` calls `add(area, value)` for each contribution of
+  // face `f`.
+  template <class Type, class Visit, class Use>
+  void with_cluster_densities(const Visit& visit, const Use& use) const
   {
     if constexpr (internal::has_means<Type>) {
       std::vector<internal::Weighted_sum<Type> > densities(surfaces_.positions().size());
@@ -239,10 +237,9 @@ private:
             densities[taker].add(weight / area, value);
         });
       }
-      return densities;
+      use(densities);
     } else {
       throw Invalid_input("values that have no means cannot be transferred conservatively");
-      return 0;
     }
   }
 
@@ -251,10 +248,10 @@ private:
   void transfer_to_vertices(Transfer_policy policy, To to, const Visit& visit, const Nearest& value_at)
   {
     if (policy == Transfer_policy::CONSERVATIVE) {
-      const auto densities = cluster_densities<Type>(visit);
-      if constexpr (internal::has_means<Type>)
+      with_cluster_densities<Type>(visit, [&](const auto& densities) {
         for (std::size_t x = 0; x < densities.size(); ++x)
           put(to, coarse_numbering_.vertices[x], densities[x].value());
+      });
       return;
     }
     for (std::size_t x = 0; x < surfaces_.positions().size(); ++x) {
@@ -266,7 +263,7 @@ private:
     }
   }
 
-  typename Graph_traits::edge_descriptor edge_nearest_to(const internal::Vector& p, Index face) const
+  auto edge_nearest_to(const internal::Vector& p, Index face) const
   {
     using namespace internal;
     const auto point = [&](auto v) -> const internal::Vector& { return surfaces_.mesh.points[numbering_.number_of(v)]; };

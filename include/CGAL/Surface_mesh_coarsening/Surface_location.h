@@ -53,28 +53,12 @@ auto halfedge_from_nearest_corner(const Surface_location<FaceGraph>& location, c
   return h;
 }
 
-} // namespace internal
-/// \endcond
-
-/// \ingroup PkgSurfaceMeshCoarseningRef
-/// returns the corner with the largest coordinate of a surface location.
-/// \relates Surface_location
-template <class FaceGraph>
-typename boost::graph_traits<FaceGraph>::vertex_descriptor nearest_corner(const Surface_location<FaceGraph>& location,
-                                                                          const FaceGraph& mesh)
-{
-  return source(internal::halfedge_from_nearest_corner(location, mesh), mesh);
-}
-
-/// \cond SKIP_IN_MANUAL
-namespace internal {
-
 template <class FaceGraph>
 Surface_location<FaceGraph> surface_location(const FaceGraph& mesh, const Numbering<FaceGraph>& n, const Flat_mesh& m,
-                                             const Nearest_point& nearest, Index face_of_mesh)
+                                             const Nearest_point& nearest)
 {
   Surface_location<FaceGraph> location;
-  location.face = n.faces[face_of_mesh];
+  location.face = n.faces[nearest.face];
   location.coordinates = coordinates_in_face(m, nearest, vector_area(m, nearest.face));
   // The first corner of the face may be another one in the arrays.
   const Index first = n.number_of(source(halfedge(location.face, mesh), mesh));
@@ -89,7 +73,7 @@ std::vector<Surface_location<FaceGraph> > surface_locations(const FaceGraph& mes
                                                             const Clustering_input& input,
                                                             const std::vector<Index>& cluster_of_face,
                                                             const std::vector<Vector>& positions,
-                                                            const Run_context& context = Run_context())
+                                                            const Run_context& context)
 {
   const Flat_mesh& m = input.mesh;
   const Nearest_point_search search(m, cluster_of_face, positions.size());
@@ -98,13 +82,23 @@ std::vector<Surface_location<FaceGraph> > surface_locations(const FaceGraph& mes
   for (std::size_t x = 0; x < positions.size(); ++x) {
     context.poll(64);
     const Nearest_point nearest = search(positions[x], Index(x));
-    locations.push_back(surface_location(mesh, n, m, nearest, nearest.face));
+    locations.push_back(surface_location(mesh, n, m, nearest));
   }
   return locations;
 }
 
 } // namespace internal
 /// \endcond
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// returns the corner with the largest coordinate of a surface location.
+/// \relates Surface_location
+template <class FaceGraph>
+typename boost::graph_traits<FaceGraph>::vertex_descriptor nearest_corner(const Surface_location<FaceGraph>& location,
+                                                                          const FaceGraph& mesh)
+{
+  return source(internal::halfedge_from_nearest_corner(location, mesh), mesh);
+}
 
 } // namespace Surface_mesh_coarsening
 } // namespace CGAL

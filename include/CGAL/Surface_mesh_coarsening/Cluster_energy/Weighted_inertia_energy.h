@@ -8,6 +8,8 @@
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Weighted_area_weight.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
 
+#include <boost/type_traits/is_detected.hpp>
+
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -18,20 +20,18 @@ namespace Surface_mesh_coarsening {
 namespace internal {
 
 // Optional member of the concept `ClusterWeight`: `cannot_gain(trial_move)` rejects moves by their moments.
-template <class Weight, class = void>
-constexpr bool judges_moves = false;
 template <class Weight>
-constexpr bool judges_moves<
-  Weight, std::void_t<decltype(std::declval<const Weight&>().cannot_gain(std::declval<const Trial_move&>()))> > = true;
+using Judgement_of_move = decltype(std::declval<const Weight&>().cannot_gain(std::declval<const Trial_move&>()));
+template <class Weight>
+constexpr bool judges_moves = boost::is_detected_v<Judgement_of_move, Weight>;
 
 // Optional members: `min_weight_with(data, face, weight)` and `min_weight_without(data, face, weight)` are lower bounds of the
 // weight after a move; `weight` is the current weight.
-template <class Weight, class = void>
-constexpr bool has_bounds = false;
 template <class Weight>
-constexpr bool has_bounds<Weight, std::void_t<decltype(std::declval<const Weight&>().min_weight_with(
-                                    std::declval<const typename Weight::Cluster_data&>(),
-                                    std::declval<const typename Weight::Face_data&>(), 0.))> > = true;
+using Bound_of_weight = decltype(std::declval<const Weight&>().min_weight_with(
+  std::declval<const typename Weight::Cluster_data&>(), std::declval<const typename Weight::Face_data&>(), 0.));
+template <class Weight>
+constexpr bool has_bounds = boost::is_detected_v<Bound_of_weight, Weight>;
 
 // Optional member of the concepts `ClusterWeight` and `ClusterEnergy`.
 template <class Model, class = void>

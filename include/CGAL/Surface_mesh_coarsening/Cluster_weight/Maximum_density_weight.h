@@ -7,7 +7,6 @@
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 
 #include <cmath>
-#include <string>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {

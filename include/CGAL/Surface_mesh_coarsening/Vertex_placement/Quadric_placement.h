@@ -8,7 +8,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/placement/quadric_position.h>
 
 #include <cstddef>
-#include <string>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {

@@ -14,6 +14,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -114,40 +116,30 @@ template <class Value>
 class Majority
 {
 public:
-  void add(double area, const Value& value) { votes_.emplace_back(value, area); }
-  bool empty() const { return votes_.empty(); }
+  void add(double area, const Value& value)
+  {
+    if constexpr (is_ordered) {
+      areas_[value] += area;
+    } else {
+      const auto i = std::find_if(areas_.begin(), areas_.end(), [&](const auto& x) { return x.first == value; });
+      if (i == areas_.end())
+        areas_.emplace_back(value, area);
+      else
+        i->second += area;
+    }
+  }
+  bool empty() const { return areas_.empty(); }
 
   // Returns the value of largest area. Of several, returns the smallest if values are ordered, otherwise the first.
-  Value value()
+  const Value& value() const
   {
-    constexpr bool is_ordered = boost::has_less<const Value&>::value;
-    if constexpr (is_ordered)
-      std::stable_sort(votes_.begin(), votes_.end(), [](const Vote& a, const Vote& b) { return a.first < b.first; });
-    std::size_t best = 0;
-    double largest = -1;
-    for (std::size_t i = 0; i < votes_.size();) {
-      double area = 0;
-      std::size_t j = i;
-      if constexpr (is_ordered) {
-        for (; j < votes_.size() && !(votes_[i].first < votes_[j].first); ++j)
-          area += votes_[j].second;
-      } else {
-        for (const Vote& vote : votes_)
-          area += vote.first == votes_[i].first ? vote.second : 0;
-        ++j;
-      }
-      if (area > largest) {
-        largest = area;
-        best = i;
-      }
-      i = j;
-    }
-    return votes_[best].first;
+    const auto is_smaller = [](const auto& a, const auto& b) { return a.second < b.second; };
+    return std::max_element(areas_.begin(), areas_.end(), is_smaller)->first;
   }
 
 private:
-  typedef std::pair<Value, double> Vote;
-  std::vector<Vote> votes_;
+  static constexpr bool is_ordered = boost::has_less<const Value&>::value;
+  std::conditional_t<is_ordered, std::map<Value, double>, std::vector<std::pair<Value, double> > > areas_;
 };
 
 } // namespace internal

@@ -135,15 +135,14 @@ private:
   Edge remove_triangle(Edge e)
   {
     const Edge first = opposite_[next(e)], second = opposite_[previous(e)]; // from the tip, and to the tip
-    const Index tip = source_[previous(e)], end = source_[e];
+    const Index tip = source_[previous(e)];
+    CGAL_assertion(source_[first] == tip && source_[second] == source_[e]);
     opposite_[first] = second;
     opposite_[second] = first;
     is_arc_[first] = is_arc_[second] = is_arc_[first] || is_arc_[second];
     edge_of_[tip] = first;
     for (Edge f : {e, next(e), previous(e)})
       source_[f] = NONE;
-    CGAL_assertion(source_[first] == tip && source_[second] == end);
-    (void)end;
     return second;
   }
 

@@ -220,21 +220,18 @@ void for_each_meeting_point(const Cluster_labels& labels, const Visit& visit, In
 // each vertex where three clusters meet, and a fan where more than three clusters meet.
 inline std::vector<Triangle> dual_triangles(const Cluster_labels& labels, const Run_context& context = Run_context())
 {
-  constexpr std::size_t chunk = 4096;
-  const std::size_t vertices = labels.mesh().number_of_vertices();
-  std::vector<std::vector<Triangle> > parts((vertices + chunk - 1) / chunk);
-  for_each_chunk(context, vertices, chunk, [&](std::size_t part, std::size_t begin, std::size_t end) {
-    const auto add_fan = [&](Index, const std::vector<Index>& runs) {
-      for (std::size_t i = 2; i < runs.size(); ++i)
-        parts[part].push_back({runs[0], runs[i - 1], runs[i]});
-    };
-    for_each_meeting_point(labels, add_fan, Index(begin), Index(end));
-  });
   std::vector<Triangle> triangles;
-  for (std::vector<Triangle>& part : parts) {
-    triangles.insert(triangles.end(), part.begin(), part.end());
-    part = std::vector<Triangle>();
-  }
+  for_each_part<std::vector<Triangle> >(
+    context, labels.mesh().number_of_vertices(), 4096,
+    [&](std::vector<Triangle>& part, std::size_t begin, std::size_t end) {
+      part.clear();
+      const auto add_fan = [&](Index, const std::vector<Index>& runs) {
+        for (std::size_t i = 2; i < runs.size(); ++i)
+          part.push_back({runs[0], runs[i - 1], runs[i]});
+      };
+      for_each_meeting_point(labels, add_fan, Index(begin), Index(end));
+    },
+    [&](const std::vector<Triangle>& part) { triangles.insert(triangles.end(), part.begin(), part.end()); });
   return triangles;
 }
 

@@ -13,8 +13,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -130,14 +130,16 @@ public:
       for (std::size_t first = 0; first < step; ++first)
         for (std::size_t t = first; t < from->number.size(); t += step)
           measure({from->corners(t), Index(t), from->group[t], from == &coarse, 0});
+    const auto select_far_points = [&] {
+      measured.reached = reached;
+      std::copy_if(points.begin(), points.end(), std::back_inserter(measured.far),
+                   [&](const Far_point& p) { return length(p.offset) >= far_part * reached; });
+    };
     const double least_error = (std::max)(limit / 8192, 1e-12 * surface_.largest_coordinate);
-    std::size_t number = 0; // of the points until the distance is known up to a 32nd, which does not depend on the limit
     while (!undecided.empty() && work_left_ > 0 && reached <= hopeless) {
       const double largest = undecided.front().bound;
-      if (number == 0 && largest <= reached + reached / 32) {
-        number = points.size();
-        measured.reached = reached;
-      }
+      if (measured.far.empty() && largest <= reached + reached / 32)
+        select_far_points(); // does not depend on the limit
       // A bound beyond the limit must not be due to the error.
       if (largest <= limit ? !precise || largest <= reached + limit / 32
                            : largest <= reached + (reached > limit ? reached / 32 : least_error))
@@ -148,13 +150,8 @@ public:
       divide(part, part.is_coarse ? surface_ : coarse, measure);
     }
     measured.bound = undecided.empty() ? reached : (std::max)(reached, undecided.front().bound);
-    if (number == 0) {
-      number = points.size();
-      measured.reached = reached;
-    }
-    for (std::size_t i = 0; i < number; ++i)
-      if (length(points[i].offset) >= far_part * measured.reached)
-        measured.far.push_back(points[i]);
+    if (measured.far.empty())
+      select_far_points();
     return measured;
   }
 

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -47,7 +48,7 @@ private:
           around.push_back(labels_[f]);
       if (around.empty())
         continue;
-      double least = -1;
+      double least = std::numeric_limits<double>::infinity();
       for (const Index x : around)
         improve_around(mesh_.points[v], x, largest, least);
       // Edge flips may have moved the triangle that was at this place away from these vertices.
@@ -70,8 +71,8 @@ private:
   void improve_around(const Vector& p, Index x, double largest, double& least) const
   {
     for (const Index t : coarse_.around(x))
-      if (least < 0 || least > largest)
-        least = least < 0 ? squared_distance(p, t) : (std::min)(least, squared_distance(p, t));
+      if (least > largest)
+        least = (std::min)(least, squared_distance(p, t));
   }
 
   double squared_distance(const Vector& p, Index t) const

@@ -160,14 +160,9 @@ inline void mark_ends(const Flat_mesh& m, const Boundary_edge& e, std::vector<ch
   is_marked[m.corner_vertex[m.next_corner(e.face[0], e.corner)]] = true;
 }
 
-// The edges of each block, and the edges between blocks.
-struct Distributed_edges
-{
-  std::vector<Boundary_edges> of_block;
-  Boundary_edges between;
-};
-
-inline Distributed_edges distribute(const Boundary_edges& edges, const Cluster_blocks& blocks, const Run_context& context)
+// Returns the edges of each block, and then the edges between blocks.
+inline std::vector<Boundary_edges> distribute(const Boundary_edges& edges, const Cluster_blocks& blocks,
+                                              const Run_context& context)
 {
   const Index between = Index(blocks.size());
   std::vector<Index> block_of(edges.size());
@@ -180,13 +175,11 @@ inline Distributed_edges distribute(const Boundary_edges& edges, const Cluster_b
   std::vector<std::size_t> number(blocks.size() + 1, 0);
   for (const Index b : block_of)
     ++number[b];
-  Distributed_edges result;
-  result.of_block.resize(blocks.size());
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    result.of_block[b].reserve(number[b]);
-  result.between.reserve(number[between]);
+  std::vector<Boundary_edges> result(number.size());
+  for (std::size_t b = 0; b < number.size(); ++b)
+    result[b].reserve(number[b]);
   for (std::size_t i = 0; i < edges.size(); ++i)
-    (block_of[i] == between ? result.between : result.of_block[block_of[i]]).push_back(edges[i]);
+    result[block_of[i]].push_back(edges[i]);
   return result;
 }
 

@@ -153,19 +153,15 @@ private:
 
   Minimization_progress run_rounds(const Minimization_end& end, bool tests_all)
   {
-    if (!is_complete_)
-      list_edges();
+    if (!is_complete_) {
+      whole_.reset();
+      list_boundary_edges(labels_, edges_, state_.listed, context_);
+      begin_time();
+    }
     is_complete_ = false; // in case the minimization is cancelled
     const Minimization_progress progress = is_divided() ? run_blocks(end, tests_all) : run_whole(end, tests_all);
     is_complete_ = true;
     return progress;
-  }
-
-  void list_edges()
-  {
-    whole_.reset();
-    list_boundary_edges(labels_, edges_, state_.listed, context_);
-    begin_time();
   }
 
   void begin_time()
@@ -229,12 +225,12 @@ private:
   Minimization_progress run_division(const Cluster_blocks& blocks, std::size_t max_rounds, double least_gain_per_edge,
                                      Boundary_edges& waiting, Boundary_edges& done)
   {
-    Distributed_edges distributed = distribute(waiting, blocks, context_);
-    waiting = std::move(distributed.between);
+    std::vector<Boundary_edges> distributed = distribute(waiting, blocks, context_);
+    waiting = std::move(distributed.back());
     share_vertices(blocks, waiting, done);
     std::vector<Part> parts(blocks.size());
     for_each_chunk(context_.uninterrupted(), parts.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
-      parts[i].edges.swap(distributed.of_block[i]);
+      parts[i].edges.swap(distributed[i]);
       run_part(parts[i], max_rounds, least_gain_per_edge);
     });
     state_.is_shared.clear();

@@ -7,7 +7,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
-#include <CGAL/Surface_mesh_coarsening/internal/refinement/Relocation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
@@ -18,6 +17,15 @@
 namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
+
+// The result of the relocation of a cluster.
+enum class Relocation
+{
+  DONE,
+  TOO_FAR,       // the distance would become too large
+  NOT_FROM_HERE, // the cluster cannot be removed from its place
+  NOT_THERE      // no cluster can be formed at the destination
+};
 
 // Splits a cluster of a valid clustering, or merges it into a neighbor, if the clustering remains valid. Checks only the changed
 // clusters and the links of the clusters around them, because everything else remains valid. The time depends only on the sizes
@@ -32,12 +40,6 @@ public:
       labels_(labels),
       walk_(labels),
       face_of_(clusters, NONE)
-  {
-    find_clusters();
-  }
-
-  // Must be called after other changes of the labels.
-  void find_clusters()
   {
     for (std::size_t f = mesh_.number_of_faces(); f-- > 0;)
       face_of_[labels_[Index(f)]] = Index(f);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -22,7 +23,7 @@ class Cluster_relocation
 public:
   Cluster_relocation(const Featured_input& input, Cluster_labels& labels, Index clusters)
     : mesh_(input.items.mesh), cells_(input.cells.get()), labels_(labels), old_labels_(labels.labels()),
-      editing_(input, labels, clusters), bounds_(clusters), has_changed_(clusters, false),
+      editing_(input, labels, clusters), bounds_(clusters),
       clusters_of_component_(input.items.mesh.components.size(), 0)
   {
     for (Index x = 0; x < clusters; ++x)
@@ -32,9 +33,9 @@ public:
   // The number of relocated clusters.
   std::size_t number() const { return number_; }
   bool is_undone() const { return is_undone_; }
-  bool has_changed(Index x) const { return has_changed_[x]; }
+  bool has_changed(Index x) const { return bounds_[x].has_value(); }
   // Returns the bounds of the vertex of a changed cluster. Many threads may call this function, so the faces are visited earlier.
-  const Bbox_3& vertex_bounds(Index x) const { return bounds_[x]; }
+  const Bbox_3& vertex_bounds(Index x) const { return *bounds_[x]; }
 
   // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces of the
   // input, or around a piece of a face if features are kept.
@@ -48,10 +49,8 @@ public:
                 faces.end());
     std::vector<Index> changed;
     const Relocation outcome = editing_.relocate(x, into, faces, changed);
-    for (const Index y : changed) {
-      has_changed_[y] = true;
+    for (const Index y : changed)
       bounds_[y] = internal::vertex_bounds(mesh_, editing_.faces(y));
-    }
     if (outcome == Relocation::DONE) {
       ++number_;
       --clusters_of_component_[from];
@@ -63,7 +62,7 @@ public:
   // Restores the labels; afterwards, nothing can be relocated.
   void undo()
   {
-    has_changed_.assign(has_changed_.size(), false);
+    bounds_.assign(bounds_.size(), std::nullopt);
     labels_.move_all(old_labels_);
     number_ = 0;
     is_undone_ = true;
@@ -83,8 +82,7 @@ private:
   Cluster_labels& labels_;
   const std::vector<Index> old_labels_;
   Cluster_editing editing_;
-  std::vector<Bbox_3> bounds_; // of the vertices of changed clusters
-  std::vector<char> has_changed_;
+  std::vector<std::optional<Bbox_3> > bounds_; // of the vertices of changed clusters
   std::size_t number_ = 0;
   bool is_undone_ = false;
   std::vector<std::size_t> clusters_of_component_;

@@ -32,7 +32,7 @@ class Merge_history
 public:
   Merge_history(const Clustering_input& input, const Cluster_labels& labels, Index clusters, const Run_context& context)
     : context_(context),
-      dual_(labels, all_faces(input), clusters),
+      dual_(labels, numbers_below(Index(input.mesh.number_of_faces())), clusters),
       finest_(clusters),
       sums_(clusters),
       version_(clusters, 0)
@@ -90,13 +90,6 @@ private:
 
     bool operator>(const Candidate& c) const { return std::tie(cost, a, b) > std::tie(c.cost, c.a, c.b); }
   };
-
-  static std::vector<Index> all_faces(const Clustering_input& input)
-  {
-    std::vector<Index> faces(input.mesh.number_of_faces());
-    std::iota(faces.begin(), faces.end(), Index(0));
-    return faces;
-  }
 
   // The energy with the weight of formula (9). For a union of clusters, it follows from the sums of the clusters.
   static double energy(const Moments& s) { return s.mass * s.inertia; }
