@@ -326,13 +326,10 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, OutputFaceGraph& output,
     if constexpr (has_ratio)
       clustering.seed_from_ratio(get_parameter(np_in, internal_np::vertex_ratio_p),
                                  choose_parameter(get_parameter(np_in, internal_np::keep_small_components_p), false));
-    else if constexpr (has_faces)
-      clustering.seed_from_number_of_faces(get_parameter(np_in, internal_np::number_of_faces_p),
-                                           choose_parameter(get_parameter(np_in, CGAL::internal_np::number_of_iterations),
-                                                            Coarsening_defaults::number_of_iterations),
-                                           choose_parameter(get_parameter(np_in, internal_np::convergence_tolerance_p),
-                                                            Coarsening_defaults::convergence_tolerance));
-    else if constexpr (has_level)
+    else if constexpr (has_faces) {
+      const Minimization_end end = chosen_minimization_end(np_in);
+      clustering.seed_from_number_of_faces(get_parameter(np_in, internal_np::number_of_faces_p), end.max_rounds, end.tolerance);
+    } else if constexpr (has_level)
       clustering.seed_from_level(get_parameter(np_in, internal_np::neighborhood_level_p));
   });
 }

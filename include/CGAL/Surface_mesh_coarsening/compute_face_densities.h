@@ -28,31 +28,9 @@ namespace Surface_mesh_coarsening {
 ///
 /// \param mesh a 2-manifold polygon mesh
 /// \param densities the map that receives the densities
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
-///
-/// \cgalNamedParamsBegin
-///   \cgalParamNBegin{maximum_density}
-///     \cgalParamDescription{the density of the face whose normal deviates most, in \f$ [1, 10^{20}] \f$}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{`Coarsening_defaults::maximum_density`, which is `10`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{paper_rules}
-///     \cgalParamDescription{whether the densities are those of the paper, which are not raised near borders}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{a property map associating points to the vertices of `mesh`}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the vertices as keys and a point type as value}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an object that provides the coordinates of points}
-///     \cgalParamType{a class with functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` and the functions that return
-///                    them, as every \cgal kernel has}
-///     \cgalParamDefault{a kernel deduced from the point type}
-///   \cgalParamNEnd
-/// \cgalNamedParamsEnd
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{maximum_density},
+/// \smcParam{paper_rules}, with which densities are not raised near borders, \smcParam{vertex_point_map} and
+/// \smcParam{geom_traits}, as in `coarsen_mesh()`
 ///
 /// \throws Invalid_input if the mesh is not a 2-manifold, if a coordinate is not finite, or if the maximum density is out
 /// of range.

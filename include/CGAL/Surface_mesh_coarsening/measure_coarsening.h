@@ -27,6 +27,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -149,9 +150,7 @@ struct Statistics
 template <class Visit>
 void for_each_sample(const std::vector<double>& sizes, std::size_t samples, const Visit& visit)
 {
-  double total = 0;
-  for (const double s : sizes)
-    total += s;
+  const double total = std::accumulate(sizes.begin(), sizes.end(), 0.);
   const double plastic = 1.32471795724474602596;
   double cumulated = 0;
   std::size_t sample = 0;

@@ -26,16 +26,8 @@ namespace Surface_mesh_coarsening {
 /// \param mesh a 2-manifold polygon mesh
 /// \param level the number of steps; with 0, every face is a seed
 /// \param seeds receives the seeds in the order of the traversal
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
-///
-/// \cgalNamedParamsBegin
-///   \cgalParamNBegin{face_index_map}
-///     \cgalParamDescription{a property map associating to each face of `mesh` a unique index between `0` and
-///                           `num_faces(mesh) - 1`, the order of traversal}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the faces as keys and `std::size_t` as value}
-///     \cgalParamDefault{the order of `faces(mesh)`}
-///   \cgalParamNEnd
-/// \cgalNamedParamsEnd
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{face_index_map}, the order of
+/// traversal, as in `coarsen_mesh()`
 ///
 /// \return `seeds` past the last seed.
 ///

@@ -73,7 +73,7 @@ public:
       is_check_ = is_check;
       left_.clear();
       run_all<typename Mesh::Vertex_index>();
-      run_all<typename Mesh::Face_index>();
+      run_all<typename Mesh::Face_index>(name_of_clusters_); // they have no meaning for the coarse mesh
       run_all<typename Mesh::Edge_index>();
       run_all<typename Mesh::Halfedge_index>();
     }
@@ -88,23 +88,16 @@ private:
   }
 
   template <class Element>
-  void run_all()
+  void run_all(const std::string& omitted = "")
   {
     for (const std::string& name : mesh_.template properties<Element>())
-      if (!is_of_mesh(name) && !is_clusters<Element>(name) &&
+      if (!is_of_mesh(name) && (name.empty() || name != omitted) &&
           !run_as<Element, double, float, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t,
                   std::int64_t, std::uint64_t, bool, std::size_t, char, std::string, CGAL::IO::Color, std::array<double, 2>,
                   std::array<double, 3>, std::array<double, 4>, std::array<float, 2>, std::array<float, 3>,
                   std::array<float, 4>, typename Kernel::Point_2, typename Kernel::Point_3, typename Kernel::Vector_2,
                   typename Kernel::Vector_3>(name))
         left_.push_back(name);
-  }
-
-  // The values of the clusters have no meaning for the coarse mesh.
-  template <class Element>
-  bool is_clusters(const std::string& name) const
-  {
-    return std::is_same<Element, typename Mesh::Face_index>::value && !name.empty() && name == name_of_clusters_;
   }
 
   template <class Element, class... Types>

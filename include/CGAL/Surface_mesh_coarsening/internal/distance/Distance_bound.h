@@ -3,10 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_DISTANCE_BOUND_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_DISTANCE_BOUND_H
 
-#include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
 
 #include <algorithm>
@@ -50,27 +48,6 @@ struct Measured_distance
 
 // Points are far if their distance is at least this part of the largest one.
 constexpr double far_part = 0.75;
-
-// Moves vertices so that far points come nearer than `distance`. Vertices on the border stay.
-inline void approach_far_points(const std::vector<Far_point>& far, double distance, const Clustered_faces& surface,
-                                const Border_arcs& border, const std::vector<Triangle>& triangles, std::vector<Vector>& positions)
-{
-  // A vertex between several far points cannot approach all of them at once.
-  constexpr double goal = 0.8;
-  std::vector<Vector> moves(positions.size(), Vector{{0, 0, 0}});
-  for (const Far_point& p : far) {
-    const double part = 1 - goal * distance / length(p.offset);
-    for (int i = 0; i < 3; ++i) {
-      const Vector move = part * p.barycentric[i] / dot(p.barycentric, p.barycentric) * p.offset;
-      Vector& longest = moves[triangles[p.triangle][i]];
-      if (dot(move, move) > dot(longest, longest))
-        longest = move;
-    }
-  }
-  for (std::size_t x = 0; x < moves.size(); ++x)
-    if (!border.is_on_border(x))
-      positions[x] = surface.within_bounds(x, positions[x] + moves[x]);
-}
 
 // Bounds the two-sided Hausdorff distance between a mesh and its coarse meshes, over both surfaces and not only at points.
 // Polygons are fans of triangles. Degenerate triangles do not count.

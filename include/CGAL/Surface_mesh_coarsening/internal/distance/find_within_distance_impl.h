@@ -195,12 +195,31 @@ private:
       const std::size_t left = dual_.number_left();
       if (!surface)
         surface = bordered_surface(state_, dual_);
-      approach_far_points(measured.far, far_part * measured.reached, surface->faces, surface->border, dual_.triangles,
-                          dual_.positions);
+      approach_far_points(measured, *surface);
       dual_.counts = repair_exchanged(state_, *surface, placement_, output_coordinates_, dual_, budget);
       if (dual_.number_left() > left)
         step = max_ratio_of_step.size() - 2; // one more look
     }
+  }
+
+  // Moves vertices so that far points come nearer. Vertices on the border stay.
+  void approach_far_points(const Measured_distance& measured, const Bordered_surface& surface)
+  {
+    // A vertex between several far points cannot approach all of them at once.
+    constexpr double goal = 0.8;
+    std::vector<Vector> moves(dual_.positions.size(), Vector{{0, 0, 0}});
+    for (const Far_point& p : measured.far) {
+      const double part = 1 - goal * (far_part * measured.reached) / length(p.offset);
+      for (int i = 0; i < 3; ++i) {
+        const Vector move = part * p.barycentric[i] / dot(p.barycentric, p.barycentric) * p.offset;
+        Vector& longest = moves[dual_.triangles[p.triangle][i]];
+        if (dot(move, move) > dot(longest, longest))
+          longest = move;
+      }
+    }
+    for (std::size_t x = 0; x < moves.size(); ++x)
+      if (!surface.border.is_on_border(x))
+        dual_.positions[x] = surface.faces.within_bounds(x, dual_.positions[x] + moves[x]);
   }
 
   void begin_bounds()

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -68,12 +69,8 @@ public:
   Energy_evaluation(const Energy& energy, const Clustering_input& input, std::size_t clusters)
     : energy_(energy), number_of_clusters_(clusters)
   {
-    if constexpr (needs_mean_area<Energy>) {
-      double area = 0;
-      for (const double a : input.area)
-        area += a;
-      energy_.set_mean_area(area / double(clusters));
-    }
+    if constexpr (needs_mean_area<Energy>)
+      energy_.set_mean_area(std::accumulate(input.area.begin(), input.area.end(), 0.) / double(clusters));
   }
 
   std::size_t number_of_clusters() const { return number_of_clusters_; }
