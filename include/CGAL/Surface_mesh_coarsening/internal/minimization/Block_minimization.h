@@ -101,13 +101,6 @@ public:
     edges_.shrink_to_fit(); // saves memory, because there are many blocks
   }
 
-  // Marks all edges as due.
-  void test_all()
-  {
-    for (Boundary_edge& e : edges_)
-      e.tested = 0;
-  }
-
   std::size_t moves() const { return progress_.moves; }
   Move_time now() const { return now_; }
 
@@ -192,7 +185,7 @@ private:
 
   void find_moves()
   {
-    number_of_candidates_ = 0;
+    candidates_.clear();
     found_.clear();
     for (Index k = 0; k < number_due_; ++k)
       prefetch_faces(edges_[due_[k]]);
@@ -200,12 +193,12 @@ private:
       prefetch_points(edges_[due_[k]]);
     for (Index k = 0; k < number_due_; ++k)
       find_candidate(due_[k]);
-    for (Index k = 0; k < number_of_candidates_; ++k)
-      moves_.prefetch_labels(face_of(candidates_[k]));
-    for (Index k = 0; k < number_of_candidates_; ++k)
-      moves_.prefetch_stars(face_of(candidates_[k]));
-    for (Index k = 0; k < number_of_candidates_; ++k)
-      find_move(candidates_[k]);
+    for (const Candidate& x : candidates_)
+      moves_.prefetch_labels(face_of(x));
+    for (const Candidate& x : candidates_)
+      moves_.prefetch_stars(face_of(x));
+    for (const Candidate& x : candidates_)
+      find_move(x);
   }
 
   // Prefetch the data that the test of an edge reads, in two steps; the second step reads data prefetched by the first.
@@ -245,7 +238,7 @@ private:
     const Candidate candidate = candidate_at(i);
     if (candidate.number == 0)
       return;
-    candidates_[number_of_candidates_++] = candidate;
+    candidates_.push_back(candidate);
     moves_.prefetch_corners(face_of(candidate));
   }
 
@@ -380,9 +373,9 @@ private:
   std::vector<Terms> terms_;       // of the faces at edges that have been tested
   std::vector<Index> free_terms_;  // the terms of removed edges
   std::array<Index, batch> due_;
-  std::array<Candidate, batch> candidates_;
+  std::vector<Candidate> candidates_;
   std::vector<Move> found_;
-  Index number_due_ = 0, number_of_candidates_ = 0;
+  Index number_due_ = 0;
   Move_time now_;
   double gain_ = 0;
   std::size_t number_taken_out_ = 0;

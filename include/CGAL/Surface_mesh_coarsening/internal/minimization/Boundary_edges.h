@@ -33,7 +33,7 @@ public:
 
   // One point for each cluster.
   Cluster_blocks(std::vector<Vector> points, std::size_t blocks, const Run_context& context)
-    : points_(std::move(points)), block_of_(points_.size(), 0), size_(blocks), context_(context.uninterrupted())
+    : points_(std::move(points)), block_of_(points_.size(), 0), size_(blocks), context_(context)
   {
     std::vector<Index> clusters(points_.size());
     std::iota(clusters.begin(), clusters.end(), Index(0));
@@ -57,7 +57,7 @@ private:
     std::nth_element(begin, middle, end, [&](Index a, Index b) {
       return std::make_pair(points_[a][axis], a) < std::make_pair(points_[b][axis], b);
     });
-    for_each_chunk(context_, 2, 1, [&](std::size_t part, std::size_t, std::size_t) {
+    run_concurrently(context_, 2, [&](std::size_t part) {
       if (part == 0)
         bisect(begin, middle, first, half);
       else
@@ -77,7 +77,7 @@ private:
   std::vector<Vector> points_; // used only during the construction
   std::vector<Index> block_of_;
   std::size_t size_ = 1;
-  Run_context context_; // without a visitor
+  Run_context context_;
 };
 
 // A count of moves.
@@ -166,11 +166,9 @@ inline std::vector<Boundary_edges> distribute(const Boundary_edges& edges, const
 {
   const Index between = Index(blocks.size());
   std::vector<Index> block_of(edges.size());
-  for_each_chunk(context.uninterrupted(), edges.size(), 4096, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::array<Index, 2>& x = edges[i].cluster;
-      block_of[i] = blocks[x[0]] == blocks[x[1]] ? blocks[x[0]] : between;
-    }
+  for_each_number(context.uninterrupted(), edges.size(), [&](Index i) {
+    const std::array<Index, 2>& x = edges[i].cluster;
+    block_of[i] = blocks[x[0]] == blocks[x[1]] ? blocks[x[0]] : between;
   });
   std::vector<std::size_t> number(blocks.size() + 1, 0);
   for (const Index b : block_of)

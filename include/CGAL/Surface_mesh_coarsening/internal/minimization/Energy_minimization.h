@@ -68,12 +68,14 @@ public:
     if (rounds_since_sums_ >= 64)
       add_up(context_.uninterrupted());
     //! [recount]
-    Minimization_progress progress = run_rounds(end, false);
+    Minimization_progress progress = run_rounds(end);
     // A round skips edges whose two clusters have not changed. Other clusters also determine whether a move is valid, so the
     // minimization has ended only if no edge at all permits a move.
     if (progress.moves == 0) {
       progress.rounds = 0;
-      progress += run_rounds(end, true);
+      for (Boundary_edge& e : edges_)
+        e.tested = 0;
+      progress += run_rounds(end);
     }
     rounds_since_sums_ += progress.rounds;
     CGAL_expensive_assertion(agrees_with_recount() && has_all_edges());
@@ -151,7 +153,7 @@ private:
     divisions_ = {{Cluster_blocks(std::move(straight), blocks, context_), Cluster_blocks(std::move(oblique), blocks, context_)}};
   }
 
-  Minimization_progress run_rounds(const Minimization_end& end, bool tests_all)
+  Minimization_progress run_rounds(const Minimization_end& end)
   {
     if (!is_complete_) {
       whole_.reset();
@@ -159,7 +161,7 @@ private:
       begin_time();
     }
     is_complete_ = false; // in case the minimization is cancelled
-    const Minimization_progress progress = is_divided() ? run_blocks(end, tests_all) : run_whole(end, tests_all);
+    const Minimization_progress progress = is_divided() ? run_blocks(end) : run_whole(end);
     is_complete_ = true;
     return progress;
   }
@@ -171,18 +173,16 @@ private:
     state_.last_change.push_back(0); // for no cluster, which never changes
   }
 
-  Minimization_progress run_whole(const Minimization_end& end, bool tests_all)
+  Minimization_progress run_whole(const Minimization_end& end)
   {
     if (!whole_)
       whole_.emplace(state_, edges_, now_, shared_cancellation_);
-    if (tests_all)
-      whole_->test_all();
     return whole_->run(end.max_rounds, end.tolerance * energy());
   }
 
-  Minimization_progress run_blocks(const Minimization_end& end, bool tests_all)
+  Minimization_progress run_blocks(const Minimization_end& end)
   {
-    look_up_edges(tests_all);
+    look_up_edges();
     const double least_gain_per_edge = end.tolerance * energy() / double(edges_.size());
     Minimization_progress progress;
     Boundary_edges waiting = std::move(edges_), done;
@@ -198,15 +198,14 @@ private:
   }
 
   // Removes edges that now lie within a cluster, and begins a new time.
-  void look_up_edges(bool tests_all)
+  void look_up_edges()
   {
-    for_each_chunk(context_.uninterrupted(), edges_.size(), 4096, [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        edges_[i].tested = tests_all || edges_[i].is_due(state_.last_change) ? 0 : 1;
-        edges_[i].look_up(labels_);
-        if (edges_[i].is_inner())
-          state_.listed.erase(edges_[i].corner);
-      }
+    for_each_number(context_.uninterrupted(), edges_.size(), [&](Index i) {
+      Boundary_edge& e = edges_[i];
+      e.tested = e.is_due(state_.last_change) ? 0 : 1;
+      e.look_up(labels_);
+      if (e.is_inner())
+        state_.listed.erase(e.corner);
     });
     const auto is_inner = [](const Boundary_edge& e) { return e.is_inner(); };
     edges_.erase(std::remove_if(edges_.begin(), edges_.end(), is_inner), edges_.end());
@@ -229,7 +228,7 @@ private:
     waiting = std::move(distributed.back());
     share_vertices(blocks, waiting, done);
     std::vector<Part> parts(blocks.size());
-    for_each_chunk(context_.uninterrupted(), parts.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+    run_concurrently(context_, parts.size(), [&](std::size_t i) {
       parts[i].edges.swap(distributed[i]);
       run_part(parts[i], max_rounds, least_gain_per_edge);
     });
