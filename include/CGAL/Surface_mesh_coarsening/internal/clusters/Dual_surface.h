@@ -94,10 +94,7 @@ public:
   {
     const Index kept = source_[e], gone = target(e);
     const Edge o = opposite_[e];
-    for_each_edge_from(gone, [&](Edge f) { moved_.push_back(f); });
-    for (const Edge f : moved_)
-      source_[f] = kept;
-    moved_.clear();
+    for_each_edge_from(gone, [&](Edge f) { source_[f] = kept; });
     if (loop_of_[kept] == NONE)
       loop_of_[kept] = loop_of_[gone];
     edge_of_[kept] = remove_triangle(e);
@@ -198,7 +195,6 @@ private:
   std::vector<Edge> edge_of_;   // an edge that leaves each vertex
   std::vector<Index> loop_of_;  // the loop that each cluster touches
   std::vector<Index> stamp_of_;
-  std::vector<Edge> moved_;
   Index stamp_ = 0;
 };
 

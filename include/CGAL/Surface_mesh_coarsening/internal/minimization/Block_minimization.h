@@ -328,7 +328,7 @@ private:
   void take_out(Boundary_edge& e)
   {
     state_.listed.erase(e.corner);
-    e.cluster.fill(state_.nowhere());
+    e.cluster.fill(Index(state_.clusters.size())); // no cluster
     if (e.terms != NONE)
       free_terms_.push_back(e.terms);
     ++number_taken_out_;

@@ -47,15 +47,15 @@ public:
       state_{input.items, labels, energy, {}, {}, Listed_edges(input.items.mesh.corner_vertex.size()), nullptr, {},
              checks_boundary_counts}
   {
-    const std::size_t number_of_clusters = energy.number_of_clusters();
+    add_up(context_);
+    const std::size_t clusters = state_.clusters.size();
     if (input.cells) {
       rules_.emplace(*input.cells, labels);
-      rules_->count(number_of_clusters);
+      rules_->count(clusters);
       state_.rules = &*rules_;
     }
-    add_up(context_);
-    if (number_of_clusters >= 2 * clusters_per_block && !checks_boundary_counts)
-      divide(number_of_clusters / clusters_per_block);
+    if (clusters >= 2 * clusters_per_block && !checks_boundary_counts)
+      divide(clusters / clusters_per_block);
   }
 
   std::size_t rounds_at_a_time() const override { return is_divided() ? 5 : 1; }
@@ -170,7 +170,7 @@ private:
   {
     now_ = 1;
     state_.last_change.assign(state_.clusters.size(), now_);
-    state_.last_change.push_back(0); // for no cluster, which never changes
+    state_.last_change.push_back(0);
   }
 
   Minimization_progress run_whole(const Minimization_end& end)

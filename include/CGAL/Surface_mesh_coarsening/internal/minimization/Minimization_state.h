@@ -73,8 +73,6 @@ public:
       energy_.set_mean_area(std::accumulate(input.area.begin(), input.area.end(), 0.) / double(clusters));
   }
 
-  std::size_t number_of_clusters() const { return number_of_clusters_; }
-
   Face terms_of(const Clustering_input& input, Index f) const { return energy_.face_data(Clustered_face(input, f)); }
 
   // Computes all sums of the clusters.
@@ -165,15 +163,12 @@ struct Minimization_state
   Cluster_labels& labels;
   Energy_evaluation<Energy> energy;
   std::vector<Cluster_sums<Energy> > clusters;
-  std::vector<Move_time> last_change; // of each cluster, and of `nowhere()`
+  std::vector<Move_time> last_change; // of each cluster, and last of none, which never changes
   Listed_edges listed;
   Feature_rules* rules; // null without features
   // For each vertex, whether clusters of several blocks meet there; empty if there is only one block.
   std::vector<char> is_shared;
   bool checks_boundary_counts = false; // whether moves must also pass the paper's check
-
-  // The index that stands for no cluster.
-  Index nowhere() const { return Index(clusters.size()); }
 };
 
 // Prefetches memory. On a large mesh, faces along cluster boundaries lie far apart in memory; loops that prefetch

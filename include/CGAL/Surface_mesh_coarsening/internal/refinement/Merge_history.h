@@ -44,7 +44,7 @@ public:
   }
 
   std::size_t finest() const { return finest_; }
-  std::size_t coarsest() const { return finest_ - steps_.size(); }
+  std::size_t coarsest() const { return finest_ - parent_.size(); }
   // Returns the number of a cluster of the clustering in this history.
   Index number(Index cluster) const { return number_[cluster]; }
   // Returns the parent of a cluster that is not in the coarsest level.
@@ -76,8 +76,9 @@ private:
   struct Step
   {
     Index gone, kept;
-    std::size_t moved;             // its first corner in `moved_`
-    std::array<Index, 2> removed;  // triangles
+    std::vector<Edge> moved;         // corners of the removed cluster
+    std::array<Index, 2> removed;    // triangles
+    std::array<Triangle, 2> corners; // of these
   };
 
   // Orders merges by cost, and merges of equal cost by the numbers of the clusters.
@@ -143,11 +144,8 @@ private:
     if (of_gone > of_kept)
       std::swap(e, back);
     const Index kept = dual_.source(e), gone = dual_.target(e);
-    Step step{gone, kept, moved_.size(), {{e / 3, back / 3}}};
-    dual_.for_each_edge_from(gone, [&](Edge f) { moved_.push_back(f); });
-    for (const Index t : step.removed)
-      removed_.push_back(corners(t));
-    steps_.push_back(step);
+    steps_.push_back({gone, kept, {}, {{e / 3, back / 3}}, {{corners(e / 3), corners(back / 3)}}});
+    dual_.for_each_edge_from(gone, [&](Edge f) { steps_.back().moved.push_back(f); });
     dual_.contract(e);
     sums_[kept] = joined(sums_[kept], sums_[gone]);
     version_[kept] += version_[gone] + 1;
@@ -186,33 +184,30 @@ private:
         list(t, corners(t));
     first_triangle_.push_back(Index(last_.size()));
     first_corner_.push_back(0);
-    for (std::size_t s = steps_.size(); s-- > 0;) {
+    for (; !steps_.empty(); steps_.pop_back()) {
+      const Step& step = steps_.back();
       for (int i = 0; i < 2; ++i)
-        list(steps_[s].removed[i], removed_[2 * s + i]);
+        list(step.removed[i], step.corners[i]);
       first_triangle_.push_back(Index(last_.size()));
-      const std::size_t end = s + 1 == steps_.size() ? moved_.size() : steps_[s + 1].moved;
-      for (std::size_t i = steps_[s].moved; i < end; ++i)
-        if (place[moved_[i] / 3] != NONE)
-          corner_.push_back(3 * place[moved_[i] / 3] + moved_[i] % 3);
+      for (const Edge e : step.moved)
+        if (place[e / 3] != NONE)
+          corner_.push_back(3 * place[e / 3] + e % 3);
       first_corner_.push_back(Index(corner_.size()));
     }
-    moved_ = std::vector<Edge>();
-    removed_ = std::vector<Triangle>();
+    steps_.shrink_to_fit();
   }
 
   const Run_context context_;
   Dual_surface dual_;
   std::size_t finest_;
-  std::vector<Moments> sums_;      // per cluster
-  std::vector<Index> version_;  // number of merges in each cluster
+  std::vector<Moments> sums_;  // per cluster
+  std::vector<Index> version_; // number of merges in each cluster
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > queue_;
-  std::vector<Step> steps_;
-  std::vector<Edge> moved_;       // corners of the removed clusters, step by step
-  std::vector<Triangle> removed_; // two per step
-  std::vector<Index> number_;     // per cluster of the clustering
-  std::vector<Index> parent_;     // per cluster that is not in the coarsest level
-  std::vector<Triangle> last_;    // the corners of each triangle before its removal
-  std::vector<Index> corner_;     // corners restored, merge by merge
+  std::vector<Step> steps_;    // until the triangles are listed
+  std::vector<Index> number_;  // per cluster of the clustering
+  std::vector<Index> parent_;  // per cluster that is not in the coarsest level
+  std::vector<Triangle> last_; // the corners of each triangle before its removal
+  std::vector<Index> corner_;  // corners restored, merge by merge
   std::vector<Index> first_triangle_, first_corner_; // restored from each level to the next
 };
 
