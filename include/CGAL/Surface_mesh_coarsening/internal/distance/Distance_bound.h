@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <queue>
 #include <vector>
 
 namespace CGAL {
@@ -83,9 +84,10 @@ public:
     const Surface coarse(positions, triangles);
     Measured_distance measured;
     std::vector<Far_point> points;
-    std::vector<Part> undecided; // a heap: the part with the largest bound comes first, because it is likely to raise `reached`
-    double reached = 0;
+    // The part with the largest bound comes first, because it is likely to raise `reached`.
     const auto is_below = [](const Part& a, const Part& b) { return a.bound < b.bound; };
+    std::priority_queue<Part, std::vector<Part>, decltype(is_below)> undecided(is_below);
+    double reached = 0;
     const auto measure = [&](Part part) {
       context_.poll(16);
       const Surface& to = part.is_coarse ? surface_ : coarse;
@@ -96,10 +98,8 @@ public:
       reached = (std::max)(reached, distance);
       if (distance > far_part * reached)
         points.push_back(far_point(part, near, coarse));
-      if (part.bound > reached) {
-        undecided.push_back(part);
-        std::push_heap(undecided.begin(), undecided.end(), is_below);
-      }
+      if (part.bound > reached)
+        undecided.push(part);
     };
     // A few of the triangles, first, yield a distance below which the others need not be divided.
     constexpr std::size_t step = 8;
@@ -114,19 +114,18 @@ public:
     };
     const double least_error = (std::max)(limit / 8192, 1e-12 * surface_.largest_coordinate);
     while (!undecided.empty() && work_left_ > 0 && reached <= hopeless) {
-      const double largest = undecided.front().bound;
+      const double largest = undecided.top().bound;
       if (measured.far.empty() && largest <= reached + reached / 32)
         select_far_points(); // does not depend on the limit
       // A bound beyond the limit must not be due to the error.
       if (largest <= limit ? !precise || largest <= reached + limit / 32
                            : largest <= reached + (reached > limit ? reached / 32 : least_error))
         break;
-      std::pop_heap(undecided.begin(), undecided.end(), is_below);
-      const Part part = undecided.back();
-      undecided.pop_back();
+      const Part part = undecided.top();
+      undecided.pop();
       divide(part, part.is_coarse ? surface_ : coarse, measure);
     }
-    measured.bound = undecided.empty() ? reached : (std::max)(reached, undecided.front().bound);
+    measured.bound = undecided.empty() ? reached : (std::max)(reached, undecided.top().bound);
     if (measured.far.empty())
       select_far_points();
     return measured;
