@@ -115,7 +115,6 @@ public:
         move(Index(f), labels[f]);
   }
 
-  // Recomputes the boundary-edge counts.
   std::vector<Index> recounted() const
   {
     std::vector<Index> count(mesh_.number_of_vertices(), 0);

@@ -103,7 +103,6 @@ public:
   }
 
 private:
-  // A triangle of the fan around a vertex.
   struct Fan_triangle
   {
     Triangle corners;

@@ -81,7 +81,6 @@ inline double inertia_between(const Moments& a, const Moments& b)
   return mass > 0 ? a.mass * b.mass / mass * dot(d, d) : 0;
 }
 
-// Returns the moments of the union of two sets.
 inline Moments joined(const Moments& a, const Moments& b)
 {
   Moments s;

@@ -118,7 +118,7 @@ public:
     return energy_.energy(without, x.faces - 1);
   }
 
-  // `outcome` is the result of `outcome_with()`. It is passed because energies are expensive to compute.
+  // The outcome of `outcome_with()` or `outcome_without()` is passed because energies are expensive to compute.
   void add(Sums& x, const Face& face, const Outcome& outcome) const
   {
     energy_.add(x, face);
@@ -126,7 +126,6 @@ public:
     set(x, outcome);
   }
 
-  // `outcome`: the result of `outcome_without()`.
   void remove(Sums& x, const Face& face, const Outcome& outcome) const
   {
     energy_.remove(x, face);

@@ -116,7 +116,6 @@ auto chosen_energy(const NamedParameters& np)
     return Weighted_inertia_energy<Choice>(choose_parameter<Choice>(get_parameter(np, internal_np::cluster_weight_p)));
 }
 
-// Returns when to end the minimization.
 template <class NamedParameters>
 Minimization_end chosen_minimization_end(const NamedParameters& np)
 {

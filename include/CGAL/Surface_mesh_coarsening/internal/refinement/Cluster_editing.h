@@ -97,7 +97,6 @@ public:
   }
 
   std::vector<Index> faces(Index x) { return outward(face_of_[x]); }
-  // Returns one face of a cluster.
   Index face(Index x) const { return face_of_[x]; }
 
 private:
