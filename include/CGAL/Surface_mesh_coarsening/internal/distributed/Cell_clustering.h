@@ -29,24 +29,25 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// A surface that approximates the input, on one rank: each cell of several faces is a fan of triangles around a point of the
-// cell. There are several triangles for each triangle of the coarse mesh, so all vertices can be fitted to this surface in place
-// of the input, and the placement can be repaired. Its border is the border of the input, because the faces on the border are
-// cells.
+// A surface that approximates the input, on one rank. Its border is the border of the input, because the faces on the border are
+// cells, so it places the vertices there. With fans, each cell of several faces is a fan of triangles around a point of the cell.
+// Then there are several triangles for each triangle of the coarse mesh, so all vertices can be fitted to this surface in place
+// of the input, and the placement can be repaired.
 class Cell_surface
 {
 public:
-  Cell_surface(std::vector<Cell_mesh::Cell> cells, Flat_mesh mesh) : cells_(std::move(cells)), mesh_(std::move(mesh))
+  Cell_surface(std::vector<Cell_mesh::Cell> cells, Flat_mesh mesh, bool has_fans)
+    : cells_(std::move(cells)), mesh_(std::move(mesh)), has_fans_(has_fans)
   {
-    if (mesh_.corner_vertex.size() >= NONE / 6)
+    if (has_fans && mesh_.corner_vertex.size() >= NONE / 6)
       throw Invalid_input("the mesh of cells has " + std::to_string(mesh_.corner_vertex.size()) + " corners, more than the " +
                           std::to_string(NONE / 6 - 1) + " to which vertices can be fitted");
     for (std::vector<Index>* const unused : {&mesh_.first_in_star, &mesh_.star, &mesh_.loop})
       *unused = std::vector<Index>();
   }
 
-  // Fits the vertices to this surface if the placement does so, and repairs the placement on request. Called once. The parts know
-  // the clusters of the faces that represent cells.
+  // Places the vertices on the border, fits all vertices to this surface if the placement does so, and repairs the placement on
+  // request. Called once. The parts know the clusters of the faces that represent cells.
   void place(const Dual_parts& parts, const Rank_context& context, Placed_dual& dual)
   {
     std::vector<Index> cell_of;
@@ -81,7 +82,7 @@ private:
   {
     std::vector<char> is_fan;
     for (const Cell_mesh::Cell& cell : cells_)
-      is_fan.push_back(cell.faces > 1);
+      is_fan.push_back(has_fans_ && cell.faces > 1);
     Clustering_input input;
     {
       Star_subdivision cutting(mesh_, is_fan);
@@ -96,6 +97,7 @@ private:
 
   std::vector<Cell_mesh::Cell> cells_;
   Flat_mesh mesh_; // without stars
+  bool has_fans_;
 };
 
 // The clusters of the cells.
@@ -108,7 +110,7 @@ struct Cell_clusters
   // On rank 0:
   Coarsening_report report;
   Placed_dual dual;                      // if the cells have level 0
-  std::unique_ptr<Cell_surface> surface; // otherwise, if vertices are placed on it
+  std::unique_ptr<Cell_surface> surface; // otherwise, if vertices are placed on it or on its border
 };
 
 // Divides blocks into cells, and clusters the mesh of cells on rank 0.
@@ -217,17 +219,23 @@ private:
       return false;
     const std::vector<Index> clusters = clusters_of_base_faces(state);
     for (std::size_t x = 0, rank = 0; x < clusters.size(); ++x) {
-      while (x == mesh.ends()[rank])
+      while (x == mesh.ends[rank])
         ++rank;
       clusters_of_ranks.send(rank, std::uint64_t(clusters[x]));
     }
     divide_clusters(state, mesh, clusters);
     if (result_.level == 0)
       result_.dual = place(state, context_.placement, context_.output_coordinates(context_.frame));
-    else if (context_.places_on_cells())
-      result_.surface = std::make_unique<Cell_surface>(mesh.take_cells(), std::move(state.input.items.mesh));
+    else if (context_.places_on_cells() || has_border(state.input.items.mesh.components))
+      result_.surface = std::make_unique<Cell_surface>(std::move(mesh.cells), std::move(state.input.items.mesh),
+                                                       context_.places_on_cells());
     result_.report = state.report;
     return true;
+  }
+
+  static bool has_border(const std::vector<Component>& components)
+  {
+    return std::any_of(components.begin(), components.end(), [](const Component& c) { return c.loops > 0; });
   }
 
   void divide_clusters(const Clustering_state& state, const Cell_mesh& mesh, const std::vector<Index>& cluster_of_cell)
@@ -235,7 +243,7 @@ private:
     std::vector<std::size_t> faces(state.number_of_clusters(), 0);
     std::vector<Vector> sum(faces.size(), Vector{{0, 0, 0}});
     for (Index x = 0; x < cluster_of_cell.size(); ++x) {
-      const Index cluster = cluster_of_cell[x], faces_of_cell = mesh.cells()[x].faces;
+      const Index cluster = cluster_of_cell[x], faces_of_cell = mesh.cells[x].faces;
       faces[cluster] += faces_of_cell;
       sum[cluster] = sum[cluster] + double(faces_of_cell) * state.input.items.centroid(x);
     }

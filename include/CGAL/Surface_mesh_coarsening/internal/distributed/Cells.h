@@ -238,6 +238,9 @@ public:
     Index faces;
   };
 
+  std::vector<Cell> cells;
+  std::vector<std::size_t> ends; // of the cells of each bin
+
   // Moves the cells out of the own bins.
   Cell_mesh(Record_bins& records, const Linear_density& density, bool cells_are_faces)
     : density_(density), cells_are_faces_(cells_are_faces)
@@ -247,14 +250,9 @@ public:
     for (std::size_t i = 0; i < records.number_of_own(); ++i) {
       records.read<Cell_record>(i, [&](const Cell_record& cell) { add(cell); });
       records.clear(i);
-      ends_.push_back(cells_.size());
+      ends.push_back(cells.size());
     }
   }
-
-  const std::vector<Cell>& cells() const { return cells_; }
-  // The end of the cells of each bin.
-  const std::vector<std::size_t>& ends() const { return ends_; }
-  std::vector<Cell> take_cells() { return std::move(cells_); }
 
   // Completes the mesh and moves it out. Called once.
   Clustering_input take_input(const Run_context& context)
@@ -283,21 +281,21 @@ private:
   // Reserves memory; growing arrays would take almost twice as much.
   void reserve(const Record_bins& records)
   {
-    std::size_t cells = 0, corners = 0;
+    std::size_t number = 0, corners = 0;
     for (std::size_t i = 0; i < records.number_of_own(); ++i)
       records.read<Cell_record>(i, [&](const Cell_record& cell) {
-        ++cells;
+        ++number;
         corners += cell.corners;
       });
     if (corners >= NONE / 2)
       throw Invalid_input("the mesh of cells has " + std::to_string(corners) + " corners, more than the " +
                           std::to_string(NONE / 2 - 1) + " that can be numbered");
-    cells_.reserve(cells);
-    input_.area.reserve(cells);
-    input_.density.reserve(cells);
-    input_.item_faces.reserve(cells_are_faces_ ? 0 : cells);
-    input_.item_centroid.reserve(cells_are_faces_ ? 0 : cells);
-    input_.mesh.first_corner.reserve(cells + 1);
+    cells.reserve(number);
+    input_.area.reserve(number);
+    input_.density.reserve(number);
+    input_.item_faces.reserve(cells_are_faces_ ? 0 : number);
+    input_.item_centroid.reserve(cells_are_faces_ ? 0 : number);
+    input_.mesh.first_corner.reserve(number + 1);
     corners_.reserve(corners);
   }
 
@@ -305,7 +303,7 @@ private:
   {
     const double mass = density_.constant * cell.area + density_.factor * cell.weighted_area;
     const Vector moment = density_.constant * cell.moment + density_.factor * cell.weighted_moment;
-    cells_.push_back({cell.origin, cell.center, cell.faces});
+    cells.push_back({cell.origin, cell.center, cell.faces});
     input_.area.push_back(cell.area);
     input_.density.push_back(cell.area > 0 ? mass / cell.area : 1);
     if (!cells_are_faces_) {
@@ -329,7 +327,7 @@ private:
     m.corner_vertex.reserve(corners_.size());
     first_cell.resize(numbers.size());
     cell_of_corner.reserve(corners_.size());
-    for (Index x = 0; x < cells_.size(); ++x)
+    for (Index x = 0; x < cells.size(); ++x)
       for (const Index c : m.corners(x)) {
         const auto v = std::size_t(std::lower_bound(numbers.begin(), numbers.end(), corners_[c].vertex) - numbers.begin());
         m.corner_vertex.push_back(Index(v));
@@ -342,8 +340,6 @@ private:
 
   Linear_density density_;
   bool cells_are_faces_;
-  std::vector<Cell> cells_;
-  std::vector<std::size_t> ends_;
   std::vector<Cell_corner> corners_;
   Clustering_input input_;
 };

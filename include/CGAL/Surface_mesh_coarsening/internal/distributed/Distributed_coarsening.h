@@ -153,15 +153,16 @@ private:
     parts.gather(context_);
     on_first_rank(context_, [&] {
       report_.final_energy = 0;
-      for (const Dual_parts::Cluster_part& cluster : parts.clusters)
+      for (const Dual_parts::Cluster_part& cluster : parts.clusters) {
         report_.final_energy += cluster.energy;
+        dual_.positions.push_back(cluster.position);
+      }
       for (const Dual_parts::Triangle_part& part : parts.triangles)
         dual_.triangles.push_back(part.triangle);
-      dual_.positions = parts.positions();
     });
     context_.stage_ends(Coarsening_stage::TRIANGULATION);
     on_first_rank(context_, [&] {
-      if (context_.places_on_cells())
+      if (cells.surface)
         cells.surface->place(parts, context_, dual_);
     });
   }

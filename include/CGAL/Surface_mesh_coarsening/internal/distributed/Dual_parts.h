@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Rank_context.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Border_fit.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
@@ -101,16 +101,9 @@ struct Dual_parts
   {
     Index cluster;
     double energy;
-    Vector position;
-    Bbox_3 bounds; // of the position
+    Vector position; // unless the cluster lies on the border
+    Bbox_3 bounds;   // of the position
     bool operator<(const Cluster_part& p) const { return cluster < p.cluster; }
-  };
-  struct Border_part // an edge of the border
-  {
-    std::uint64_t source, target;
-    Index cluster;
-    Vector point; // at the source
-    bool operator<(const Border_part& p) const { return source < p.source; }
   };
   typedef std::array<std::uint64_t, 2> Center_part; // a face that represents its cell, and its cluster
   struct Triangle_part // a triangle of the fan at a vertex where several clusters meet
@@ -122,34 +115,28 @@ struct Dual_parts
   };
 
   std::vector<Cluster_part> clusters;
-  std::vector<Border_part> border;
-  std::vector<Center_part> centers; // if vertices are placed on the surface of cells
+  std::vector<Center_part> centers;
   std::vector<Triangle_part> triangles;
 
   void add(const Patch& patch, const Patch_clusters& local, const Distributed_choice& choice)
   {
     const Clustering_input& input = patch.input.items;
     const Flat_mesh& m = input.mesh;
-    std::vector<char> is_on_border(local.size(), false);
-    for (Index f = 0; f < m.number_of_faces(); ++f) {
-      if (!patch.is_own(f))
-        continue;
-      const Index x = local.labels()[f], cluster = local.global_number(x);
-      for (const Index c : m.corners(f))
-        if (m.face_across[c] == NONE) {
-          const Index v = m.corner_vertex[c], w = m.corner_vertex[m.next_corner(f, c)];
-          border.push_back({patch.number[v], patch.number[w], cluster, m.points[v]});
-          is_on_border[x] = true;
-        }
-      if (choice.places_on_cells() && patch.faces[f].is_center)
-        centers.push_back({{patch.faces[f].origin, cluster}});
-    }
+    for (const Face_data& face : patch.faces)
+      if (face.is_own && face.is_center)
+        centers.push_back({{face.origin, face.cluster}});
     const Clustered_faces surface(input, local.labels(), local.size(), choice);
     const auto& place = choice.placement.local ? choice.placement.local : choice.placement.start;
     const std::vector<Cluster_report> reports = choice.energy->cluster_reports(input, local.labels(), local.size());
+    const auto is_on_border = [&m](Index f) {
+      const Number_range corners = m.corners(f);
+      return std::any_of(corners.begin(), corners.end(), [&m](Index c) { return m.face_across[c] == NONE; });
+    };
     for (Index x = 0; x < local.size() && local.is_own(x); ++x) {
-      choice.poll(surface.faces(x).size());
-      const Vector p = is_on_border[x] ? Vector{{0, 0, 0}} : checked_position(surface, x, place(surface, x));
+      const Clustered_faces::Range faces = surface.faces(x);
+      choice.poll(faces.size());
+      const bool has_border = std::any_of(faces.begin(), faces.end(), is_on_border);
+      const Vector p = has_border ? Vector{{0, 0, 0}} : checked_position(surface, x, place(surface, x));
       clusters.push_back({local.global_number(x), reports[x].energy, p, surface.vertex_bounds(x)});
     }
     for_each_meeting_point(local.labels(), [&](Index v, const std::vector<Index>& runs) {
@@ -165,54 +152,14 @@ struct Dual_parts
   void gather(Rank_context& context)
   {
     gather_sorted(context, clusters);
-    gather_sorted(context, border);
     gather_sorted(context, centers);
     gather_sorted(context, triangles);
   }
 
-  // The following functions need the gathered parts.
-
-  // Returns the cluster of the cell that a face represents.
+  // Returns the cluster of the cell that a face represents, if the parts are gathered.
   Index cluster_at(std::uint64_t origin) const
   {
     return Index((*std::lower_bound(centers.begin(), centers.end(), Center_part{{origin, 0}}))[1]);
-  }
-
-  // Returns the positions of the vertices of all clusters.
-  std::vector<Vector> positions() const
-  {
-    std::vector<Vector> positions;
-    for (const Cluster_part& x : clusters)
-      positions.push_back(x.position);
-    std::vector<char> done(border.size(), false);
-    for (std::size_t i = 0; i < border.size(); ++i) {
-      if (done[i])
-        continue;
-      std::vector<Index> cluster_after;
-      std::vector<Vector> points;
-      for (std::size_t j = i; !done[j]; j = after(border[j])) {
-        done[j] = true;
-        cluster_after.push_back(border[j].cluster);
-        points.push_back(border[j].point);
-      }
-      fit_border_loop(
-        cluster_after,
-        [&](const std::vector<std::size_t>& places, Index) {
-          std::vector<Vector> arc;
-          for (const std::size_t place : places)
-            arc.push_back(points[place]);
-          return Border_arc(arc);
-        },
-        [&](Index cluster, const Vector& p) { positions[cluster] = p; });
-    }
-    return positions;
-  }
-
-private:
-  // Returns the edge of the border after an edge.
-  std::size_t after(const Border_part& e) const
-  {
-    return std::size_t(std::lower_bound(border.begin(), border.end(), Border_part{e.target, 0, 0, e.point}) - border.begin());
   }
 };
 

@@ -217,11 +217,11 @@ private:
     for (Index c = 0; c < vertex_of_.size(); ++c)
       sides.emplace_back(corner_[c].vertex, number(next_vertex(c)), face_of_[c]);
     std::sort(sides.begin(), sides.end());
-    std::size_t i = 1;
-    while (std::get<0>(sides[i]) != std::get<0>(sides[i - 1]) || std::get<1>(sides[i]) != std::get<1>(sides[i - 1]))
-      ++i;
-    const auto [source, target, f] = sides[i - 1];
-    const Index g = std::get<2>(sides[i]);
+    const auto first = std::adjacent_find(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+      return std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b);
+    });
+    const auto [source, target, f] = first[0];
+    const Index g = std::get<2>(first[1]);
     if (have_same_vertices(f, g))
       throw Invalid_input(name(f) + " is " + name(g) + ", too");
     throw Invalid_input("the edge from vertex " + std::to_string(source) + " to vertex " + std::to_string(target) +

@@ -11,7 +11,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 #include <boost/mpi/collectives.hpp>
-#include <boost/mpi/communicator.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -91,28 +90,28 @@ class Piece_blocks
 {
 public:
   Piece_blocks(Rank_context& context, Face_source source)
-    : context_(context), communicator_(context.communicator), source_(std::move(source))
+    : context_(context), source_(std::move(source))
   {}
 
   // Checks each face, finds the frame of the mesh, and gives faces without names a name.
   void measure()
   {
-    on_all_ranks(communicator_, [&] { source_([this](const auto&... face) { measure_face(face...); }); });
+    on_all_ranks(context_.communicator, [&] { source_([this](const auto&... face) { measure_face(face...); }); });
     std::vector<std::uint64_t> faces;
-    boost::mpi::all_gather(communicator_, faces_, faces);
+    boost::mpi::all_gather(context_.communicator, faces_, faces);
     std::partial_sum(faces.begin(), faces.end(), std::back_inserter(first_face_));
     if (!context_.face_names)
       context_.face_names = [this](std::uint64_t face) {
         const auto [piece, number] = origin(face);
         return "face " + std::to_string(number) + " of piece " + std::to_string(piece);
       };
-    on_all_ranks(communicator_, [&] { throw_fault(); });
+    on_all_ranks(context_.communicator, [&] { throw_fault(); });
     if (number_of_faces() == 0)
       throw Invalid_input("the input has no faces");
     // Minima do not depend on the order of their computation.
     const double own[6] = {box_.xmin(), box_.ymin(), box_.zmin(), -box_.xmax(), -box_.ymax(), -box_.zmax()};
     double all[6];
-    boost::mpi::all_reduce(communicator_, own, 6, all, boost::mpi::minimum<double>());
+    boost::mpi::all_reduce(context_.communicator, own, 6, all, boost::mpi::minimum<double>());
     std::vector<Vector> ends = {{{all[0], all[1], all[2]}}, {{-all[3], -all[4], -all[5]}}};
     context_.frame = to_local_frame(ends, {0, 1, 2}, Run_context());
     curve_ = Morton_curve(ends[0], ends[1]);
@@ -133,13 +132,13 @@ public:
   std::unique_ptr<Record_bins> read(std::size_t faces_per_block) const
   {
     std::vector<std::uint64_t> places;
-    on_all_ranks(communicator_, [&] {
+    on_all_ranks(context_.communicator, [&] {
       places.reserve(faces_);
       for_each_record([&](const Face_record& face) { places.push_back(face.place); });
     });
     const auto sum = [this](const std::vector<std::uint64_t>& own) {
       std::vector<std::uint64_t> all(own.size());
-      boost::mpi::all_reduce(communicator_, own.data(), int(own.size()), all.data(), std::plus<std::uint64_t>());
+      boost::mpi::all_reduce(context_.communicator, own.data(), int(own.size()), all.data(), std::plus<std::uint64_t>());
       return all;
     };
     const std::vector<std::uint64_t> starts = block_starts(std::move(places), faces_per_block, sum);
@@ -192,7 +191,7 @@ private:
   void throw_fault() const
   {
     if (faces_ >= NONE)
-      throw Invalid_input("piece " + std::to_string(communicator_.rank()) + " has more faces than the " +
+      throw Invalid_input("piece " + std::to_string(context_.communicator.rank()) + " has more faces than the " +
                           std::to_string(NONE - 1) + " that can be numbered");
     if (fault_)
       throw Invalid_input(fault_->before + context_.face_names(first_face_[context_.rank()] + fault_->face) + fault_->after);
@@ -217,7 +216,6 @@ private:
   }
 
   Rank_context& context_;
-  const boost::mpi::communicator& communicator_;
   const Face_source source_;
   Bbox_3 box_;                                   // of the vertices of this piece
   Morton_curve curve_{{{0, 0, 0}}, {{0, 0, 0}}}; // of the mesh in its frame

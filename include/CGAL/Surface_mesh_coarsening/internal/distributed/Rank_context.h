@@ -57,7 +57,7 @@ struct Distributed_choice : Run_context
   std::string scratch_directory; // if empty, all records are kept in memory
   std::uint64_t scratch_memory = 0; // the number of bytes of records that are kept in memory in spite of a scratch directory
 
-  // Whether rank 0 places vertices on the surface of cells.
+  // Whether rank 0 fits or repairs vertices on the surface of cells.
   bool places_on_cells() const { return placement.from_start || repairs_output; }
 };
 

@@ -105,13 +105,26 @@ public:
     }
   }
 
-  // Opens the file at the beginning, so that an unusable directory is reported before any work is done.
+  // Opens the file at the beginning, so that an unusable directory is reported before any work is done. Uses the first unused
+  // name, because other ranks and other programs may use the same directory.
   void limit_memory(std::string directory, std::uint64_t max_words)
   {
     directory_ = std::move(directory);
     max_words_ = max_words;
-    if (!directory_.empty())
-      open();
+    if (directory_.empty())
+      return;
+    std::FILE* created = nullptr;
+    for (int i = 0; !created; ++i) {
+      name_ = directory_ + "/coarsening_scratch_" + std::to_string(i);
+      errno = 0;
+      created = std::fopen(name_.c_str(), "wbx");
+      check(created || errno == EEXIST, "create");
+    }
+    std::fclose(created);
+    file_.rdbuf()->pubsetbuf(nullptr, 0);
+    file_.open(name_, std::ios::in | std::ios::out | std::ios::binary);
+    std::remove(name_.c_str());
+    check(file_.good(), "open");
   }
 
   // Stores words, at least one, and clears `words`.
@@ -170,24 +183,6 @@ private:
     }
     slots_ += n;
     return slots_ - n;
-  }
-
-  // Uses the first unused name, because other ranks and other programs may use the same directory.
-  void open()
-  {
-    for (int i = 0;; ++i) {
-      name_ = directory_ + "/coarsening_scratch_" + std::to_string(i);
-      errno = 0;
-      if (std::FILE* const created = std::fopen(name_.c_str(), "wbx")) {
-        std::fclose(created);
-        break;
-      }
-      check(errno == EEXIST, "create");
-    }
-    file_.rdbuf()->pubsetbuf(nullptr, 0);
-    file_.open(name_, std::ios::in | std::ios::out | std::ios::binary);
-    std::remove(name_.c_str());
-    check(file_.good(), "open");
   }
 
   void check(bool has_succeeded, const char* action) const

@@ -137,9 +137,10 @@ inline Cluster_tasks divide_into_tasks(const std::vector<std::size_t>& faces, co
 
 inline std::size_t number_of_tasks(const Cluster_tasks& tasks, std::size_t k)
 {
-  typedef std::array<Index, 2> Tasks;
-  return 1 + std::size_t((*std::max_element(tasks.begin(), tasks.end(),
-                                            [k](const Tasks& a, const Tasks& b) { return a[k] < b[k]; }))[k]);
+  Index last = 0;
+  for (const std::array<Index, 2>& task : tasks)
+    last = (std::max)(last, task[k]);
+  return std::size_t(last) + 1;
 }
 
 // Sends the own faces to their tasks in a division, and copies to the tasks of all faces with which they share a vertex. The mesh
