@@ -85,32 +85,20 @@ Distributed_report coarsen_piece(const boost::mpi::communicator& communicator, c
 /// \param vertex_numbers the global numbers of the vertices of the piece
 /// \param number_of_vertices the number of vertices of the output
 /// \param output receives the coarse mesh on rank 0. On other ranks it does not change, unless `output_on_all_ranks` is `true`.
-/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
-/// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+/// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below and, as for
+/// `coarsen_mesh()`, with `piece` as input: \smcParam{cluster_weight}, \smcParam{cluster_energy}, \smcParam{face_density_map},
+/// \smcParam{face_cluster_map}, \smcParam{vertex_point_map}, \smcParam{geom_traits} and \smcParam{visitor}. The visitor is
+/// notified of the progress on its rank; if it cancels, the function throws on all ranks.
+/// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{vertex_point_map} and
+/// \smcParam{geom_traits} of `output`
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{cluster_weight}
-///     \cgalParamDescription{the weight of a cluster in the energy}
-///     \cgalParamType{a model of `ClusterWeight`}
-///     \cgalParamDefault{`Weighted_area_weight()`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{cluster_energy}
-///     \cgalParamDescription{the energy that the minimization lowers, instead of a weight}
-///     \cgalParamType{a model of `ClusterEnergy`}
-///     \cgalParamDefault{`Weighted_inertia_energy`, with the weight}
-///     \cgalParamExtra{Only one of `cluster_weight` and `cluster_energy` can be given.}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_density}
 ///     \cgalParamDescription{the density of the face whose normal deviates most from the normals around it, in \f$ [1, 10^{20}]
 ///                           \f$}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`10`}
 ///     \cgalParamExtra{not used if `face_density_map` is given; densities are not raised near borders}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{face_density_map}
-///     \cgalParamDescription{densities that replace the computed densities, in \f$ [10^{-20}, 10^{20}] \f$}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the faces as keys and values that `CGAL::to_double()` accepts}
-///     \cgalParamDefault{densities from the deviation of normals}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{the maximum number of rounds of the minimization, for cells and for faces}
@@ -166,40 +154,6 @@ Distributed_report coarsen_piece(const boost::mpi::communicator& communicator, c
 ///     \cgalParamDescription{the number of bytes of faces that are kept in memory in addition to the current block}
 ///     \cgalParamType{`std::uint64_t`}
 ///     \cgalParamDefault{`0`: with a scratch directory, only current blocks are in memory}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{face_cluster_map}
-///     \cgalParamDescription{receives the cluster of each face of `piece`}
-///     \cgalParamType{a model of `WritablePropertyMap` with the faces as keys and an integral value type}
-///     \cgalParamDefault{the clusters are not written}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{a property map associating points to the vertices of `piece`}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the vertices as keys and a point type as value}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, piece)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an object that provides the coordinates of points}
-///     \cgalParamType{a class with functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` and the functions that return them,
-///                    as every \cgal kernel has}
-///     \cgalParamDefault{a kernel deduced from the point type}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is notified of the progress on its rank and may cancel; the function then throws on all ranks}
-///     \cgalParamType{a model of `CoarseningVisitor`}
-///     \cgalParamDefault{`Coarsening_visitor_base`}
-///   \cgalParamNEnd
-/// \cgalNamedParamsEnd
-///
-/// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{a property map associating points to the vertices of `output`}
-///     \cgalParamType{a model of `WritablePropertyMap` with the vertices as keys and a point type as value}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, output)`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an object that constructs points}
-///     \cgalParamType{a class with the functor `Construct_point_3` and the function that returns it, as every \cgal kernel has}
-///     \cgalParamDefault{a kernel deduced from the point type}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

@@ -10,10 +10,7 @@
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <limits>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -128,19 +125,13 @@ class Face_graph_filler
   Output& output_;
   const NamedParameters& np_;
   Points points_;
-  std::vector<std::array<std::size_t, 3> > polygons_;
+  std::vector<Triangle> triangles_;
 
 public:
   Face_graph_filler(Points points, const std::vector<Triangle>& triangles, Output& output, const NamedParameters& np,
-                    const Run_context& context = Run_context())
-    : output_(output), np_(np), points_(std::move(points))
-  {
-    polygons_.reserve(triangles.size());
-    for (const Triangle& t : triangles) {
-      context.poll();
-      polygons_.push_back({{t[0], t[1], t[2]}});
-    }
-  }
+                    const Run_context& = Run_context())
+    : output_(output), np_(np), points_(std::move(points)), triangles_(triangles)
+  {}
 
   void commit()
   {
@@ -148,7 +139,7 @@ public:
                                             get_property_map(CGAL::vertex_point, output_));
     clear(output_);
     try {
-      Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points_, polygons_, output_,
+      Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points_, triangles_, output_,
                                                             CGAL::parameters::default_values(),
                                                             CGAL::parameters::vertex_point_map(point_map));
     } catch (...) {

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -75,8 +74,8 @@ struct Featured_output
 class Triangle_patches : Featured_output
 {
 public:
-  explicit Triangle_patches(const Featured_output& output)
-    : Featured_output(output), pieces_(input.cells ? input.cells->pieces() : input.items)
+  Triangle_patches(const Featured_output& output, std::size_t clusters)
+    : Featured_output(output), clusters_(clusters), pieces_(input.cells ? input.cells->pieces() : input.items)
   {
     if (patches.empty() && input.cells)
       regions_ = regions(input.cells->base().mesh, input.cells->edges());
@@ -130,7 +129,7 @@ private:
       if (face[t] != NONE)
         reached.push_back(Index(t));
     const auto source = [this](Index side) { return triangles[side / 3][side % 3]; };
-    const std::vector<Index> opposite = opposite_sides(triangles.size(), number_of_clusters(), source);
+    const std::vector<Index> opposite = opposite_sides(triangles.size(), clusters_, source);
     for (std::size_t k = 0; k < reached.size(); ++k)
       for (Index side = 3 * reached[k]; side < 3 * reached[k] + 3; ++side) {
         const Index t = opposite[side] == NONE ? NONE : opposite[side] / 3;
@@ -141,18 +140,10 @@ private:
       }
   }
 
-  std::size_t number_of_clusters() const
-  {
-    Index last = 0;
-    for (const Triangle& t : triangles)
-      last = (std::max)({last, t[0], t[1], t[2]});
-    return std::size_t(last) + 1;
-  }
-
   // Returns a face of each cluster.
   std::vector<Index> some_faces() const
   {
-    std::vector<Index> some(number_of_clusters(), NONE);
+    std::vector<Index> some(clusters_, NONE);
     for (std::size_t f = 0; f < pieces_.mesh.number_of_faces(); ++f) {
       const Index label = labels[input.cells ? input.cells->polygon(Index(f)) : Index(f)];
       if (label < some.size())
@@ -168,6 +159,7 @@ private:
     return regions_.empty() ? pieces_.mesh.component[face] : regions_[input.cells->base_face(face)];
   }
 
+  const std::size_t clusters_;
   const Clustering_input& pieces_;
   std::vector<long long> regions_;
 };
@@ -182,7 +174,7 @@ void write_features(const Output& output, const NamedParameters& np, const Featu
   if constexpr (has_parameter<CGAL::internal_np::face_patch_t, NamedParameters>) {
     auto map = get_parameter(np, CGAL::internal_np::face_patch);
     typedef typename boost::property_traits<decltype(map)>::value_type Value;
-    const std::vector<long long> patch = Triangle_patches(coarse).run();
+    const std::vector<long long> patch = Triangle_patches(coarse, v.size()).run();
     for (std::size_t t = 0; t < patch.size(); ++t)
       put(map, face(halfedge_between(coarse.triangles[t][0], coarse.triangles[t][1]), output), static_cast<Value>(patch[t]));
   }

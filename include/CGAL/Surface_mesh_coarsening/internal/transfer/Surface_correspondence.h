@@ -40,7 +40,6 @@ Clustered_arrays clustered_arrays(const FaceGraph& mesh, const NamedParameters& 
   if (n.faces.empty() || coarse.faces.empty())
     throw Invalid_input("there is nothing to transfer between meshes of which one has no faces");
   result.frame = copy_points(mesh, np, n, result.mesh);
-  bool is_any = false;
   for (std::size_t f = 0; f < n.faces.size(); ++f) {
     const Face_geometry g = face_geometry(result.mesh, Index(f));
     result.area.push_back(g.area);
@@ -50,9 +49,8 @@ Clustered_arrays clustered_arrays(const FaceGraph& mesh, const NamedParameters& 
       throw Invalid_input("the cluster of face " + std::to_string(f) + " is " + std::to_string(x) + ", but the coarse mesh has " +
                           std::to_string(clusters) + " vertices");
     result.cluster.push_back(x == clusters ? NONE : Index(x));
-    is_any = is_any || x != clusters;
   }
-  if (!is_any)
+  if (std::all_of(result.cluster.begin(), result.cluster.end(), [](Index x) { return x == NONE; }))
     throw Invalid_input("no face has a cluster");
   return result;
 }
