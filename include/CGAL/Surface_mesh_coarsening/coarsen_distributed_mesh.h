@@ -86,20 +86,13 @@ Distributed_report coarsen_piece(const boost::mpi::communicator& communicator, c
 /// \param number_of_vertices the number of vertices of the output
 /// \param output receives the coarse mesh on rank 0. On other ranks it does not change, unless `output_on_all_ranks` is `true`.
 /// \param np_in an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below and, as for
-/// `coarsen_mesh()`, with `piece` as input: \smcParam{cluster_weight}, \smcParam{cluster_energy}, \smcParam{face_density_map},
-/// \smcParam{face_cluster_map}, \smcParam{vertex_point_map}, \smcParam{geom_traits} and \smcParam{visitor}. The visitor is
-/// notified of the progress on its rank; if it cancels, the function throws on all ranks.
+/// `coarsen_mesh()` with `piece` as input, \smcParam{cluster_weight}, \smcParam{cluster_energy}, \smcParam{maximum_density},
+/// \smcParam{face_density_map}, \smcParam{face_cluster_map}, \smcParam{vertex_point_map}, \smcParam{geom_traits} and
+/// \smcParam{visitor}. Densities are not raised near borders. The visitor is notified of the progress on its rank.
 /// \param np_out an optional sequence of \ref bgl_namedparameters "Named Parameters": \smcParam{vertex_point_map} and
 /// \smcParam{geom_traits} of `output`
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{maximum_density}
-///     \cgalParamDescription{the density of the face whose normal deviates most from the normals around it, in \f$ [1, 10^{20}]
-///                           \f$}
-///     \cgalParamType{`double`}
-///     \cgalParamDefault{`10`}
-///     \cgalParamExtra{not used if `face_density_map` is given; densities are not raised near borders}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{the maximum number of rounds of the minimization, for cells and for faces}
 ///     \cgalParamType{`std::size_t`}
