@@ -157,7 +157,7 @@ Distributed_report coarsen_piece(const boost::mpi::communicator& communicator, c
 /// \throws Invalid_input if the pieces have no faces, do not form a 2-manifold, contradict each other, or have a coordinate that
 /// is not finite, if a parameter is out of range, if `repair_output` is not available, or if the ranks pass different numbers of
 /// vertices. Messages name the piece and the face, or the number of the vertex.
-/// \throws Coarsening_cancelled if the visitor of a rank cancels.
+/// \throws Coarsening_cancelled on all ranks if the visitor of a rank cancels.
 /// \throws std::runtime_error if a rank fails for another reason, for example because memory or space for its scratch file is
 /// exhausted.
 ///
