@@ -434,8 +434,10 @@ BOOST_AUTO_TEST_CASE(convergence_tolerance)
   }
   Clustering c(mesh);
   begin(c);
-  for (const double tolerance : {-1e-3, std::numeric_limits<double>::quiet_NaN()})
+  for (const double tolerance : {-1e-3, std::numeric_limits<double>::quiet_NaN()}) {
     BOOST_CHECK_THROW(c.minimize(10, tolerance), SMC::Invalid_input);
+    BOOST_CHECK_THROW(c.seed_from_number_of_faces(20, 10, tolerance), SMC::Invalid_input);
+  }
   BOOST_CHECK_EQUAL(c.report().rounds, 0u);
 }
 

@@ -141,12 +141,13 @@ public:
   /// \param number_of_iterations, convergence_tolerance the later arguments of `minimize()`
   /// \return the number of seeds
   /// \throws Unreachable_number_of_vertices as `seed()` does.
+  /// \throws Invalid_input if the tolerance is negative or not a number.
   std::size_t seed_from_number_of_faces(std::size_t number_of_faces,
                                         std::size_t number_of_iterations = Coarsening_defaults::number_of_iterations,
                                         double convergence_tolerance = Coarsening_defaults::convergence_tolerance)
   {
     return seed_faces_or_cells(
-      internal::vertices_for_faces(state_, number_of_faces, {number_of_iterations, convergence_tolerance}));
+      internal::vertices_for_faces(state_, number_of_faces, minimization_end(number_of_iterations, convergence_tolerance)));
   }
 
   /// The number of faces per cluster that the subdivision with parameter `subdivide_input` provides. A cluster of this many
@@ -219,9 +220,7 @@ public:
   void minimize(std::size_t number_of_iterations = Coarsening_defaults::number_of_iterations,
                 double convergence_tolerance = Coarsening_defaults::convergence_tolerance)
   {
-    if (!(convergence_tolerance >= 0))
-      throw Invalid_input("the convergence tolerance is " + std::to_string(convergence_tolerance));
-    internal::minimize(state_, {number_of_iterations, convergence_tolerance});
+    internal::minimize(state_, minimization_end(number_of_iterations, convergence_tolerance));
   }
 
   /// returns the energy of the clustering: the value of formula (8), in the sixth (weighted area) or fourth power of the unit of
@@ -376,6 +375,13 @@ public:
   /// \endcond
 
 private:
+  static internal::Minimization_end minimization_end(std::size_t max_rounds, double tolerance)
+  {
+    if (!(tolerance >= 0))
+      throw Invalid_input("the convergence tolerance is " + std::to_string(tolerance));
+    return {max_rounds, tolerance};
+  }
+
   std::size_t seed_as(const internal::Seeding& seeding)
   {
     internal::seed(state_, seeding);

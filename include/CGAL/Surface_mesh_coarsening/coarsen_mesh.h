@@ -117,8 +117,9 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///   \cgalParamNBegin{error_feedback}
 ///     \cgalParamDescription{the number of rounds of `Fitted_placement` that relocate vertices from regions where they hardly
 ///                           lower the distance to regions where the distance is large. The clusters are relocated too, and keep
-///                           their number. The relocation is undone if the result is not closer to the input than the fit without
-///                           these rounds, or has more intersections. With 0, the densities alone distribute the vertices.}
+///                           their number. The relocation is undone unless the result is closer to the input than the fit
+///                           without these rounds, and its mean smallest angle reaches the goal or is no smaller. With 0, the
+///                           densities alone distribute the vertices.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`Coarsening_defaults::error_feedback`, which is `8`; `0` if `face_density_map` is given}
 ///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, or if clusters are given, edited or
