@@ -146,8 +146,8 @@ public:
                                         std::size_t number_of_iterations = Coarsening_defaults::number_of_iterations,
                                         double convergence_tolerance = Coarsening_defaults::convergence_tolerance)
   {
-    return seed_faces_or_cells(
-      internal::vertices_for_faces(state_, number_of_faces, minimization_end(number_of_iterations, convergence_tolerance)));
+    const internal::Minimization_end end = internal::minimization_end(number_of_iterations, convergence_tolerance);
+    return seed_faces_or_cells(internal::vertices_for_faces(state_, number_of_faces, end));
   }
 
   /// The number of faces per cluster that the subdivision with parameter `subdivide_input` provides. A cluster of this many
@@ -220,7 +220,7 @@ public:
   void minimize(std::size_t number_of_iterations = Coarsening_defaults::number_of_iterations,
                 double convergence_tolerance = Coarsening_defaults::convergence_tolerance)
   {
-    internal::minimize(state_, minimization_end(number_of_iterations, convergence_tolerance));
+    internal::minimize(state_, internal::minimization_end(number_of_iterations, convergence_tolerance));
   }
 
   /// returns the energy of the clustering: the value of formula (8), in the sixth (weighted area) or fourth power of the unit of
@@ -375,13 +375,6 @@ public:
   /// \endcond
 
 private:
-  static internal::Minimization_end minimization_end(std::size_t max_rounds, double tolerance)
-  {
-    if (!(tolerance >= 0))
-      throw Invalid_input("the convergence tolerance is " + std::to_string(tolerance));
-    return {max_rounds, tolerance};
-  }
-
   std::size_t seed_as(const internal::Seeding& seeding)
   {
     internal::seed(state_, seeding);

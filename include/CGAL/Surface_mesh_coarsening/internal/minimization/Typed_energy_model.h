@@ -116,16 +116,20 @@ auto chosen_energy(const NamedParameters& np)
     return Weighted_inertia_energy<Choice>(choose_parameter<Choice>(get_parameter(np, internal_np::cluster_weight_p)));
 }
 
+inline Minimization_end minimization_end(std::size_t max_rounds, double tolerance)
+{
+  if (!(tolerance >= 0))
+    throw Invalid_input("the convergence tolerance is " + std::to_string(tolerance));
+  return {max_rounds, tolerance};
+}
+
 template <class NamedParameters>
 Minimization_end chosen_minimization_end(const NamedParameters& np)
 {
-  const double tolerance =
-    choose_parameter(get_parameter(np, internal_np::convergence_tolerance_p), Coarsening_defaults::convergence_tolerance);
-  if (!(tolerance >= 0))
-    throw Invalid_input("the convergence tolerance is " + std::to_string(tolerance));
-  return {std::size_t(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
-                                       Coarsening_defaults::number_of_iterations)),
-          tolerance};
+  return minimization_end(
+    std::size_t(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
+                                 Coarsening_defaults::number_of_iterations)),
+    choose_parameter(get_parameter(np, internal_np::convergence_tolerance_p), Coarsening_defaults::convergence_tolerance));
 }
 
 template <class Energy>
