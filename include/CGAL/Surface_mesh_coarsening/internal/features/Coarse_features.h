@@ -99,7 +99,8 @@ class Labelled_pieces
 {
 public:
   Labelled_pieces(const Featured_input& input, const Cluster_labels& labels, std::size_t clusters)
-    : input_(input.cells ? input.cells->pieces() : input.items), labels_(labels)
+    : input_(input.cells ? input.cells->pieces() : input.items), labels_(labels),
+      cells_(input.cells && input.cells->base().mesh.is_triangle_mesh() ? input.cells.get() : nullptr)
   {
     if (!input.cells)
       return;
@@ -114,6 +115,10 @@ public:
   }
 
   const Clustering_input& input() const { return input_; }
+  // The triangles that were cut into pieces, and the triangle that contains a piece. Pieces of other faces are themselves whole,
+  // because the fan of a face from one of its corners is another surface if the face is not flat or not convex.
+  const Flat_mesh& whole_mesh() const { return cells_ ? cells_->base().mesh : input_.mesh; }
+  Index whole_face(Index piece) const { return cells_ ? cells_->base_face(piece) : piece; }
   const Cluster_labels& labels() const { return labels_of_pieces_ ? *labels_of_pieces_ : labels_; }
   // Null without features.
   const Coarse_features* features() const { return features_ ? &*features_ : nullptr; }
@@ -139,6 +144,7 @@ private:
   std::optional<Cluster_labels> labels_of_pieces_;
   std::optional<Coarse_features> features_;
   std::vector<Index> single_vertex_;
+  const Feature_cells* cells_; // of triangles; null if no triangles were cut
 };
 
 // Returns the cluster of a face of the caller's mesh: the cluster of its largest part. If features are kept, the first corner of

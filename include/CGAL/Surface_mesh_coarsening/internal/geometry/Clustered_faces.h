@@ -69,6 +69,7 @@ public:
   Clustered_faces(const Labelled_pieces& pieces, std::size_t clusters, const Run_context& context)
     : Clustered_faces(pieces.input(), pieces.labels(), clusters, context, pieces.features())
   {
+    pieces_ = &pieces;
     single_vertex_ = pieces.single_vertices();
     number_of_cells_ = pieces.number_of_cells();
   }
@@ -86,6 +87,9 @@ public:
   const Cluster_labels& labels() const { return labels_; }
   const Run_context& context() const { return context_; }
   const Coarse_features* features() const { return features_; }
+  // See `Labelled_pieces`.
+  const Flat_mesh& whole_mesh() const { return pieces_ ? pieces_->whole_mesh() : input_.mesh; }
+  Index whole_face(Index face) const { return pieces_ ? pieces_->whole_face(face) : face; }
 
   // Whether the faces approximate the input. They may intersect where the input does not.
   bool is_approximate() const { return is_approximate_; }
@@ -145,6 +149,7 @@ private:
   std::vector<Index> single_vertex_;    // of each cluster; empty if faces are clustered
   std::size_t number_of_cells_ = 0;
   bool is_approximate_ = false;
+  const Labelled_pieces* pieces_ = nullptr; // null if no pieces were given
 };
 
 } // namespace internal

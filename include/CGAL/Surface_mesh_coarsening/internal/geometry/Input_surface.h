@@ -108,6 +108,24 @@ public:
     return candidate.face == NONE ? std::numeric_limits<double>::infinity() : candidate.foot.squared_distance;
   }
 
+  // Finds the closest point to `p` on face `f`. Returns whether it is no nearer to a side than to `p`; then a descent ends here.
+  // Fans of several triangles are left to the descent.
+  bool is_closest_inside(const Vector& p, Index f, Closest& closest) const
+  {
+    if (mesh_.degree(f) != 3)
+      return false;
+    Candidate candidate;
+    improve(p, f, candidate);
+    if (candidate.face == NONE)
+      return false;
+    const Fan corners = fan(f);
+    const std::array<bool, 3> is_near = near_sides(candidate, corners);
+    if (is_near[0] || is_near[1] || is_near[2])
+      return false;
+    closest = {{point_in(candidate, corners), f}, candidate.foot.squared_distance, false};
+    return true;
+  }
+
   // Returns the closest point to `p` found by a descent of at most `steps` steps, beginning at a face of the surface. A
   // step visits the faces that share an edge or a vertex with the triangle of the current closest point, where the edge or vertex
   // is no farther from this point than `p`.
@@ -126,12 +144,9 @@ public:
       });
       has_ended = candidate.face == before.face;
     }
-    const Fan corners = fan(candidate.face);
-    const Vector& x = candidate.foot.barycentric;
-    return {
-      {x[0] * corners.point(0) + x[1] * corners.point(candidate.last - 1) + x[2] * corners.point(candidate.last), candidate.face},
-      candidate.foot.squared_distance,
-      !has_ended || !has_visited_all};
+    return {{point_in(candidate, fan(candidate.face)), candidate.face},
+            candidate.foot.squared_distance,
+            !has_ended || !has_visited_all};
   }
 
 private:
@@ -273,20 +288,35 @@ private:
     }
   }
 
-  // Calls `visit(g)` for the faces across a side that is no farther from a closest point than the point that was searched for;
-  // if there are two such sides, for the faces around their common corner. Returns whether no such face is left out.
+  static Vector point_in(const Candidate& c, const Fan& corners)
+  {
+    const Vector& x = c.foot.barycentric;
+    return x[0] * corners.point(0) + x[1] * corners.point(c.last - 1) + x[2] * corners.point(c.last);
+  }
+
+  // Returns for each corner of the triangle of a closest point whether the opposite side is no farther from it than the point
+  // that was searched for.
+  static std::array<bool, 3> near_sides(const Candidate& c, const Fan& corners)
+  {
+    std::array<bool, 3> is_near;
+    const Vector* at[3] = {&corners.point(0), &corners.point(c.last - 1), &corners.point(c.last)};
+    const Vector n = cross(*at[1] - *at[0], *at[2] - *at[0]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector side = *at[(k + 1) % 3] - *at[(k + 2) % 3];
+      const double b = c.foot.barycentric[k];
+      is_near[k] = b * b * dot(n, n) <= c.foot.squared_distance * dot(side, side);
+    }
+    return is_near;
+  }
+
+  // Calls `visit(g)` for the faces across a near side; if there are two such sides, for the faces around their common corner.
+  // Returns whether no such face is left out.
   template <class Visit>
   bool for_each_near(const Candidate& c, const Visit& visit) const
   {
     const Fan corners = fan(c.face);
     const Index at[3] = {0, c.last - 1, c.last};
-    std::array<bool, 3> is_near; // whether the side opposite to a corner is near
-    const Vector n = cross(corners.point(at[1]) - corners.point(0), corners.point(at[2]) - corners.point(0));
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vector side = corners.point(at[(k + 1) % 3]) - corners.point(at[(k + 2) % 3]);
-      const double b = c.foot.barycentric[k];
-      is_near[k] = b * b * dot(n, n) <= c.foot.squared_distance * dot(side, side);
-    }
+    const std::array<bool, 3> is_near = near_sides(c, corners);
     bool at_corner = false, are_all = true;
     for (std::size_t k = 0; k < 3; ++k)
       if (is_near[(k + 1) % 3] && is_near[(k + 2) % 3]) {

@@ -35,6 +35,7 @@ class Corner_offsets
 public:
   Index operator[](std::size_t i) const { return is_listed_ ? offsets_[i] : Index(3 * i); }
   std::size_t size() const { return size_; }
+  bool are_of_triangles() const { return !is_listed_; }
   void reserve(std::size_t n) { reserved_ = n; }
   void push_back(Index offset)
   {
@@ -101,6 +102,7 @@ struct Flat_mesh
 
   std::size_t number_of_faces() const { return first_corner.size() - 1; }
   std::size_t number_of_vertices() const { return first_in_star.size() - 1; }
+  bool is_triangle_mesh() const { return first_corner.are_of_triangles(); }
   bool is_on_border(Index v) const { return loop[v] != NONE; }
   Index valence(std::size_t v) const { return first_in_star[v + 1] - first_in_star[v]; }
   Index degree(Index f) const { return first_corner[f + 1] - first_corner[f]; }

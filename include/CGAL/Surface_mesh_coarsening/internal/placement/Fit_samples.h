@@ -48,16 +48,22 @@ public:
   typedef std::array<Back_sample, 6> Back_samples;
 
   Fit_samples(const Clustered_faces& surface, const Flippable_triangulation& coarse, const std::vector<Vector>& positions)
-    : surface_(surface), input_(surface.input().mesh), coarse_(coarse), positions_(positions),
-      area_(input_.area(surface.context())), prepared_(coarse.triangles().size()), back_(coarse.triangles().size())
+    : surface_(surface), input_(surface.whole_mesh()), coarse_(coarse), positions_(positions),
+      prepared_(coarse.triangles().size()), back_(coarse.triangles().size())
   {
-    if (input_.has_hubs())
-      search_.emplace(surface.input().mesh, surface.labels().labels(), surface.number_of_clusters());
+    const Input_surface pieces(surface.input().mesh);
+    area_ = pieces.area(surface.context());
+    if (input_.has_hubs()) {
+      label_.resize(surface.whole_mesh().number_of_faces());
+      for (std::size_t f = 0; f < surface.input().mesh.number_of_faces(); ++f)
+        label_[surface.whole_face(Index(f))] = surface.labels()[Index(f)];
+      search_.emplace(surface.whole_mesh(), label_, surface.number_of_clusters());
+    }
     std::size_t number = samples_per_triangle * coarse.triangles().size();
     if (surface.has_cells())
       number = (std::min)(number, surface.input().mesh.number_of_faces());
     samples_.reserve(number);
-    input_.for_each_sample(number, area_, surface.context(), [this](const Input_point& p) {
+    pieces.for_each_sample(number, area_, surface.context(), [this](const Input_point& p) {
       samples_.push_back({p.position, p.face, NONE, {}});
     });
     next_on_.assign(samples_.size(), NONE);
@@ -91,7 +97,7 @@ public:
       for_each_chunk(context.uninterrupted(), (std::min)(at_a_time, back_.size() - first), 16,
                      [&](std::size_t, std::size_t begin, std::size_t end) {
                        for (std::size_t t = first + begin; t < first + end; ++t)
-                         back_[t] = feet_of(triangles[t], starts_around(Index(t)));
+                         update_feet(Index(t));
                      });
     }
   }
@@ -402,7 +408,7 @@ private:
   void add_samples(Index t, std::size_t max_samples, Search_starts& starts) const
   {
     for (Index i = first_on_[t]; i != NONE && max_samples > 0; i = next_on_[i], --max_samples)
-      starts.add(samples_[i].position, samples_[i].face);
+      starts.add(samples_[i].position, surface_.whole_face(samples_[i].face));
   }
 
   // The number of points of the quadrature of degree 4 on a triangle.
@@ -415,6 +421,30 @@ private:
     for (std::size_t i = 0; i < quadrature_points; ++i)
       back[i] = back_sample(t, area, i, starts);
     return back;
+  }
+
+  // Finds the feet of the samples of a moved triangle. Most remain inside their faces, and need no search.
+  void update_feet(Index t)
+  {
+    const Triangle& corners = coarse_.triangles()[t];
+    const double area = area_of(corners);
+    std::optional<Search_starts> starts;
+    Back_samples now;
+    for (std::size_t i = 0; i < quadrature_points; ++i) {
+      Input_surface::Closest closest;
+      Back_sample s = at_quadrature_point(area, i);
+      const Index before = back_[t][i].foot.face;
+      if (before != NONE && input_.is_closest_inside(point_in(positions_, corners, s.barycentric), before, closest)) {
+        s.foot = closest.point;
+        s.squared_distance = closest.squared_distance;
+      } else {
+        if (!starts)
+          starts = starts_around(t);
+        s = back_sample(corners, area, i, *starts);
+      }
+      now[i] = s;
+    }
+    back_[t] = now;
   }
 
   // Returns the cost of the samples of a triangle; stops when the cost exceeds `limit`.
@@ -431,22 +461,31 @@ private:
 
   double area_of(const Triangle& t) const { return 0.5 * length(normal_of(positions_, t)); }
 
-  Back_sample back_sample(const Triangle& t, double area, std::size_t i, const Search_starts& starts) const
+  // Returns a sample without a foot on a triangle of area `area`.
+  static Back_sample at_quadrature_point(double area, std::size_t i)
   {
     constexpr double near[2] = {0.445948490915965, 0.091576213509771}, part[2] = {0.223381589678011, 0.109951743655322};
     Back_sample s;
     s.barycentric = {{near[i / 3], near[i / 3], near[i / 3]}};
     s.barycentric[i % 3] = 1 - 2 * near[i / 3];
+    s.weight = area * part[i / 3];
+    return s;
+  }
+
+  Back_sample back_sample(const Triangle& t, double area, std::size_t i, const Search_starts& starts) const
+  {
+    Back_sample s = at_quadrature_point(area, i);
     const Vector p = point_in(positions_, t, s.barycentric);
     const Index start = starts.face_of_nearest(p);
-    if (start == NONE)
+    if (start == NONE) {
+      s.weight = 0;
       return s;
+    }
     Input_surface::Closest closest = input_.closest_from(p, start, max_steps);
     if (search_ && closest.is_partial)
-      closest = input_.closest_from(p, (*search_)(p, surface_.labels()[closest.point.face]).face, max_steps);
+      closest = input_.closest_from(p, (*search_)(p, label_[closest.point.face]).face, max_steps);
     s.foot = closest.point;
     s.squared_distance = closest.squared_distance;
-    s.weight = area * part[i / 3];
     return s;
   }
 
@@ -460,10 +499,12 @@ private:
 
   const Clustered_faces& surface_;
   const Input_surface input_;
-  std::optional<Nearest_point_search> search_; // on the input, if descents do not visit all faces around some vertices
+  // On the input, if descents do not visit all faces around some vertices; the group of a face is the cluster of one of its parts.
+  std::optional<Nearest_point_search> search_;
+  std::vector<Index> label_;
   const Flippable_triangulation& coarse_;
   const std::vector<Vector>& positions_;
-  const double area_;
+  double area_;
   std::size_t step_ = 1;
   std::vector<Sample> samples_;
   std::vector<Prepared_triangle> prepared_;

@@ -31,8 +31,10 @@ public:
   {
     constexpr int max_repetitions = 3;
     std::vector<Vector> moves(mesh_.positions().size());
+    planes_.resize(mesh_.triangles().size());
     bool has_moved = true;
     for (int i = 0; i < max_repetitions && has_moved; ++i) {
+      for_each_number(mesh_.context(), planes_.size(), [this](Index t) { planes_[t] = planes_on(t); });
       for_each_number(mesh_.context(), moves.size(),
                       [&](Index v) { moves[v] = fit_.may_move(v) ? move_onto_planes(v) : Vector{{0, 0, 0}}; });
       has_moved = false;
@@ -52,31 +54,61 @@ private:
   // The mean squared distance in units of the area around a vertex below which it is nearly zero, and the changes permitted there.
   static constexpr double nearly_zero = 1e-7, max_growth = 1.25, min_part_of_angle = 0.999;
 
+  // The planes of some samples: the sums over their normals `n` and their heights `h` above a point.
+  struct Planes
+  {
+    double number = 0, squared_heights = 0;
+    Vector right{{0, 0, 0}}; // the sum of h n
+    Symmetric_block squares;
+
+    void add(const Vector& n, double h)
+    {
+      ++number;
+      squared_heights += h * h;
+      right = right + h * n;
+      squares.add(1, Symmetric_block::square(n));
+    }
+
+    // Adds planes with heights above another point; `d` is the vector from this point to their point.
+    void add(const Planes& planes, const Vector& d)
+    {
+      const Vector by = planes.squares * d;
+      number += planes.number;
+      squared_heights += planes.squared_heights + 2 * dot(planes.right, d) + dot(by, d);
+      right = right + planes.right + by;
+      squares.add(1, planes.squares);
+    }
+  };
+
+  // Returns the planes of the samples on a triangle, with heights above its first corner.
+  Planes planes_on(Index t) const
+  {
+    Planes planes;
+    const Vector& p = mesh_.point(mesh_.triangle(t)[0]);
+    mesh_.samples().for_each_on(t, [&](const Fit_samples::Sample& s) {
+      const Vector area = vector_area(mesh_.surface().whole_mesh(), mesh_.surface().whole_face(s.face));
+      const double size = length(area);
+      if (size > 0)
+        planes.add((1 / size) * area, dot(area, s.position - p) / size);
+    });
+    return planes;
+  }
+
   // Returns the shortest movement to the planes of the samples around a vertex; zero if they have no common point.
   Vector move_onto_planes(Index v) const
   {
     const Vector none{{0, 0, 0}}, &p = mesh_.point(v);
-    Symmetric_block squares;
-    Vector right = none;
-    double number = 0, sum = 0, longest = 0; // sum and longest are squares
+    Planes planes;
+    double longest = 0; // a square
     for (const Index t : mesh_.around(v)) {
       for (const Index w : mesh_.triangle(t))
         longest = (std::max)(longest, dot(mesh_.point(w) - p, mesh_.point(w) - p));
-      mesh_.samples().for_each_on(t, [&](const Fit_samples::Sample& s) {
-        const Vector area = vector_area(mesh_.surface().input().mesh, s.face);
-        const double size = length(area);
-        if (!(size > 0))
-          return;
-        const Vector n = (1 / size) * area;
-        const double height = dot(n, s.position - p);
-        squares.add(1, Symmetric_block::square(n));
-        right = right + height * n;
-        sum += height * height;
-        ++number;
-      });
+      planes.add(planes_[t], mesh_.point(mesh_.triangle(t)[0]) - p);
     }
-    if (number == 0)
+    if (planes.number == 0)
       return none;
+    const Symmetric_block& squares = planes.squares;
+    const Vector& right = planes.right;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares.matrix());
     Vector move = none;
     for (int i = 0; i < 3; ++i) {
@@ -86,10 +118,10 @@ private:
       const Vector e{{solver.eigenvectors()(0, i), solver.eigenvectors()(1, i), solver.eigenvectors()(2, i)}};
       move = move + (dot(right, e) / value) * e;
     }
-    const double left = sum - 2 * dot(right, move) + dot(move, squares * move);
+    const double left = planes.squared_heights - 2 * dot(right, move) + dot(move, squares * move);
     const double square = dot(move, move);
     const bool is_useful = square > shortest * shortest * longest && square <= farthest * farthest * longest;
-    return is_useful && left <= number * tolerance * tolerance * longest ? move : none;
+    return is_useful && left <= planes.number * tolerance * tolerance * longest ? move : none;
   }
 
   // Undoes the movement if the distance increases, a triangle turns over or becomes narrow. Where the distance is nearly zero, a
@@ -134,6 +166,7 @@ private:
 
   Coarse_mesh& mesh_;
   const Surface_fit& fit_;
+  std::vector<Planes> planes_; // of each triangle
 };
 
 } // namespace internal
