@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Centroid_placement.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Input_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_minimization.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Initial_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Cluster_levels.h>
@@ -224,6 +225,36 @@ void check_sums_of_cells(const SMC::internal::Featured_input& featured)
   BOOST_TEST(mass == mass_of_base, boost::test_tools::tolerance(1e-9));
 }
 
+// The pieces of a whole face have its area. Where a search on this face is said to be sufficient, the descent on the surface finds
+// the same point.
+void check_whole_faces(const SMC::internal::Labelled_pieces& pieces)
+{
+  using namespace SMC::internal;
+  const Flat_mesh& whole = pieces.whole_mesh();
+  std::vector<double> area(whole.number_of_faces(), 0.);
+  for (Index piece = 0; piece < pieces.input().mesh.number_of_faces(); ++piece)
+    area[pieces.whole_face(piece)] += pieces.input().area[piece];
+  const Input_surface surface(whole);
+  std::size_t inside = 0;
+  for (Index f = 0; f < whole.number_of_faces(); ++f) {
+    const Face_geometry g = face_geometry(whole, f);
+    BOOST_TEST(area[f] == g.area, boost::test_tools::tolerance(1e-9));
+    const Vector normal = vector_area(whole, f);
+    for (const double part : {-0.5, 0., 0.05, 1.}) {
+      const Vector p = g.centroid + (part / std::sqrt(std::sqrt(dot(normal, normal)))) * normal;
+      Input_surface::Closest closest;
+      if (!surface.is_closest_inside(p, f, closest))
+        continue;
+      ++inside;
+      const Input_surface::Closest expected = surface.closest_from(p, f, 20);
+      BOOST_TEST(closest.point.face == expected.point.face);
+      BOOST_TEST(closest.point.position == expected.point.position);
+      BOOST_TEST(closest.squared_distance == expected.squared_distance);
+    }
+  }
+  BOOST_TEST((inside > 0 || !whole.is_triangle_mesh()));
+}
+
 // The rules, by brute force, for clusters after growth and minimization.
 void check_rules(const Model& model, std::size_t number)
 {
@@ -240,6 +271,7 @@ void check_rules(const Model& model, std::size_t number)
   for (int round = 0; round < 3; ++round) {
     BOOST_TEST(Clustering_check(labels, report.clusters).fault([](std::size_t x) { return std::to_string(x); }) == "");
     const Labelled_pieces pieces(initial.input(), labels, report.clusters);
+    check_whole_faces(pieces);
     const Feature_cells& cells = *initial.input().cells;
     const Flat_mesh& m = pieces.input().mesh;
     const auto label = [&](Index v) { return pieces.labels()[m.star[m.first_in_star[v]]]; };

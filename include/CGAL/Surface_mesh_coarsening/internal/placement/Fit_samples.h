@@ -5,13 +5,12 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Input_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Prepared_triangle.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Back_search.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -37,28 +36,12 @@ public:
     Foot_point foot;
   };
 
-  // A point of a coarse triangle.
-  struct Back_sample
-  {
-    Vector barycentric;
-    Input_point foot{{{0, 0, 0}}, NONE};
-    double weight = 0;
-    double squared_distance = 0;
-  };
-  typedef std::array<Back_sample, 6> Back_samples;
-
   Fit_samples(const Clustered_faces& surface, const Flippable_triangulation& coarse, const std::vector<Vector>& positions)
-    : surface_(surface), input_(surface.whole_mesh()), coarse_(coarse), positions_(positions),
+    : surface_(surface), coarse_(coarse), positions_(positions), back_search_(surface, positions),
       prepared_(coarse.triangles().size()), back_(coarse.triangles().size())
   {
     const Input_surface pieces(surface.input().mesh);
     area_ = pieces.area(surface.context());
-    if (input_.has_hubs()) {
-      label_.resize(surface.whole_mesh().number_of_faces());
-      for (std::size_t f = 0; f < surface.input().mesh.number_of_faces(); ++f)
-        label_[surface.whole_face(Index(f))] = surface.labels()[Index(f)];
-      search_.emplace(surface.whole_mesh(), label_, surface.number_of_clusters());
-    }
     std::size_t number = samples_per_triangle * coarse.triangles().size();
     if (surface.has_cells())
       number = (std::min)(number, surface.input().mesh.number_of_faces());
@@ -97,7 +80,7 @@ public:
       for_each_chunk(context.uninterrupted(), (std::min)(at_a_time, back_.size() - first), 16,
                      [&](std::size_t, std::size_t begin, std::size_t end) {
                        for (std::size_t t = first + begin; t < first + end; ++t)
-                         update_feet(Index(t));
+                         back_[t] = back_search_.again(triangles[t], back_[t], [&]() { return starts_around(Index(t)); });
                      });
     }
   }
@@ -165,8 +148,8 @@ public:
     if (sum > limit)
       return sum;
     const Search_starts starts = starts_between(t, u);
-    sum += cost_of_feet(first, starts, limit_at_once - sum);
-    return sum > limit ? sum : sum + cost_of_feet(second, starts, limit_at_once - sum);
+    sum += back_search_.cost(first, starts, limit_at_once - sum);
+    return sum > limit ? sum : sum + back_search_.cost(second, starts, limit_at_once - sum);
   }
 
   // Updates the feet on two changed triangles, and the feet of their samples.
@@ -184,8 +167,8 @@ public:
       s.triangle = nearer ? u : t;
       link(samples[k]);
     }
-    back_[t] = feet_of(coarse_.triangles()[t], starts);
-    back_[u] = feet_of(coarse_.triangles()[u], starts);
+    back_[t] = back_search_(coarse_.triangles()[t], starts);
+    back_[u] = back_search_(coarse_.triangles()[u], starts);
   }
 
   // Returns the cost of a triangle from the samples of the input.
@@ -219,14 +202,13 @@ public:
       link(samples[k]);
     }
     for (const Index t : new_triangles)
-      back_[t] = feet_of(coarse_.triangles()[t], starts_around(t));
+      back_[t] = back_search_(coarse_.triangles()[t], starts_around(t));
     return samples.size() * new_triangles.size();
   }
 
 private:
   static constexpr std::size_t samples_per_triangle = 16;
-  static constexpr int max_steps = 20;              // of a search on the input
-  static constexpr int max_steps_on_triangles = 64; // of a search on the coarse mesh
+  static constexpr int max_steps = 64; // of a search on the coarse mesh
   // If more triangles surround a vertex, not all are tested.
   static constexpr std::size_t max_around = 16;
 
@@ -326,7 +308,7 @@ private:
     if (s.triangle == NONE)
       s.triangle = triangle_near(s.position, surface_.labels()[s.face]);
     s.foot = prepared_[s.triangle].closest(s.position);
-    for (int step = 0; step < max_steps_on_triangles; ++step) {
+    for (int step = 0; step < max_steps; ++step) {
       const Index from = s.triangle;
       if (prepared_[from].is_far_from_sides(s.foot))
         break;
@@ -411,99 +393,10 @@ private:
       starts.add(samples_[i].position, surface_.whole_face(samples_[i].face));
   }
 
-  // The number of points of the quadrature of degree 4 on a triangle.
-  static constexpr std::size_t quadrature_points = 6;
-
-  Back_samples feet_of(const Triangle& t, const Search_starts& starts) const
-  {
-    const double area = area_of(t);
-    Back_samples back;
-    for (std::size_t i = 0; i < quadrature_points; ++i)
-      back[i] = back_sample(t, area, i, starts);
-    return back;
-  }
-
-  // Finds the feet of the samples of a moved triangle. Most remain inside their faces, and need no search.
-  void update_feet(Index t)
-  {
-    const Triangle& corners = coarse_.triangles()[t];
-    const double area = area_of(corners);
-    std::optional<Search_starts> starts;
-    Back_samples now;
-    for (std::size_t i = 0; i < quadrature_points; ++i) {
-      Input_surface::Closest closest;
-      Back_sample s = at_quadrature_point(area, i);
-      const Index before = back_[t][i].foot.face;
-      if (before != NONE && input_.is_closest_inside(point_in(positions_, corners, s.barycentric), before, closest)) {
-        s.foot = closest.point;
-        s.squared_distance = closest.squared_distance;
-      } else {
-        if (!starts)
-          starts = starts_around(t);
-        s = back_sample(corners, area, i, *starts);
-      }
-      now[i] = s;
-    }
-    back_[t] = now;
-  }
-
-  // Returns the cost of the samples of a triangle; stops when the cost exceeds `limit`.
-  double cost_of_feet(const Triangle& t, const Search_starts& starts, double limit) const
-  {
-    const double area = area_of(t);
-    double sum = 0;
-    for (std::size_t i = 0; i < quadrature_points && !(sum > limit); ++i) {
-      const Back_sample s = back_sample(t, area, i, starts);
-      sum += s.weight * s.squared_distance;
-    }
-    return sum;
-  }
-
-  double area_of(const Triangle& t) const { return 0.5 * length(normal_of(positions_, t)); }
-
-  // Returns a sample without a foot on a triangle of area `area`.
-  static Back_sample at_quadrature_point(double area, std::size_t i)
-  {
-    constexpr double near[2] = {0.445948490915965, 0.091576213509771}, part[2] = {0.223381589678011, 0.109951743655322};
-    Back_sample s;
-    s.barycentric = {{near[i / 3], near[i / 3], near[i / 3]}};
-    s.barycentric[i % 3] = 1 - 2 * near[i / 3];
-    s.weight = area * part[i / 3];
-    return s;
-  }
-
-  Back_sample back_sample(const Triangle& t, double area, std::size_t i, const Search_starts& starts) const
-  {
-    Back_sample s = at_quadrature_point(area, i);
-    const Vector p = point_in(positions_, t, s.barycentric);
-    const Index start = starts.face_of_nearest(p);
-    if (start == NONE) {
-      s.weight = 0;
-      return s;
-    }
-    Input_surface::Closest closest = input_.closest_from(p, start, max_steps);
-    if (search_ && closest.is_partial)
-      closest = input_.closest_from(p, (*search_)(p, label_[closest.point.face]).face, max_steps);
-    s.foot = closest.point;
-    s.squared_distance = closest.squared_distance;
-    return s;
-  }
-
-  static double cost_of(const Back_samples& back)
-  {
-    double sum = 0;
-    for (const Back_sample& s : back)
-      sum += s.weight * s.squared_distance;
-    return sum;
-  }
-
   const Clustered_faces& surface_;
-  const Input_surface input_;
-  // On the input, if descents do not visit all faces around some vertices; the group of a face is the cluster of one of its parts.
-  std::optional<Nearest_point_search> search_;
-  std::vector<Index> label_;
   const Flippable_triangulation& coarse_;
   const std::vector<Vector>& positions_;
+  const Back_search back_search_;
   double area_;
   std::size_t step_ = 1;
   std::vector<Sample> samples_;

@@ -224,7 +224,7 @@ private:
         if (b[k] > 0)
           terms.constraints.push_back({corner[k], sample_weight * b[k] * b[k], n});
     });
-    for (const Fit_samples::Back_sample& s : mesh_.samples().of_triangle(t))
+    for (const Back_sample& s : mesh_.samples().of_triangle(t))
       if (s.weight > 0) {
         const Vector d = s.foot.position - point_in(mesh_.positions(), corner, s.barycentric);
         add(s.barycentric, d, s.weight);

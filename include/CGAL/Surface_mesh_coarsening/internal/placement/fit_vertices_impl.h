@@ -103,7 +103,8 @@ private:
   // than clusters of faces, so more of their triangles are narrow: 7 % have angles below 25 degrees with a factor of 2, and 6 % with 8
   // (elephant.off with 16 numbers of vertices from 200 to 320).
   static constexpr double final_factor = 2, final_factor_of_cells = 8;
-  // A movement that increases the cost by less is left to the next round, in units of the mean cost of a triangle.
+  // A movement that increases the cost by less is left to the next round, in units of the mean cost of a triangle. With a tenth, the
+  // Horse with 20 % of its vertices is 8 % closer, but takes 40 % longer and has more narrow triangles.
   static constexpr double harmless_part = 1;
   static constexpr std::size_t steps_of_vertex = 64;
 
@@ -128,7 +129,7 @@ private:
   }
 
   // Moves vertices back around which the last movement has increased the cost by much, the most harmful movement first. Vertices on
-  // lines move together, because they keep their order.
+  // lines are left out, because a single one could pass its neighbor on the line.
   void undo_harmful_movements()
   {
     double total = 0;
