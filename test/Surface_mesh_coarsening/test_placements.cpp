@@ -205,10 +205,11 @@ std::set<std::array<int, 3> > block(int x, int y, int z, int width, int depth, i
   return cells;
 }
 
-// On planar faces the fit is exact with features, and without them except at few edges, which hardly change the mean.
+// On planar faces the fit is exact with features from 11 % of the vertices on. With 9 % (2.6 vertices for each corner of the plates
+// with pins) or without features, it is exact except for few results.
 BOOST_AUTO_TEST_CASE(fit_is_exact_on_planes)
 {
-  std::size_t far = 0; // results without features with an edge that is not found
+  std::size_t far[2] = {0, 0}; // results with an edge that is not found
   std::vector<std::set<std::array<int, 3> > > shapes{block(0, 0, 0, 14, 9, 6), block(0, 0, 0, 16, 6, 6), {}, {},
                                                      block(0, 0, 0, 18, 18, 6)};
   shapes[1].merge(block(0, 0, 0, 6, 16, 6));
@@ -220,24 +221,27 @@ BOOST_AUTO_TEST_CASE(fit_is_exact_on_planes)
       shapes[3].merge(block(x, y, 2, 3, 3, 4));
   for (const auto& cell : block(6, 6, 0, 6, 6, 6))
     shapes[4].erase(cell);
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const Mesh mesh = test::to_mesh(generated::rotated(cubes(shapes[i]), 0.3 + double(i), 1.1));
-    for (const double part : {0.11, 0.2}) {
-      const std::size_t vertices = std::size_t(part * double(mesh.number_of_vertices()));
-      for (const bool has_features : {false, true}) {
-        Mesh output;
-        SMC::coarsen_mesh(mesh, vertices, output, SMC::parameters::feature_angle(has_features ? 30 : 180));
-        const SMC::Coarsening_quality q = SMC::measure_coarsening(mesh, output, 20000);
-        BOOST_TEST_INFO("shape " << i << ", " << vertices << " vertices, features " << has_features);
-        BOOST_TEST(q.rms_distance < 5e-6 * q.diagonal);
-        if (has_features)
-          BOOST_TEST(q.maximum_distance < 1e-6 * q.diagonal);
-        far += !(q.maximum_distance < (has_features ? 1e-6 : 5e-5) * q.diagonal);
-        BOOST_TEST(q.smallest_angle > 1);
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    for (const double turn : {0., 1., 2.}) {
+      const Mesh mesh = test::to_mesh(generated::rotated(cubes(shapes[i]), 0.3 + double(i) + turn, 1.1 + 0.7 * turn));
+      for (const double part : {0.09, 0.11, 0.14, 0.2}) {
+        const std::size_t vertices = std::size_t(part * double(mesh.number_of_vertices()));
+        for (const bool has_features : {false, true}) {
+          Mesh output;
+          SMC::coarsen_mesh(mesh, vertices, output, SMC::parameters::feature_angle(has_features ? 30 : 180));
+          const SMC::Coarsening_quality q = SMC::measure_coarsening(mesh, output, 20000);
+          const bool is_exact = q.maximum_distance < (has_features ? 1e-6 : 5e-5) * q.diagonal;
+          BOOST_TEST_INFO("shape " << i << ", " << vertices << " vertices, turn " << turn << ", features " << has_features);
+          BOOST_TEST(q.rms_distance < 2e-3 * q.diagonal);
+          BOOST_TEST(q.smallest_angle > 1);
+          if (has_features && part > 0.1)
+            BOOST_TEST(is_exact);
+          far[has_features] += !is_exact;
+        }
       }
     }
-  }
-  BOOST_TEST(far <= 1u);
+  BOOST_TEST(far[true] <= 3u);
+  BOOST_TEST(far[false] <= 7u);
 }
 
 BOOST_AUTO_TEST_CASE(fit_is_deterministic_and_the_same_on_a_polyhedron)

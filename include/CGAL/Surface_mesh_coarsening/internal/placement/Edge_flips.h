@@ -116,8 +116,10 @@ private:
     const Index a = old_t[i], b = old_t[(i + 1) % 3], c = mesh_.opposite(t, i), d = mesh_.opposite(u, mesh_.corner(u, b));
     const Triangle new_t{c, a, d}, new_u{c, d, b};
     const double sharpest_t = sharpest_of(mesh_.positions(), new_t), sharpest_u = sharpest_of(mesh_.positions(), new_u);
-    if ((std::max)(sharpest_t, sharpest_u) > (std::max)({sharpest_allowed_, of_t.sharpest, of_u.sharpest}) ||
-        !mesh_.may_flip(t, i, u) || folds_over(old_t, old_u, new_t, new_u))
+    const double sharpest = (std::max)(sharpest_t, sharpest_u);
+    const bool is_narrow = sharpest > (std::max)({sharpest_allowed_, of_t.sharpest, of_u.sharpest});
+    if ((is_narrow && !(sharpest < std::cos(min_angle_of_unfolded) && are_folded(t, u))) || !mesh_.may_flip(t, i, u) ||
+        folds_over(old_t, old_u, new_t, new_u))
       return flip;
     const double angle_t = angle(sharpest_t), angle_u = angle(sharpest_u);
     flip.loss = of_t.angle + of_u.angle - angle_t - angle_u;
@@ -130,8 +132,15 @@ private:
     if (limit < 0)
       return flip;
     flip.gain = now - mesh_.samples().cost_instead(t, u, new_t, new_u, limit, is_closer);
-    flip.may_pay = !is_closer || flip.profit(worth_) > 0;
+    flip.may_pay = (!is_closer || flip.profit(worth_) > 0) && (!is_narrow || now - flip.gain <= max_part_of_unfolded * now);
     return flip;
+  }
+
+  // Returns whether two neighbors are folded onto each other.
+  bool are_folded(Index t, Index u) const
+  {
+    const Vector n = mesh_.normal(t), m = mesh_.normal(u);
+    return dot(n, m) < max_folded_cosine * length(n) * length(m);
   }
 
   // Returns whether the new triangles face away from each other or from the old triangles.
@@ -190,6 +199,9 @@ private:
   // The largest factor between the exchange rates of two steady runs. With larger factors the rates oscillate.
   static constexpr double max_change = 3;
   static constexpr double min_angle_otherwise = 7 * CGAL_PI / 180;
+  // A flip that unfolds two triangles may create smaller angles if it leaves at most this part of their distance: at a reflex corner
+  // of a planar face, no other flip may be possible.
+  static constexpr double max_folded_cosine = -0.9, min_angle_of_unfolded = CGAL_PI / 180, max_part_of_unfolded = 0.01;
   // The logarithm of the smallest exchange rate. With goals below 30 degrees, -8 instead of -6 lowers the distance of four mechanical
   // models at five sizes by 5 %.
   static constexpr double exponent_without_exchange = -30;

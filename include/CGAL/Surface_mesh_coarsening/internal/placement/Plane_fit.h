@@ -29,7 +29,7 @@ public:
   // Movements bring samples to other triangles, hence the repetitions.
   void run()
   {
-    constexpr int max_repetitions = 3;
+    constexpr int max_repetitions = 8;
     std::vector<Vector> moves(mesh_.positions().size());
     planes_.resize(mesh_.triangles().size());
     bool has_moved = true;
@@ -50,7 +50,7 @@ private:
   // Normals span only the directions in which the sum of their squares exceeds this part of the largest.
   static constexpr double min_eigenvalue = 1e-4;
   // Shorter movements are rounding errors, longer ones lead to other places, in units of the longest edge.
-  static constexpr double shortest = 1e-12, farthest = 0.1;
+  static constexpr double shortest = 1e-12, farthest = 0.5;
   // The mean squared distance in units of the area around a vertex below which it is nearly zero, and the changes permitted there.
   static constexpr double nearly_zero = 1e-7, max_growth = 1.25, min_part_of_angle = 0.999;
 
@@ -80,17 +80,26 @@ private:
     }
   };
 
-  // Returns the planes of the samples on a triangle, with heights above its first corner.
+  // Returns the planes of the samples on a triangle, with heights above its first corner. A small triangle that cuts a corner of the
+  // input may have no samples of the input on all planes at the corner, so planes below its own samples are added.
   Planes planes_on(Index t) const
   {
     Planes planes;
-    const Vector& p = mesh_.point(mesh_.triangle(t)[0]);
-    mesh_.samples().for_each_on(t, [&](const Fit_samples::Sample& s) {
-      const Vector area = vector_area(mesh_.surface().whole_mesh(), mesh_.surface().whole_face(s.face));
+    const Triangle& corners = mesh_.triangle(t);
+    const Vector& p = mesh_.point(corners[0]);
+    const auto add = [&](const Vector& area, const Vector& point) {
       const double size = length(area);
       if (size > 0)
-        planes.add((1 / size) * area, dot(area, s.position - p) / size);
+        planes.add((1 / size) * area, dot(area, point - p) / size);
+    };
+    const Flat_mesh& faces = mesh_.surface().whole_mesh();
+    mesh_.samples().for_each_on(t, [&](const Fit_samples::Sample& s) {
+      add(vector_area(faces, mesh_.surface().whole_face(s.face)), s.position);
     });
+    const double exact = tolerance * tolerance * length(mesh_.normal(t));
+    for (const Back_sample& s : mesh_.samples().of_triangle(t))
+      if (s.foot.face != NONE && s.squared_distance > exact)
+        add(vector_area(faces, s.foot.face), s.foot.position);
     return planes;
   }
 
