@@ -27,8 +27,8 @@ class Edge_flips
 {
 public:
   // `mean_angle` is the goal in degrees. If vertices may leave their clusters, the costs of flips include narrow triangles, flips
-  // create no angle below 10 degrees, and the exchange rate of angles has a larger minimum. Otherwise only flips across sharp edges
-  // would avoid narrow triangles.
+  // create no angle below 10 degrees unless they unfold triangles, and the exchange rate of angles has a larger minimum. Otherwise
+  // only flips across sharp edges would avoid narrow triangles.
   Edge_flips(Coarse_mesh& mesh, double mean_angle)
     : mesh_(mesh),
       lowest_exponent_(mesh.may_relocate() ? exponent_with_exchange(mean_angle) : exponent_without_exchange)

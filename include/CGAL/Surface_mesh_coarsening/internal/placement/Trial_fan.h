@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
-// No flip, exchange or improvement creates a smaller angle, unless the affected triangles already have one.
+// No flip, exchange or improvement creates a smaller angle, unless the affected triangles already have one or are unfolded.
 constexpr double min_angle = 10 * CGAL_PI / 180;
 // Triangles with a smaller angle are narrow.
 constexpr double narrow_angle = 25 * CGAL_PI / 180;
