@@ -85,8 +85,7 @@ private:
   Planes planes_on(Index t) const
   {
     Planes planes;
-    const Triangle& corners = mesh_.triangle(t);
-    const Vector& p = mesh_.point(corners[0]);
+    const Vector& p = mesh_.point(mesh_.triangle(t)[0]);
     const auto add = [&](const Vector& area, const Vector& point) {
       const double size = length(area);
       if (size > 0)
