@@ -54,7 +54,7 @@ private:
   static constexpr double shortest = 1e-12, farthest = 0.5;
   // The mean squared distance in units of the area around a vertex below which it is nearly zero, and the changes permitted there.
   static constexpr double nearly_zero = 1e-7, max_growth = 1.25, min_part_of_angle = 0.999;
-  // Sides of feature lines must not become shorter than this part at once, because the distance does not keep their vertices apart.
+  // No movement makes the sides of feature lines shorter than this part, because the distance does not keep their vertices apart.
   static constexpr double min_part_of_side = 0.9;
   // Surfaces with more planes around a vertex are curved.
   static constexpr std::size_t max_planes = 6;
@@ -194,8 +194,8 @@ private:
     return has_moved;
   }
 
-  // Moves a vertex unless the distance is not less than `before` then, or a triangle turns over or becomes narrow. Where the distance
-  // is nearly zero, a small increase is permitted, because neighbors may still be off their planes.
+  // Moves a vertex unless the distance is not less than `before` then, or a triangle turns over or becomes narrow. Where the
+  // distance is nearly zero, a small increase is permitted, because neighbors may still be off their planes.
   bool make(Index v, const Vector& p, double before)
   {
     const std::vector<Index>& around = mesh_.around(v);
