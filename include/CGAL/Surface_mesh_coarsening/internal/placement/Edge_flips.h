@@ -128,22 +128,12 @@ private:
     const double now = of_t.cost + of_u.cost;
     // If the angles get worse, the flip is profitable only if the distance decreases by their worth.
     const bool is_closer = flip.loss >= 0 && flip.narrowing >= 0;
-    // Next to nothing is nothing where a triangle is narrow: vertices will move onto their planes.
-    const double nothing = (std::max)(of_t.sharpest, of_u.sharpest) > sharpest_allowed_ ? nearly_zero_around(t, u) : 0;
-    const double limit = (std::max)(is_closer ? now + flip.profit(worth_) : max_growth * now, nothing);
+    const double limit = is_closer ? now + flip.profit(worth_) : max_growth * now;
     if (limit < 0)
       return flip;
-    const double after = mesh_.samples().cost_instead(t, u, new_t, new_u, limit, is_closer);
-    flip.gain = after <= nothing ? (std::max)(now - after, 0.) : now - after;
-    flip.may_pay = (!is_closer || flip.profit(worth_) > 0) && (!is_narrow || after <= max_part_of_unfolded * now);
+    flip.gain = now - mesh_.samples().cost_instead(t, u, new_t, new_u, limit, is_closer);
+    flip.may_pay = (!is_closer || flip.profit(worth_) > 0) && (!is_narrow || now - flip.gain <= max_part_of_unfolded * now);
     return flip;
-  }
-
-  // Returns a squared distance times area that is nearly zero for two triangles.
-  double nearly_zero_around(Index t, Index u) const
-  {
-    const double area = 0.5 * (length(mesh_.normal(t)) + length(mesh_.normal(u)));
-    return nearly_zero * area * area;
   }
 
   // Returns whether two neighbors are folded onto each other.
@@ -212,8 +202,6 @@ private:
   // A flip that unfolds two triangles may create smaller angles if it leaves at most this part of their distance: at a reflex corner
   // of a planar face, no other flip may be possible.
   static constexpr double max_folded_cosine = -0.9, min_angle_of_unfolded = CGAL_PI / 180, max_part_of_unfolded = 0.01;
-  // In units of the squared area of the two triangles.
-  static constexpr double nearly_zero = 1e-8;
   // The logarithm of the smallest exchange rate. With goals below 30 degrees, -8 instead of -6 lowers the distance of four mechanical
   // models at five sizes by 5 %.
   static constexpr double exponent_without_exchange = -30;
