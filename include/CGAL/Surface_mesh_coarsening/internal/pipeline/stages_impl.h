@@ -419,14 +419,16 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
     state.report.exchanged_vertices = exchanged;
     ++clusterings;
   } else {
-    budget = repair_budget(state, 2); // the selected result must not be worse than before
-    if (dual.number_left() > fewest) {
+    const bool is_last = dual.number_left() == fewest;
+    if (!is_last) {
       recluster(state, best_densities);
       ++clusterings;
-      dual = place(state, placement, output_coordinates, budget);
     }
+    budget = repair_budget(state, 2); // the selected result must not be worse than before
     if (may_exchange_vertices(state, placement))
-      dual = place_with_exchange(state, placement, output_coordinates, budget, &dual);
+      dual = place_with_exchange(state, placement, output_coordinates, budget, is_last ? &dual : nullptr);
+    else if (!is_last)
+      dual = place(state, placement, output_coordinates, budget);
   }
   dual.clusterings = clusterings;
   return dual;

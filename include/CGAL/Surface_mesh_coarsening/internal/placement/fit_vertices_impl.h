@@ -63,12 +63,12 @@ public:
   // From now on, the exchange rate between angles and distance changes slowly.
   void keep_rate() { is_steady_ = true; }
 
-  // Returns the number of exchanged vertices. The flips reach the goal of the mean angle after `rounds_to_goal` rounds.
-  std::size_t advance(bool exchanges, std::size_t rounds_to_goal = 1)
+  // Returns the number of exchanged vertices.
+  std::size_t advance(bool exchanges)
   {
     if (is_steady_)
       correct_reserve();
-    flips_.run(next_angle(rounds_to_goal) / degrees_per_radian, is_steady_);
+    flips_.run((mean_angle_ + reserve_) / degrees_per_radian, is_steady_);
     const std::size_t exchanged = exchanges ? exchange_.run(flips_.worth()) : 0;
     if (!keeps_vertices_)
       move_vertices(exchanges ? coarse_tolerance : fine_tolerance);
@@ -85,17 +85,14 @@ public:
     Angle_worth worth = flips_.worth();
     worth.narrow_rate *= mesh_.surface().has_cells() ? final_factor_of_cells : final_factor;
     angles_.run(worth);
-    planes_.run(flips_.worth());
+    planes_.run();
     has_feet_ = false;
   }
-
-  // Returns the mean squared distance in the direction in which it is larger. The feet of the samples must be up to date.
-  double error() const { return mesh_.samples().squared_distance(); }
 
   // Returns the current mesh. The feet of the samples must be up to date.
   Fitted_mesh mesh() const
   {
-    return {mesh_.triangles(), mesh_.positions(), error(), current_angle()};
+    return {mesh_.triangles(), mesh_.positions(), mesh_.samples().squared_distance(), current_angle()};
   }
 
 private:
@@ -106,8 +103,8 @@ private:
   // than clusters of faces, so more of their triangles are narrow: 7 % have angles below 25 degrees with a factor of 2, and 6 % with 8
   // (elephant.off with 16 numbers of vertices from 200 to 320).
   static constexpr double final_factor = 2, final_factor_of_cells = 8;
-  // A movement that increases the cost by less is left to the next round, in units of the mean cost of a triangle. With 0.3, the
-  // models of compare_quality are 1 % closer, but thin parts have more pairs of intersecting triangles.
+  // A movement that increases the cost by less is left to the next round, in units of the mean cost of a triangle. With a tenth, the
+  // Horse with 20 % of its vertices is 8 % closer, but takes 40 % longer and has more narrow triangles.
   static constexpr double harmless_part = 1;
   static constexpr std::size_t steps_of_vertex = 64;
 
@@ -217,16 +214,6 @@ private:
     return angles * degrees_per_radian / (std::max)(double(mesh_.triangles().size()), 1.);
   }
 
-  // Returns the mean angle that flips aim at.
-  double next_angle(std::size_t rounds_to_goal) const
-  {
-    const double goal = mean_angle_ + reserve_;
-    if (rounds_to_goal == 1)
-      return goal;
-    const double now = (std::min)(current_angle(), goal);
-    return now + (goal - now) / double(rounds_to_goal);
-  }
-
   // Raises the angle that flips aim at if angles have become too small, and lowers it if they are larger than necessary.
   void correct_reserve()
   {
@@ -279,17 +266,11 @@ inline bool improves_by_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, std
 {
   // The number of rounds after the last exchange, and of further rounds while only the angles are not good enough.
   constexpr std::size_t last_rounds = 2, max_corrections = 3;
-  // The rounds end when two of them together lower the squared distance by less than this part. In the runs of compare_quality, 0.04
-  // is 0.5 % farther and takes 5 % less time.
-  constexpr double min_gain = 0.03;
   fit.keep_rate();
   std::size_t exchanged = 1;
-  std::vector<double> errors{plain.error};
-  const auto pays = [&]() { return errors.size() < 3 || errors.back() <= (1 - min_gain) * *(errors.end() - 3); };
-  for (std::size_t i = 0; i < rounds && exchanged > 0 && pays(); ++i) {
+  for (std::size_t i = 0; i < rounds && exchanged > 0; ++i) {
     exchanged = fit.advance(true);
     fit.find_feet();
-    errors.push_back(fit.error());
     context.step_done(Coarsening_stage::FEEDBACK, i + 1, rounds + last_rounds);
   }
   for (std::size_t i = 0; i < last_rounds; ++i) {
@@ -308,15 +289,14 @@ inline bool improves_by_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, std
   return mesh.improves(plain, mean_angle);
 }
 
-// The rounds without exchange. Merged cells begin with long triangles and close to the input, so the angles approach their goal in
-// these rounds.
-inline void run_plain_rounds(Vertex_fit& fit, std::size_t rounds, bool has_cells, const Run_context& context)
+// The rounds without exchange.
+inline void run_plain_rounds(Vertex_fit& fit, std::size_t rounds, const Run_context& context)
 {
   // Before the last rounds, every `step_before`-th sample is sufficient.
   constexpr std::size_t rounds_with_all = 3, step_before = 4;
   for (std::size_t left = rounds; left > 0; --left) {
     fit.find_feet(left > rounds_with_all ? step_before : 1);
-    fit.advance(false, has_cells ? left : 1);
+    fit.advance(false);
     context.step_done(Coarsening_stage::PLACEMENT, rounds + 1 - left, rounds);
   }
   fit.settle();
@@ -339,7 +319,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices_from(const Clustered_faces
   const Vertex_relocation none;
   Coarse_mesh mesh(surface, border, triangles, positions, none);
   Vertex_fit fit(mesh, mean_angle);
-  run_plain_rounds(fit, rounds, surface.has_cells(), surface.context());
+  run_plain_rounds(fit, rounds, surface.context());
   triangles = mesh.triangles();
 }
 
@@ -350,7 +330,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices(const Clustered_faces& sur
   place_by_quadrics(surface, border, positions);
   if (are_input(surface, triangles))
     return;
-  if (surface.has_cells() && !has_merged_cells(surface)) {
+  if (surface.has_cells() && surface.clusters_per_cell() > min_share_of_dense) {
     // Five rounds are no closer at 60 and 80 % of the vertices of the Horse.
     constexpr std::size_t rounds_of_dense = 2;
     mean_angle = 0;
@@ -358,7 +338,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices(const Clustered_faces& sur
   }
   Coarse_mesh mesh(surface, border, triangles, positions, relocation);
   Vertex_fit fit(mesh, mean_angle);
-  run_plain_rounds(fit, rounds, surface.has_cells(), surface.context());
+  run_plain_rounds(fit, rounds, surface.context());
   triangles = mesh.triangles();
   if (relocation.rounds == 0)
     return;
