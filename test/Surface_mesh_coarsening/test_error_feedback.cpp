@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(same_on_any_number_of_threads)
 #endif
 }
 
-// Relocated clusters are valid, and can be restored.
+// Relocated clusters are valid, keep their vertices within their bounds, and can be restored.
 BOOST_AUTO_TEST_CASE(relocations_are_valid_and_can_be_undone)
 {
   using namespace SMC::internal;
@@ -215,9 +215,20 @@ BOOST_AUTO_TEST_CASE(relocations_are_valid_and_can_be_undone)
   const Clustering_state& state = clustering.state();
   const std::vector<Index> labels = state.labels->labels();
   Cluster_relocation clusters(state.featured_input(), *state.labels, Index(n));
-  for (std::size_t x = 0; x < n; ++x)
-    clusters.relocate(Index(x), NONE, {Index(x * 7919 % mesh.number_of_faces())});
+  const Clustering_input& items = state.featured_input().items;
+  std::vector<Vector> positions(n);
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    positions[labels[f]] = items.centroid(Index(f));
+  for (std::size_t x = 0; x < n; ++x) {
+    const Index f = Index(x * 7919 % mesh.number_of_faces());
+    const Vector before = std::exchange(positions[x], items.centroid(f));
+    if (clusters.relocate(Index(x), NONE, {f}, positions) != Relocation::DONE)
+      positions[x] = before;
+  }
   BOOST_TEST(clusters.number() > n / 4);
+  for (std::size_t x = 0; x < n; ++x)
+    if (clusters.has_changed(Index(x)))
+      BOOST_TEST((closest_in_box(positions[x], clusters.vertex_bounds(Index(x))) == positions[x]));
   const auto map = boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index f) { return (*state.labels)[f]; });
   BOOST_TEST(SMC::is_valid_clustering(mesh, map));
   const std::vector<Index> after = state.labels->labels();
@@ -225,6 +236,46 @@ BOOST_AUTO_TEST_CASE(relocations_are_valid_and_can_be_undone)
   clusters.undo();
   BOOST_TEST(clusters.number() == 0);
   BOOST_TEST((state.labels->labels() == labels));
+}
+
+// A cluster on the border can be split, but it keeps its faces on the border.
+BOOST_AUTO_TEST_CASE(clusters_on_the_border_keep_it)
+{
+  using namespace SMC::internal;
+  constexpr std::size_t n = 12;
+  const Mesh mesh = test::to_mesh(generated::grid(30, 30));
+  SMC::Mwcvd_clustering<Mesh, SMC::Weighted_area_weight> clustering(mesh);
+  clustering.seed(n);
+  clustering.grow();
+  const Clustering_state& state = clustering.state();
+  const Clustering_input& items = state.featured_input().items;
+  const std::vector<Index> labels = state.labels->labels();
+  std::vector<bool> has_border(n);
+  std::vector<Vector> positions(n);
+  const auto is_on_border = [&](std::size_t f) {
+    const auto corners = items.mesh.corners(f);
+    return std::any_of(corners.begin(), corners.end(), [&](Index c) { return items.mesh.is_on_border(items.mesh.corner_vertex[c]); });
+  };
+  for (std::size_t f = 0; f < labels.size(); ++f) {
+    positions[labels[f]] = items.centroid(Index(f));
+    has_border[labels[f]] = has_border[labels[f]] || is_on_border(f);
+  }
+  Cluster_relocation clusters(state.featured_input(), *state.labels, Index(n));
+  const auto inner = std::find(has_border.begin(), has_border.end(), false);
+  BOOST_REQUIRE((inner != has_border.end()));
+  const Index x = Index(inner - has_border.begin());
+  for (std::size_t f = 0; f < labels.size() && clusters.number() == 0; ++f)
+    if (has_border[labels[f]] && !is_on_border(f)) {
+      const Vector before = std::exchange(positions[x], items.centroid(Index(f)));
+      if (clusters.relocate(x, NONE, {Index(f)}, positions) != Relocation::DONE)
+        positions[x] = before;
+    }
+  BOOST_TEST(clusters.number() == 1);
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    if (is_on_border(f))
+      BOOST_TEST((*state.labels)[Index(f)] == labels[f]);
+  const auto map = boost::make_function_property_map<Mesh::Face_index>([&](Mesh::Face_index f) { return (*state.labels)[f]; });
+  BOOST_TEST(SMC::is_valid_clustering(mesh, map));
 }
 
 BOOST_AUTO_TEST_CASE(features_stay)

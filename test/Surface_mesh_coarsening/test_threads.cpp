@@ -30,6 +30,7 @@
 #include <mutex>
 #include <set>
 #include <thread>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_threads)
@@ -188,8 +189,16 @@ BOOST_AUTO_TEST_CASE(bounds_of_relocated_clusters)
   Placed_dual dual;
   const std::unique_ptr<Bordered_surface> surface = bordered_surface(state, dual);
   const Vertex_relocation relocation = vertex_relocation(state, surface->faces, clusters);
-  for (std::size_t x = 0; x < n; ++x)
-    relocation.relocate(Index(x), NONE, {Index(x * (mesh.number_of_faces() / n))});
+  const Clustering_input& items = state.featured_input().items;
+  std::vector<Vector> positions(n);
+  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+    positions[(*state.labels)[Index(f)]] = items.centroid(Index(f));
+  for (std::size_t x = 0; x < n; ++x) {
+    const Index f = Index(x * (mesh.number_of_faces() / n));
+    const Vector before = std::exchange(positions[x], items.centroid(f));
+    if (relocation.relocate(Index(x), NONE, {f}, positions) != Relocation::DONE)
+      positions[x] = before;
+  }
   BOOST_CHECK_GT(clusters.number(), n / 4);
 
   const auto position = [&relocation](std::size_t x) { return relocation.within_bounds(Index(x), {{9, 9, 9}}); };

@@ -125,7 +125,7 @@ po::options_description method_options()
      "with the placement fitted: the mean of the triangles' smallest angles to aim at, in degrees from 0 to 60; smaller angles "
      "bring the surfaces closer")
     ("error-feedback", text("R")->default_value(std::to_string(Defaults::error_feedback)),
-     "with the placement fitted: in R rounds, relocate vertices to places of large distance; with 0, the densities alone "
+     "with the placement fitted: in at most R rounds, relocate vertices to places of large distance; with 0, the densities alone "
      "distribute the vertices")
     ("rounds", text("R"),
      "stop after R rounds of minimization; 0 shows seeds and growth alone (default: up to --convergence-tolerance, at most 1000)")

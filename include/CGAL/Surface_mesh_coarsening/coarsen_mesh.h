@@ -115,15 +115,16 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{error_feedback}
-///     \cgalParamDescription{the number of rounds of `Fitted_placement` that relocate vertices from regions where they hardly
-///                           lower the distance to regions where the distance is large. The clusters are relocated too, and keep
-///                           their number. The relocation is undone unless the result is closer to the input than the fit
-///                           without these rounds, and its mean smallest angle reaches the goal or is no smaller. With 0, the
-///                           densities alone distribute the vertices.}
+///     \cgalParamDescription{the largest number of rounds of `Fitted_placement` that relocate vertices from regions where they
+///                           hardly lower the distance to regions where the distance is large. The rounds end earlier when they
+///                           hardly lower the distance any more. The clusters are relocated too, and keep their number. The
+///                           relocation is undone unless the result is closer to the input than the fit without these rounds, and
+///                           its mean smallest angle reaches the goal or is no smaller. With 0, the densities alone distribute the
+///                           vertices.}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{`Coarsening_defaults::error_feedback`, which is `8`; `0` if `face_density_map` is given}
+///     \cgalParamDefault{`Coarsening_defaults::error_feedback`, which is `12`; `0` if `face_density_map` is given}
 ///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, or if clusters are given, edited or
-///                     frozen. Clusters on features and borders are not split.}
+///                     frozen. Faces on features and borders remain in their clusters.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{feature_angle}
 ///     \cgalParamDescription{the angle of features in degrees, in \f$ [0, 180] \f$. Edges between two faces whose normals differ

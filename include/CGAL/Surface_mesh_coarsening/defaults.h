@@ -17,7 +17,7 @@ struct Coarsening_defaults
   /// of parameter `maximum_density`
   static constexpr double maximum_density = 10;
   /// of parameter `error_feedback`
-  static constexpr std::size_t error_feedback = 8;
+  static constexpr std::size_t error_feedback = 12;
   /// of parameter `number_of_iterations`: the tolerance ends the minimization much earlier
   static constexpr std::size_t number_of_iterations = 1000;
   /// of parameter `convergence_tolerance`: more rounds would lower the energy by about one percent, without an effect on

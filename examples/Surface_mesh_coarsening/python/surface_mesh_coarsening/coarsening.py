@@ -136,7 +136,7 @@ def _options(settings: Dict[str, Any]) -> "_core.Options":
     most = (3 if options.weight == "variance" else 50) if paper else 10
     options.maximum_density = real(chosen("maximum_density", most), "maximum_density")
     # Given densities determine the distribution of vertices.
-    feedback = 8 if s["density"] is None and not paper else 0
+    feedback = 12 if s["density"] is None and not paper else 0
     options.mean_angle = real(s["mean_angle"], "mean_angle")
     options.error_feedback = whole(chosen("error_feedback", feedback), "error_feedback")
     options.minimum_component_area = real(s["minimum_component_area"], "minimum_component_area")
@@ -274,8 +274,8 @@ def coarsen(
         and the check by boundary-edge counts
     mean_angle: with the placement "fitted", the mean of the triangles' smallest angles to aim at, in degrees from 0 to 60;
         smaller angles bring the surfaces closer
-    error_feedback: with the placement "fitted", rounds that relocate vertices to places of large distance; 8 by
-        default, 0 with `density`
+    error_feedback: with the placement "fitted", at most this number of rounds relocates vertices to places of large
+        distance; 12 by default, 0 with `density`
     minimum_component_area: removes connected components of smaller area
     subdivide: whether to subdivide faces internally until there are 20 for each vertex of the result
     repair_output: whether to move vertices and flip edges where triangles of the result intersect or are reversed; True by

@@ -72,7 +72,9 @@ inline Vertex_relocation vertex_relocation(const Clustering_state& state, const 
     state.context.stage_ends(Coarsening_stage::PLACEMENT);
     state.context.stage_begins(Coarsening_stage::FEEDBACK);
   };
-  relocation.relocate = [&](Index x, Index into, const std::vector<Index>& faces) { return clusters.relocate(x, into, faces); };
+  relocation.relocate = [&](Index x, Index into, const std::vector<Index>& faces, const std::vector<Vector>& positions) {
+    return clusters.relocate(x, into, faces, positions);
+  };
   relocation.undo = [&] { clusters.undo(); };
   relocation.within_bounds = [&](Index x, const Vector& p) {
     return clusters.has_changed(x) ? closest_in_box(p, clusters.vertex_bounds(x)) : surface.within_bounds(x, p);
@@ -125,7 +127,8 @@ inline bool stay_on_components(const Clustered_faces& surface, const std::vector
 }
 
 // Places the vertices, exchanges some of them together with their clusters, and repairs the placement. If this fails, nothing
-// changes. `plain` may be the repaired placement of these clusters without exchanges: it is the result if exchanges are undone.
+// changes. `plain` may be the repaired placement of these clusters without exchanges: it is the result if exchanges are undone or
+// leave more pairs of intersecting triangles.
 inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_model& placement,
                                        const Output_coordinates& output_coordinates, Repair_budget& budget, Placed_dual* plain)
 {
@@ -146,13 +149,14 @@ inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_
     if (clusters.number() > 0)
       surface = bordered_surface(state, dual);
     CGAL_assertion(stay_on_components(surface->faces, dual.triangles));
-    if (plain && clusters.is_undone()) {
-      context.throw_if_cancelled();
+    if (!plain || !clusters.is_undone())
+      dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual, budget);
+    context.throw_if_cancelled();
+    if (plain && (clusters.is_undone() || dual.number_left() > plain->number_left())) {
+      clusters.undo();
       state.report.exchanged_vertices = 0;
       return std::move(*plain);
     }
-    dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual, budget);
-    context.throw_if_cancelled();
     if (clusters.number() > 0) {
       state.minimization.reset();
       state.editing.reset();

@@ -419,16 +419,14 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
     state.report.exchanged_vertices = exchanged;
     ++clusterings;
   } else {
-    const bool is_last = dual.number_left() == fewest;
-    if (!is_last) {
+    budget = repair_budget(state, 2); // the selected result must not be worse than before
+    if (dual.number_left() > fewest) {
       recluster(state, best_densities);
       ++clusterings;
-    }
-    budget = repair_budget(state, 2); // the selected result must not be worse than before
-    if (may_exchange_vertices(state, placement))
-      dual = place_with_exchange(state, placement, output_coordinates, budget, is_last ? &dual : nullptr);
-    else if (!is_last)
       dual = place(state, placement, output_coordinates, budget);
+    }
+    if (may_exchange_vertices(state, placement))
+      dual = place_with_exchange(state, placement, output_coordinates, budget, &dual);
   }
   dual.clusterings = clusterings;
   return dual;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -19,7 +20,8 @@ namespace Surface_mesh_coarsening {
 namespace internal {
 
 // Moves vertices exactly onto the planes of the input around them, where these planes have a common point. The fit ends near such
-// points only, because it also regards the shape of triangles.
+// points only, because it also regards the shape of triangles. Where the fit has failed, for example at a vertex that cuts a sharp
+// edge, the vertex moves to the point nearest to the planes.
 class Plane_fit
 {
 public:
@@ -27,19 +29,21 @@ public:
   Plane_fit(Coarse_mesh& mesh, const Surface_fit& fit) : mesh_(mesh), fit_(fit) {}
 
   // Movements bring samples to other triangles, hence the repetitions.
-  void run()
+  void run(const Angle_worth& worth)
   {
     constexpr int max_repetitions = 8;
-    std::vector<Vector> moves(mesh_.positions().size());
+    worth_ = worth;
+    high_cost_ = part_of_high_cost * mean_cost();
+    std::vector<Move> moves(mesh_.positions().size());
     planes_.resize(mesh_.triangles().size());
     bool has_moved = true;
     for (int i = 0; i < max_repetitions && has_moved; ++i) {
       for_each_number(mesh_.context(), planes_.size(), [this](Index t) { planes_[t] = planes_on(t); });
       for_each_number(mesh_.context(), moves.size(),
-                      [&](Index v) { moves[v] = fit_.may_move(v) ? move_onto_planes(v) : Vector{{0, 0, 0}}; });
+                      [&](Index v) { moves[v] = fit_.may_move(v) ? move_onto_planes(v) : Move(); });
       has_moved = false;
       for (std::size_t v = 0; v < moves.size(); ++v)
-        if (dot(moves[v], moves[v]) > 0 && make(Index(v), moves[v]))
+        if (dot(moves[v].by, moves[v].by) > 0 && make(Index(v), moves[v]))
           has_moved = true;
     }
   }
@@ -53,6 +57,17 @@ private:
   static constexpr double shortest = 1e-12, farthest = 0.5;
   // The mean squared distance in units of the area around a vertex below which it is nearly zero, and the changes permitted there.
   static constexpr double nearly_zero = 1e-7, max_growth = 1.25, min_part_of_angle = 0.999;
+  // The fit has failed at a vertex if the cost of its triangles is this number of times the mean cost around a vertex.
+  static constexpr double part_of_high_cost = 30;
+  // Vertices on lines keep apart, as in the fit: the length of their shortest edge in units of the mean length around them, and the
+  // part of it that is kept below.
+  static constexpr double min_part_of_edges = 0.4, min_part_of_part = 0.99;
+
+  struct Move
+  {
+    Vector by{{0, 0, 0}};
+    bool is_exact = false; // the planes have a common point
+  };
 
   // The planes of some samples: the sums over their normals `n` and their heights `h` above a point.
   struct Planes
@@ -102,10 +117,20 @@ private:
     return planes;
   }
 
-  // Returns the shortest movement to the planes of the samples around a vertex; zero if they have no common point.
-  Vector move_onto_planes(Index v) const
+  // Returns the mean cost of the triangles around a vertex. A vertex has six triangles.
+  double mean_cost() const
   {
-    const Vector none{{0, 0, 0}}, &p = mesh_.point(v);
+    double cost = 0;
+    for (std::size_t t = 0; t < mesh_.triangles().size(); ++t)
+      cost += mesh_.samples().cost(Index(t));
+    return 6 * cost / double(mesh_.triangles().size());
+  }
+
+  // Returns the shortest movement to the planes of the samples around a vertex; zero if they have no common point, unless the cost
+  // is high.
+  Move move_onto_planes(Index v) const
+  {
+    const Vector& p = mesh_.point(v);
     Planes planes;
     double longest = 0; // a square
     for (const Index t : mesh_.around(v)) {
@@ -114,11 +139,11 @@ private:
       planes.add(planes_[t], mesh_.point(mesh_.triangle(t)[0]) - p);
     }
     if (planes.number == 0)
-      return none;
+      return Move();
     const Symmetric_block& squares = planes.squares;
     const Vector& right = planes.right;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares.matrix());
-    Vector move = none;
+    Vector move{{0, 0, 0}};
     for (int i = 0; i < 3; ++i) {
       const double value = solver.eigenvalues()[i];
       if (!(value > min_eigenvalue * solver.eigenvalues()[2]))
@@ -129,30 +154,54 @@ private:
     const double left = planes.squared_heights - 2 * dot(right, move) + dot(move, squares * move);
     const double square = dot(move, move);
     const bool is_useful = square > shortest * shortest * longest && square <= farthest * farthest * longest;
-    return is_useful && left <= planes.number * tolerance * tolerance * longest ? move : none;
+    const bool is_exact = left <= planes.number * tolerance * tolerance * longest;
+    return is_useful && (is_exact || mesh_.cost_of(mesh_.around(v)) > high_cost_) ? Move{move, is_exact} : Move();
   }
 
   // Undoes the movement if the distance increases, a triangle turns over or becomes narrow. Where the distance is nearly zero, a
-  // small increase is permitted, because neighbors may still be off their planes.
-  bool make(Index v, const Vector& move)
+  // small increase is permitted, because neighbors may still be off their planes. The worth of angles counts only if the planes have
+  // no common point.
+  bool make(Index v, const Move& move)
   {
     const std::vector<Index>& around = mesh_.around(v);
     const double before = mesh_.cost_of(around), angle = smallest_angle_of(around);
+    const double with_angles = mesh_.cost_of(around, worth_);
     const bool is_exact = is_nearly_zero(before, around);
     std::vector<Vector> normals;
     for (const Index t : around)
       normals.push_back(mesh_.normal(t));
+    const double part = part_of_shortest_edge(v);
     Vector& p = mesh_.positions()[v];
-    const Vector from = p, to = mesh_.within_bounds(v, p + move);
+    const Vector from = p, to = mesh_.within_bounds(v, p + move.by);
     p = to;
     bool is_sound = smallest_angle_of(around) >= (std::min)(is_exact ? min_part_of_angle * angle : angle, min_angle);
+    if (mesh_.is_on_border(v))
+      is_sound = is_sound && part_of_shortest_edge(v) >= (std::min)(min_part_of_part * part, min_part_of_edges);
     for (std::size_t i = 0; i < around.size(); ++i)
       is_sound = is_sound && dot(normals[i], mesh_.normal(around[i])) > 0;
     p = from;
     return is_sound && mesh_.move_if(v, to, [&]() {
+      if (!move.is_exact)
+        return mesh_.cost_of(around, worth_) < with_angles;
       const double after = mesh_.cost_of(around);
       return is_exact ? after <= max_growth * before : after < before;
     });
+  }
+
+  // Returns the length of the shortest edge at a vertex, in units of the mean length of the edges there.
+  double part_of_shortest_edge(Index v) const
+  {
+    double sum = 0, least = std::numeric_limits<double>::infinity();
+    std::size_t number = 0;
+    for (const Index t : mesh_.around(v))
+      for (const Index w : mesh_.triangle(t))
+        if (w != v) {
+          const double size = length(mesh_.point(w) - mesh_.point(v));
+          sum += size;
+          ++number;
+          least = (std::min)(least, size);
+        }
+    return sum > 0 ? least * double(number) / sum : 0;
   }
 
   double smallest_angle_of(const std::vector<Index>& triangles) const
@@ -175,6 +224,8 @@ private:
   Coarse_mesh& mesh_;
   const Surface_fit& fit_;
   std::vector<Planes> planes_; // of each triangle
+  Angle_worth worth_;
+  double high_cost_ = 0;
 };
 
 } // namespace internal

@@ -28,8 +28,16 @@ constexpr double min_angle = 10 * CGAL_PI / 180;
 // Triangles with a smaller angle are narrow.
 constexpr double narrow_angle = 25 * CGAL_PI / 180;
 
-// Returns the amount by which the smallest angle of a triangle falls below `narrow_angle`.
-inline double narrowness(double angle) { return (std::max)(0., narrow_angle - angle); }
+// Below this angle, narrowness grows faster, so that two narrow triangles are better than a degenerate one beside a good one. On
+// planar faces no distance would decide between them.
+constexpr double degenerate_angle = 3 * CGAL_PI / 180;
+
+// Returns the amount by which the smallest angle of a triangle falls below `narrow_angle`; more for degenerate triangles.
+inline double narrowness(double angle)
+{
+  constexpr double factor = 10;
+  return (std::max)(0., narrow_angle - angle) + factor * (std::max)(0., degenerate_angle - angle);
+}
 
 // The exchange rate between angles and distance: the squared distance that the smallest angle of a triangle is worth.
 struct Angle_worth

@@ -191,7 +191,7 @@ private:
       samples.forget_feet(split);
     compared_ += samples.redistribute(around, collapsed) + samples.redistribute({x.t, x.u}, split);
     const Relocation outcome =
-      mesh_.cost_of(all, worth_) < max_cost ? mesh_.relocation().relocate(v, r.into, faces) : Relocation::TOO_FAR;
+      mesh_.cost_of(all, worth_) < max_cost ? mesh_.relocation().relocate(v, r.into, faces, positions) : Relocation::TOO_FAR;
     if (outcome == Relocation::DONE) {
       touch(r, x);
     } else {

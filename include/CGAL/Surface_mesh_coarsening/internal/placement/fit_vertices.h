@@ -25,8 +25,8 @@ struct Vertex_relocation
   // Called between the fit and the rounds with exchanges.
   std::function<void()> begins;
   // Merges cluster `x` into a neighbor, if possible into `into`, and forms it again around one of some faces of the surface, the
-  // first possible one.
-  std::function<Relocation(Index x, Index into, const std::vector<Index>& faces)> relocate;
+  // first possible one with which the vertices are within their bounds.
+  std::function<Relocation(Index x, Index into, const std::vector<Index>& faces, const std::vector<Vector>& positions)> relocate;
   // Returns the point nearest to `p` that is an admissible position of the vertex of cluster `x`.
   std::function<Vector(Index x, const Vector& p)> within_bounds;
   // Restores all clusters.
@@ -55,6 +55,12 @@ constexpr double min_angle_of_faces = 30;
 // If the clusters are more than this part of the cells of vertices, only the distance counts: few faces lie under a triangle,
 // and flips for angles would leave them.
 constexpr double min_share_of_dense = 0.3;
+
+// Returns whether the clusters consist of several cells, in the mean.
+inline bool has_merged_cells(const Clustered_faces& surface)
+{
+  return surface.has_cells() && surface.clusters_per_cell() <= min_share_of_dense;
+}
 
 // Fits all vertices together, starting from quadrics; see `Fitted_placement`. `mean_angle` is in degrees. After `rounds` rounds,
 // `relocation` determines the number of rounds that exchange vertices; they end early when there are no profitable exchanges.

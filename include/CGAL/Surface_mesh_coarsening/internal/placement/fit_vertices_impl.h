@@ -61,14 +61,22 @@ public:
   }
 
   // From now on, the exchange rate between angles and distance changes slowly.
-  void keep_rate() { is_steady_ = true; }
+  void keep_rate()
+  {
+    is_steady_ = true;
+    flips_.bound_rate();
+  }
 
-  // Returns the number of exchanged vertices.
-  std::size_t advance(bool exchanges)
+  // From now on, the mean angle matters more than the distance.
+  void correct_angles() { only_angles_matter_ = true; }
+
+  // Returns the number of exchanged vertices. The flips reach the goal of the mean angle after `rounds_to_goal` rounds.
+  std::size_t advance(bool exchanges, std::size_t rounds_to_goal = 1)
   {
     if (is_steady_)
-      correct_reserve();
-    flips_.run((mean_angle_ + reserve_) / degrees_per_radian, is_steady_);
+      flips_.run_steadily(mean_angle_ + reserve_of_steady - current_angle(), only_angles_matter_);
+    else
+      flips_.run(next_angle(rounds_to_goal) / degrees_per_radian);
     const std::size_t exchanged = exchanges ? exchange_.run(flips_.worth()) : 0;
     if (!keeps_vertices_)
       move_vertices(exchanges ? coarse_tolerance : fine_tolerance);
@@ -85,26 +93,31 @@ public:
     Angle_worth worth = flips_.worth();
     worth.narrow_rate *= mesh_.surface().has_cells() ? final_factor_of_cells : final_factor;
     angles_.run(worth);
-    planes_.run();
+    planes_.run(flips_.worth());
     has_feet_ = false;
   }
+
+  // Returns the mean squared distance in the direction in which it is larger. The feet of the samples must be up to date.
+  double error() const { return mesh_.samples().squared_distance(); }
 
   // Returns the current mesh. The feet of the samples must be up to date.
   Fitted_mesh mesh() const
   {
-    return {mesh_.triangles(), mesh_.positions(), mesh_.samples().squared_distance(), current_angle()};
+    return {mesh_.triangles(), mesh_.positions(), error(), current_angle()};
   }
 
 private:
   static constexpr double degrees_per_radian = 180 / CGAL_PI;
+  // In degrees: movements after the last flips reduce the angles slightly.
+  static constexpr double reserve = 0.4, reserve_of_steady = 0.2;
   // Exchanges change the equations of the next round more than an inexact solution does.
   static constexpr double coarse_tolerance = 1e-2, fine_tolerance = 1e-3;
   // Narrow triangles that remain at the end of a group of rounds are final, so their worth is increased. Clusters of cells are longer
-  // than clusters of faces, so more of their triangles are narrow: 7 % have angles below 25 degrees with a factor of 2, and 6 % with 8
-  // (elephant.off with 16 numbers of vertices from 200 to 320).
-  static constexpr double final_factor = 2, final_factor_of_cells = 8;
-  // A movement that increases the cost by less is left to the next round, in units of the mean cost of a triangle. With a tenth, the
-  // Horse with 20 % of its vertices is 8 % closer, but takes 40 % longer and has more narrow triangles.
+  // than clusters of faces, so more of their triangles would be narrow. Below 25 degrees are 6.4 % with factor 4 and 7.4 % with 2
+  // (elephant.off, 18 numbers of vertices from 105 to 173), and 5.7 % with cells (16 numbers from 200 to 320).
+  static constexpr double final_factor = 4, final_factor_of_cells = 12;
+  // A movement that increases the cost by less is left to the next round, in units of the mean cost of a triangle. With 0.3, the
+  // models of compare_quality are 1 % closer, but thin parts have more pairs of intersecting triangles.
   static constexpr double harmless_part = 1;
   static constexpr std::size_t steps_of_vertex = 64;
 
@@ -214,12 +227,14 @@ private:
     return angles * degrees_per_radian / (std::max)(double(mesh_.triangles().size()), 1.);
   }
 
-  // Raises the angle that flips aim at if angles have become too small, and lowers it if they are larger than necessary.
-  void correct_reserve()
+  // Returns the mean angle that flips aim at.
+  double next_angle(std::size_t rounds_to_goal) const
   {
-    constexpr double wanted = 0.2, max_reserve = 2, part = 0.5;
-    const double missing = mean_angle_ + wanted - current_angle();
-    reserve_ = (std::min)((std::max)(reserve_ + part * missing, 0.), max_reserve);
+    const double goal = mean_angle_ + reserve;
+    if (rounds_to_goal == 1)
+      return goal;
+    const double now = (std::min)(current_angle(), goal);
+    return now + (goal - now) / double(rounds_to_goal);
   }
 
   Coarse_mesh& mesh_;
@@ -231,7 +246,7 @@ private:
   std::vector<Vector> before_;
   std::vector<double> costs_before_;
   bool is_steady_ = false;
-  double reserve_ = 0.4; // in degrees: movements after the last flips reduce the angles slightly
+  bool only_angles_matter_ = false;
   const bool keeps_vertices_; // only the diagonals of polygons change
   Surface_fit fit_;
   Edge_flips flips_;
@@ -266,11 +281,17 @@ inline bool improves_by_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, std
 {
   // The number of rounds after the last exchange, and of further rounds while only the angles are not good enough.
   constexpr std::size_t last_rounds = 2, max_corrections = 3;
+  // The rounds end when two of them together lower the squared distance by less than this part. In the runs of compare_quality, 0.02
+  // is 0.2 % closer and takes 4 % longer.
+  constexpr double min_gain = 0.03;
   fit.keep_rate();
   std::size_t exchanged = 1;
-  for (std::size_t i = 0; i < rounds && exchanged > 0; ++i) {
+  std::vector<double> errors{plain.error};
+  const auto pays = [&]() { return errors.size() < 3 || errors.back() <= (1 - min_gain) * *(errors.end() - 3); };
+  for (std::size_t i = 0; i < rounds && exchanged > 0 && pays(); ++i) {
     exchanged = fit.advance(true);
     fit.find_feet();
+    errors.push_back(fit.error());
     context.step_done(Coarsening_stage::FEEDBACK, i + 1, rounds + last_rounds);
   }
   for (std::size_t i = 0; i < last_rounds; ++i) {
@@ -282,6 +303,7 @@ inline bool improves_by_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, std
   fit.settle();
   Fitted_mesh mesh = fit.mesh();
   for (std::size_t i = 0; i < max_corrections && mesh.error < plain.error && !mesh.improves(plain, mean_angle); ++i) {
+    fit.correct_angles();
     fit.advance(false);
     fit.settle();
     mesh = fit.mesh();
@@ -289,14 +311,15 @@ inline bool improves_by_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, std
   return mesh.improves(plain, mean_angle);
 }
 
-// The rounds without exchange.
-inline void run_plain_rounds(Vertex_fit& fit, std::size_t rounds, const Run_context& context)
+// The rounds without exchange. Merged cells begin with long triangles and close to the input, so the angles approach their goal in
+// these rounds.
+inline void run_plain_rounds(Vertex_fit& fit, std::size_t rounds, bool has_cells, const Run_context& context)
 {
   // Before the last rounds, every `step_before`-th sample is sufficient.
   constexpr std::size_t rounds_with_all = 3, step_before = 4;
   for (std::size_t left = rounds; left > 0; --left) {
     fit.find_feet(left > rounds_with_all ? step_before : 1);
-    fit.advance(false);
+    fit.advance(false, has_cells ? left : 1);
     context.step_done(Coarsening_stage::PLACEMENT, rounds + 1 - left, rounds);
   }
   fit.settle();
@@ -319,7 +342,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices_from(const Clustered_faces
   const Vertex_relocation none;
   Coarse_mesh mesh(surface, border, triangles, positions, none);
   Vertex_fit fit(mesh, mean_angle);
-  run_plain_rounds(fit, rounds, surface.context());
+  run_plain_rounds(fit, rounds, surface.has_cells(), surface.context());
   triangles = mesh.triangles();
 }
 
@@ -330,7 +353,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices(const Clustered_faces& sur
   place_by_quadrics(surface, border, positions);
   if (are_input(surface, triangles))
     return;
-  if (surface.has_cells() && surface.clusters_per_cell() > min_share_of_dense) {
+  if (surface.has_cells() && !has_merged_cells(surface)) {
     // Five rounds are no closer at 60 and 80 % of the vertices of the Horse.
     constexpr std::size_t rounds_of_dense = 2;
     mean_angle = 0;
@@ -338,7 +361,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices(const Clustered_faces& sur
   }
   Coarse_mesh mesh(surface, border, triangles, positions, relocation);
   Vertex_fit fit(mesh, mean_angle);
-  run_plain_rounds(fit, rounds, surface.context());
+  run_plain_rounds(fit, rounds, surface.has_cells(), surface.context());
   triangles = mesh.triangles();
   if (relocation.rounds == 0)
     return;

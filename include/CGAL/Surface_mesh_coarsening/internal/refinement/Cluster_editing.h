@@ -7,10 +7,13 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -67,33 +70,30 @@ public:
   }
 
   // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces, the first
-  // possible one, from the cluster of this face. `changed` receives the changed clusters. Clusters on the border or on features
-  // lose no faces, and frozen clusters do not change.
-  Relocation relocate(Index x, Index into, const std::vector<Index>& to, std::vector<Index>& changed)
+  // possible one, from the cluster of this face. The vertices remain within the bounds of their clusters. `changed` receives the
+  // changed clusters. Faces on the border or on features remain in their clusters, and frozen clusters do not change.
+  Relocation relocate(Index x, Index into, const std::vector<Index>& to, const std::vector<Vector>& positions,
+                      std::vector<Index>& changed)
   {
-    constexpr std::size_t max_tried = 4;
     if (!is_free(x))
       return Relocation::NOT_FROM_HERE;
     const std::vector<Index> faces = outward(face_of_[x]);
     const Index heir = merge(x, faces, into);
     if (heir == NONE)
       return Relocation::NOT_FROM_HERE;
-    std::vector<Index> tried;
-    for (const Index f : to) {
-      const Index y = labels_[f];
-      if (std::find(tried.begin(), tried.end(), y) != tried.end())
-        continue;
-      if (tried.size() == max_tried)
-        break;
-      tried.push_back(y);
-      if (is_free(y) && split_around(y, x, f)) {
-        changed = {x, y, heir};
-        return Relocation::DONE;
-      }
+    Relocation outcome = Relocation::NOT_FROM_HERE;
+    if (is_within_bounds(heir, positions) && (into == NONE || is_within_bounds(into, positions))) {
+      const Index y = split_one(x, to, positions);
+      outcome = y == NONE ? Relocation::NOT_THERE : Relocation::DONE;
+      changed = {x, y, heir};
     }
-    for (const Index g : faces)
-      labels_.move(g, x);
-    return Relocation::NOT_THERE;
+    if (outcome != Relocation::DONE) {
+      changed.clear();
+      face_of_[x] = faces.front();
+      for (const Index g : faces)
+        labels_.move(g, x);
+    }
+    return outcome;
   }
 
   std::vector<Index> faces(Index x) { return outward(face_of_[x]); }
@@ -105,16 +105,22 @@ private:
   // Returns whether the cluster has no vertex on the border or on a feature, so it may lose its faces.
   bool is_free(Index x)
   {
-    if (labels_.is_frozen(x))
-      return false;
-    for (const Index f : outward(face_of_[x])) {
-      if (cells_ && (cells_->node(f) != NONE || cells_->is_at_border(f)))
-        return false;
-      for (const Index c : mesh_.corners(f))
-        if (mesh_.is_on_border(mesh_.corner_vertex[c]))
-          return false;
-    }
-    return true;
+    const std::vector<Index> faces = outward(face_of_[x]);
+    return !labels_.is_frozen(x) && std::none_of(faces.begin(), faces.end(), [this](Index f) { return is_on_border(f); });
+  }
+
+  // Returns whether a face has a vertex on the border or on a feature.
+  bool is_on_border(Index f) const
+  {
+    if (cells_ && (cells_->node(f) != NONE || cells_->is_at_border(f)))
+      return true;
+    const auto corners = mesh_.corners(f);
+    return std::any_of(corners.begin(), corners.end(), [this](Index c) { return mesh_.is_on_border(mesh_.corner_vertex[c]); });
+  }
+
+  bool is_within_bounds(Index x, const std::vector<Vector>& positions)
+  {
+    return closest_in_box(positions[x], vertex_bounds(mesh_, outward(face_of_[x]))) == positions[x];
   }
 
   // Moves the faces of cluster `x` to a neighbor that can receive them: to `first` if possible, otherwise to the neighbor
@@ -137,11 +143,45 @@ private:
     return NONE;
   }
 
-  // Splits a cluster `x` around face `f` off cluster `y`; if this fails, a half of `y`.
-  bool split_around(Index y, Index x, Index f)
+  // Splits a cluster `x` off the cluster of one of some faces. Returns the other part; NONE if there is no admissible split.
+  Index split_one(Index x, const std::vector<Index>& to, const std::vector<Vector>& positions)
+  {
+    constexpr std::size_t max_tried = 4;
+    std::vector<Index> tried;
+    for (const Index f : to) {
+      const Index y = labels_[f];
+      if (std::find(tried.begin(), tried.end(), y) != tried.end())
+        continue;
+      if (tried.size() == max_tried)
+        break;
+      tried.push_back(y);
+      if (labels_.is_frozen(y) || !split_around(y, x, f, positions[y]))
+        continue;
+      if (is_within_bounds(x, positions) && is_within_bounds(y, positions))
+        return y;
+      for (const Index g : outward(face_of_[x]))
+        labels_.move(g, y);
+    }
+    return NONE;
+  }
+
+  // Splits a cluster `x` around face `f` off cluster `y`, which keeps the face nearest to its vertex `p`, or the face farthest from
+  // `f`; if this fails, a half of `y`. The faces of `y` on the border remain in `y`; then `x` begins with the face nearest to `f`
+  // that is not on the border.
+  bool split_around(Index y, Index x, Index f, const Vector& p)
   {
     const std::vector<Index> faces = outward(f);
-    return try_split(y, x, faces, faces.back(), f) || split_anyhow(y, x, faces);
+    std::vector<Index> on_border;
+    std::copy_if(faces.begin(), faces.end(), std::back_inserter(on_border), [this](Index g) { return is_on_border(g); });
+    if (!on_border.empty()) {
+      const auto inside = std::find_if(faces.begin(), faces.end(), [this](Index g) { return !is_on_border(g); });
+      return inside != faces.end() && try_split(y, x, faces, on_border, *inside);
+    }
+    const auto squared_distance = [&](Index g) { return dot(input_.centroid(g) - p, input_.centroid(g) - p); };
+    const Index nearest = *std::min_element(faces.begin(), faces.end(), [&](Index g, Index h) {
+      return squared_distance(g) < squared_distance(h);
+    });
+    return try_split(y, x, faces, {nearest}, f) || try_split(y, x, faces, {faces.back()}, f) || split_anyhow(y, x, faces);
   }
 
   // Splits cluster `x` into two clusters of similar extent. The new cluster is `y`.
@@ -151,21 +191,22 @@ private:
     for (std::size_t i = 0; i < (std::min)(attempts, faces.size()) && faces.size() > 1; ++i) {
       const Index first = outward(faces[i * faces.size() / (std::min)(attempts, faces.size())]).back();
       const Index second = outward(first).back();
-      if (try_split(x, y, faces, first, second))
+      if (try_split(x, y, faces, {first}, second))
         return true;
     }
     return false;
   }
 
-  // Grows clusters `x` and `y` from two faces over the faces of `x`.
-  bool try_split(Index x, Index y, const std::vector<Index>& faces, Index first, Index second)
+  // Grows cluster `x` from some of its faces, and cluster `y` from another one, over the faces of `x`.
+  bool try_split(Index x, Index y, const std::vector<Index>& faces, const std::vector<Index>& first, Index second)
   {
-    if (first == second)
+    if (first.front() == second)
       return false;
     for (const Index f : faces)
       labels_.set(f, NONE);
     Cluster_growth growth(labels_);
-    growth.plant(first, x);
+    for (const Index f : first)
+      growth.plant(f, x);
     growth.plant(second, y);
     growth.run();
     std::vector<Index> of_second;
@@ -180,7 +221,7 @@ private:
       return false;
     for (const Index f : of_second)
       labels_.move(f, y);
-    const Index former = std::exchange(face_of_[x], first), former_of_y = std::exchange(face_of_[y], second);
+    const Index former = std::exchange(face_of_[x], first.front()), former_of_y = std::exchange(face_of_[y], second);
     if (is_valid_around(x) && is_valid_around(y))
       return true;
     for (const Index f : of_second)

@@ -38,8 +38,8 @@ public:
   const Bbox_3& vertex_bounds(Index x) const { return *bounds_[x]; }
 
   // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces of the
-  // input, or around a piece of a face if features are kept.
-  Relocation relocate(Index x, Index into, std::vector<Index> faces)
+  // input, or around a piece of a face if features are kept. The positions of the vertices must remain within their bounds.
+  Relocation relocate(Index x, Index into, std::vector<Index> faces, const std::vector<Vector>& positions)
   {
     if (cells_)
       for (Index& f : faces)
@@ -48,7 +48,7 @@ public:
     faces.erase(std::remove_if(faces.begin(), faces.end(), [&](Index f) { return !has_room_for_cluster(f, from); }),
                 faces.end());
     std::vector<Index> changed;
-    const Relocation outcome = editing_.relocate(x, into, faces, changed);
+    const Relocation outcome = editing_.relocate(x, into, faces, positions, changed);
     for (const Index y : changed)
       bounds_[y] = internal::vertex_bounds(mesh_, editing_.faces(y));
     if (outcome == Relocation::DONE) {
