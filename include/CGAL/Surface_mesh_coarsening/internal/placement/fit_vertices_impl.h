@@ -91,7 +91,7 @@ public:
     if (keeps_vertices_)
       return;
     Angle_worth worth = flips_.worth();
-    worth.narrow_rate *= mesh_.surface().has_cells() ? final_factor_of_cells : final_factor;
+    worth.narrow_rate *= final_factor();
     angles_.run(worth);
     planes_.run(flips_.worth());
     has_feet_ = false;
@@ -115,7 +115,12 @@ private:
   // Narrow triangles that remain at the end of a group of rounds are final, so their worth is increased. Clusters of cells are longer
   // than clusters of faces, so more of their triangles would be narrow. Below 25 degrees are 6.4 % with factor 4 and 7.4 % with 2
   // (elephant.off, 18 numbers of vertices from 105 to 173), and 5.7 % with cells (16 numbers from 200 to 320).
-  static constexpr double final_factor = 4, final_factor_of_cells = 12;
+  // Without feedback, flips do not count narrow triangles either.
+  double final_factor() const
+  {
+    constexpr double with_cells = 12, with_feedback = 4, otherwise = 2;
+    return mesh_.surface().has_cells() ? with_cells : mesh_.may_relocate() ? with_feedback : otherwise;
+  }
   // A movement that increases the cost by less is left to the next round, in units of the mean cost of a triangle. With 0.3, the
   // models of compare_quality are 1 % closer, but thin parts have more pairs of intersecting triangles.
   static constexpr double harmless_part = 1;
