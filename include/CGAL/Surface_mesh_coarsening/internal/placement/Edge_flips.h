@@ -58,7 +58,7 @@ public:
   }
 
   // Approaches the goal together with the other changes of several rounds: the logarithm of the exchange rate changes in proportion
-  // to the missing angle, in degrees. The rate at which the flips alone reach the goal would oscillate, by a factor of 60 in ten
+  // to the missing angle, in degrees. The rate at which the flips alone reach the goal would oscillate, by a factor of 55 in ten
   // rounds of anchor_dense.off. If only the goal matters, the rate changes faster and may be larger. With gains of 0.5 or 0.85, the
   // models of compare_quality are 1 to 2 % farther.
   void run_steadily(double missing, bool only_goal_matters)

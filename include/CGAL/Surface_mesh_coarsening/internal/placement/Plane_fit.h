@@ -61,7 +61,7 @@ private:
   static constexpr double part_of_high_cost = 30;
   // Vertices on lines keep apart, as in the fit: the length of their shortest edge in units of the mean length around them, and the
   // part of it that is kept below.
-  static constexpr double min_part_of_edges = 0.4, min_part_of_part = 0.99;
+  static constexpr double min_part_of_edges = 0.4, min_kept_part = 0.99;
 
   struct Move
   {
@@ -176,7 +176,7 @@ private:
     p = to;
     bool is_sound = smallest_angle_of(around) >= (std::min)(is_exact ? min_part_of_angle * angle : angle, min_angle);
     if (mesh_.is_on_border(v))
-      is_sound = is_sound && part_of_shortest_edge(v) >= (std::min)(min_part_of_part * part, min_part_of_edges);
+      is_sound = is_sound && part_of_shortest_edge(v) >= (std::min)(min_kept_part * part, min_part_of_edges);
     for (std::size_t i = 0; i < around.size(); ++i)
       is_sound = is_sound && dot(normals[i], mesh_.normal(around[i])) > 0;
     p = from;
