@@ -58,7 +58,7 @@ struct Grown
     const auto np = CGAL::parameters::default_values();
     Local_frame frame;
     input.items = clustering_input(mesh, np, numbering(mesh, np), frame, Run_context());
-    initial = std::make_unique<Initial_clustering>(input, false, report, Run_context());
+    initial = std::make_unique<Initial_clustering>(input, Merging::BY_MASS, report, Run_context());
     initial->seed(number_of_clusters);
     labels = std::make_unique<Cluster_labels>(initial->grow());
   }

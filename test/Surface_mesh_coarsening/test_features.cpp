@@ -262,7 +262,7 @@ void check_rules(const Model& model, std::size_t number)
   const Prepared p(model);
   check_sums_of_cells(p.input);
   SMC::Coarsening_report report;
-  Initial_clustering initial(p.input, false, report, Run_context());
+  Initial_clustering initial(p.input, Merging::BY_MASS, report, Run_context());
   initial.seed(number);
   Cluster_labels labels = initial.grow();
   typedef SMC::Weighted_inertia_energy<SMC::Maximum_density_weight> Energy;

@@ -125,7 +125,7 @@ template <class... Parameters>
 Labels labels_with(const Mesh& mesh, std::size_t n, const Parameters&... np)
 {
   SMC::Mwcvd_clustering<Mesh> c(mesh, np...);
-  c.seed(n);
+  c.seed_faces_or_cells(n); // as coarsen_mesh() does
   c.grow();
   c.minimize();
   Mesh output;

@@ -214,6 +214,7 @@ endfunction()
 check_phrase(${manual} "or turns by more than 60 degrees" internal/features/find_features_impl.h "dot(a, b) < 0.5 * std::sqrt")
 check_phrase(${theory} "uses the seeds of the largest level that gives twice this number" internal/seeding/Component_plan.h
   "seeds_per_cluster = 2;")
+check_phrase(${theory} "the largest level that gives five times the number" internal/seeding/Component_plan.h "seeds_for_quadrics = 5;")
 check_phrase(Robustness.txt "The mesh is clustered at most four times" internal/pipeline/stages_impl.h "max_repetitions = 2;")
 
 # The numbers of seeds in the text are the numbers of table 1.

@@ -144,9 +144,11 @@ std::vector<Coarsening> coarsen_to_numbers(const Mesh& input, const Options& opt
 {
   typedef SMC::Mwcvd_clustering<Mesh, SMC::Any_cluster_energy, CGAL::Parallel_if_available_tag> Clustering;
   Clustering clustering(input, np);
-  with_placement(options, [&](const auto& placement) { clustering.choose_items_for(placement); });
+  const std::size_t rounds = options.iterations.value_or(Defaults::number_of_iterations);
+  const bool minimizes = rounds != Defaults::number_of_iterations || options.convergence_tolerance != Defaults::convergence_tolerance;
+  with_placement(options, [&](const auto& placement) { clustering.choose_items_for(placement, minimizes); });
   make_clusters(clustering, options, fields);
-  clustering.minimize(options.iterations.value_or(Defaults::number_of_iterations), options.convergence_tolerance);
+  clustering.minimize(rounds, options.convergence_tolerance);
   std::vector<Coarsening> results((std::max)(options.vertices.size(), std::size_t(1)));
   for (Coarsening& result : results)
     result.labels.resize(input.num_faces());

@@ -79,8 +79,9 @@ public:
   {
     internal::prepare<ConcurrencyTag>(mesh, np, numbering_, state_);
     state_.energy = internal::energy_model(internal::chosen_energy<ClusterWeight>(np));
-    state_.may_cluster_cells = state_.energy->is_default() && !state_.follows_paper &&
-                               !internal::has_parameter<internal_np::face_density_t, NamedParameters>;
+    state_.may_use_quadrics = state_.energy->is_default() && !state_.follows_paper &&
+                              !internal::has_parameter<internal_np::face_density_t, NamedParameters> &&
+                              internal::density_choice(np).maximum == Coarsening_defaults::maximum_density;
   }
 
   Mwcvd_clustering(const Mwcvd_clustering&) = delete; // its members refer to each other
@@ -97,22 +98,29 @@ public:
   /// \throws Unreachable_number_of_vertices if the mesh has fewer vertices, or if its topology needs more clusters.
   std::size_t seed(std::size_t number_of_clusters) { return seed_as({internal::Seeding::FOR_NUMBER, number_of_clusters}); }
 
-  /// lets later calls of `seed_faces_or_cells()`, `seed_from_ratio()` and `seed_from_number_of_faces()` choose between faces and
-  /// cells for a placement. With a `Fitted_placement` for a mean angle below 30 degrees, cells are used for every number. With
-  /// other placements than `Fitted_placement`, faces are used. `coarsen_mesh()` calls this function.
+  /// lets later calls of `seed_faces_or_cells()`, `seed_from_ratio()` and `seed_from_number_of_faces()` choose the items and the
+  /// method for a placement. With other placements than `Fitted_placement`, or if the clusters are to be minimized, they do the same
+  /// as `seed()`. `coarsen_mesh()` calls this function, and minimizes if `number_of_iterations` or `convergence_tolerance` is not
+  /// the default.
   /// \tparam Placement a model of `VertexPlacement` or `GlobalVertexPlacement`
   template <class Placement>
-  void choose_items_for(const Placement& placement) { internal::choose_items_for(placement, state_); }
+  void choose_items_for(const Placement& placement, bool minimizes = false)
+  {
+    internal::choose_items_for(placement, minimizes, state_);
+  }
 
-  /// finds seeds as `seed()` does or, if `number_of_clusters` exceeds 0.09 times the number of vertices of the mesh, takes the dual
-  /// cells of vertices as items of the clustering instead of faces (see also `choose_items_for()`). `coarsen_mesh()` calls this
-  /// function.
+  /// finds seeds from which `grow()` merges clusters by the residuals of their quadrics (see `Quadric_energy`), as suits
+  /// `Fitted_placement` with error feedback; `minimize()` then changes nothing. `coarsen_mesh()` calls this function.
   ///
-  /// The cell of a vertex is the part of the faces around the vertex that is bounded by the centers of faces and edges. `grow()`
-  /// then merges cells by the residuals of their quadrics (see `Quadric_energy`), and `minimize()` changes nothing. If the number
-  /// of clusters equals the number of vertices, each cell is a cluster, and `Fitted_placement` returns the vertices of the mesh.
-  /// `cluster()` returns the cluster with the largest part of a face. Faces are used in any case if the weight is not
-  /// `Weighted_area_weight`, if densities are given, and with \smcParam{subdivide_input} or \smcParam{paper_rules}.
+  /// The level of the seeds is the highest level with five times the number of seeds. If `number_of_clusters` exceeds 0.09 times
+  /// the number of vertices of the mesh, the items of the clustering are the dual cells of vertices instead of faces, and every cell
+  /// is a seed. The cell of a vertex is the part of the faces around the vertex that is bounded by the centers of faces and edges.
+  /// If the number of clusters equals the number of vertices, each cell is a cluster, and `Fitted_placement` returns the vertices of
+  /// the mesh. `cluster()` returns the cluster with the largest part of a face.
+  ///
+  /// The function does the same as `seed()` if the energy, its weight or the maximum density is not the default, if densities are
+  /// given, with \smcParam{subdivide_input} or \smcParam{paper_rules}, if `choose_items_for()` requests it, and where merging by
+  /// quadrics does not reach the number. With \smcParam{error_feedback} 0, it does the same for clusters of faces.
   /// \return the number of seeds
   /// \throws Unreachable_number_of_vertices as `seed()` does.
   std::size_t seed_faces_or_cells(std::size_t number_of_clusters)

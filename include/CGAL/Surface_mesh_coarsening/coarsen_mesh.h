@@ -26,16 +26,18 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
-/// coarsens a polygon mesh to a given number of vertices by a multiplicatively weighted centroidal Voronoi diagram of its
-/// faces.
+/// coarsens a polygon mesh to a given number of vertices by a clustering of its faces.
 ///
 /// The output is a triangle mesh, a 2-manifold without isolated vertices, with exactly `number_of_vertices` vertices. Each
 /// component of the output has the genus, the number of border loops and the orientation of its component of the input. The
 /// input is not modified. The same input and parameters give the same output.
 ///
-/// If `number_of_vertices` exceeds 0.09 times the number of vertices of the input, the dual cells of vertices are clustered instead
+/// By default, clusters are merged by the residuals of their quadrics, and the vertices are fitted to the surface. If
+/// `number_of_vertices` exceeds 0.09 times the number of vertices of the input, the dual cells of vertices are clustered instead
 /// of faces (see `Mwcvd_clustering::seed_faces_or_cells()`). With the number of all vertices, the output is the surface of the
-/// input, triangulated.
+/// input, triangulated. With another energy or weight, other densities, another placement, and with another `number_of_iterations`
+/// or `convergence_tolerance` than the default, the clusters form a multiplicatively weighted centroidal Voronoi diagram, as in the
+/// paper; clusters of faces also do so without error feedback.
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`. `Parallel_tag`
 /// needs oneTBB. The result depends neither on the tag nor on the number of threads. In parallel, several threads read `input` at

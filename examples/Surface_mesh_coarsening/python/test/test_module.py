@@ -211,7 +211,7 @@ def test_levels_nest():
 def test_features_patches_and_progress():
     points, faces = folded_sheet()
     calls = []
-    result = smc.coarsen(points, faces, 39, features=30, progress=lambda *call: calls.append(call))
+    result = smc.coarsen(points, faces, 39, features=30, convergence_tolerance=1e-4, progress=lambda *call: calls.append(call))
     assert result.report["feature_lines"] == 1
     stages = [stage for stage, _, _ in calls]
     assert stages[0] == "preparation" and stages.index("seeding") < stages.index("growth") < stages.index("minimization")
@@ -546,7 +546,8 @@ def test_boundary_counts_and_densities():
     assert density.min() >= 1 and density.max() > 10  # near corners of the border
     assert smc.face_densities(*torus()).max() == pytest.approx(10)
     given = smc.coarsen(points, faces, 39, density=density, error_feedback=12)
-    assert np.array_equal(given.labels, result.labels)
+    minimized = smc.coarsen(points, faces, 39, iterations=999)  # the default merges by quadrics, which have no densities
+    assert np.array_equal(given.labels, minimized.labels)
     assert smc.face_densities(points, faces, maximum_density=50, paper=True).max() == pytest.approx(50)
 
 

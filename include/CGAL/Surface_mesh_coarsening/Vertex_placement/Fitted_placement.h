@@ -27,8 +27,7 @@ namespace Surface_mesh_coarsening {
 /// over the triangles of the smallest angle has decreased to a bound.
 ///
 /// With a goal below the default of 40 degrees, each movement of a vertex is judged: if the distance around the vertex increases
-/// by more than the change of the angles is worth, the vertex moves back. With a goal of less than 30 degrees, the clusters of
-/// `coarsen_mesh()` are dual cells of vertices, merged by quadrics. With the goal 0, the mean is 33 to 36 degrees on smooth
+/// by more than the change of the angles is worth, the vertex moves back. With the goal 0, the mean is 33 to 36 degrees on smooth
 /// models, and less at sharp edges.
 ///
 /// If features are kept, polylines are fitted to the feature lines together with the surface; corners do not move.
@@ -69,9 +68,6 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  // Whether clusters consist of cells of vertices at any number of them.
-  bool prefers_cells() const { return mean_angle_ < internal::min_angle_of_faces; }
-
   // The same with rounds that exchange vertices.
   void place_and_exchange(const internal::Clustered_faces& clusters, const Border_arcs& border,
                           std::vector<internal::Triangle>& triangles, std::vector<internal::Vector>& positions,

@@ -39,10 +39,10 @@ constexpr double min_share_of_cells = 0.09;
 struct Seeding
 {
   enum Kind { BY_CALLER, FOR_NUMBER, AT_LEVEL };
-  Kind kind = BY_CALLER;      // BY_CALLER: the caller gave, edited or froze clusters
-  std::size_t value = 0;      // the number, or the level
-  bool may_use_cells = false; // whether cells of vertices may be clustered instead of faces
-  std::size_t number = 0;     // AT_LEVEL: the number of clusters after merging; 0 for a cluster of each seed
+  Kind kind = BY_CALLER;         // BY_CALLER: the caller gave, edited or froze clusters
+  std::size_t value = 0;         // the number, or the level
+  bool may_use_quadrics = false; // whether clusters may be merged by quadrics, and cells of vertices used instead of faces
+  std::size_t number = 0;        // AT_LEVEL: the number of clusters after merging; 0 for a cluster of each seed
 };
 
 // The data that the stages of the pipeline share, in arrays, independent of the types of mesh, weight and placement.
@@ -53,8 +53,7 @@ struct Clustering_state
 
   // Set by the preparation:
   Run_context context;
-  bool may_cluster_cells = false; // whether the weight is the default and densities are not given
-  double share_for_cells = min_share_of_cells; // 0 if long clusters are preferred
+  bool may_use_quadrics = false; // whether weight and densities are the default
   bool subdivides_input = false, repairs_output = true;
   bool follows_paper = false; // parameter `paper_rules`
   std::size_t exchange_rounds = 0; // the number of rounds that relocate vertices to regions of large error
@@ -93,14 +92,12 @@ inline Featured_input with_items(const Featured_input& input, Feature_cells::Ext
   return Feature_cells::run(base, edges, context, extent);
 }
 
-// Other placements than the fit do not return the vertices of single cells.
+// Other placements than the fit do not return the vertices of single cells, and place the vertices of long clusters worse.
 template <class Placement>
-void choose_items_for(const Placement& placement, Clustering_state& state)
+void choose_items_for(const Placement&, bool minimizes, Clustering_state& state)
 {
-  if constexpr (exchanges_vertices<Placement>)
-    state.share_for_cells = placement.prefers_cells() ? 0 : min_share_of_cells;
-  else
-    state.may_cluster_cells = false;
+  if (!exchanges_vertices<Placement> || minimizes)
+    state.may_use_quadrics = false;
 }
 
 } // namespace internal

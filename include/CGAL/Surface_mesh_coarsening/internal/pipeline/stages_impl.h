@@ -101,7 +101,7 @@ inline void seed_items(Clustering_state& state, const Seeding& seeding)
   reset_report(state);
   state.seeding = seeding;
   state.minimization_end = Minimization_end();
-  state.initial = std::make_unique<Initial_clustering>(state.input, state.follows_paper, state.report, state.context);
+  state.initial = std::make_unique<Initial_clustering>(state.input, merging(state, seeding), state.report, state.context);
   all_or_nothing(state, [&] {
     if (seeding.kind == Seeding::AT_LEVEL) {
       const Index level = Index((std::min)(seeding.value, std::size_t(NONE / 4)));
@@ -208,8 +208,8 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void minimize(Clustering_state& state, const
   state.context.stage_begins(Coarsening_stage::MINIMIZATION);
   Coarsening_report& report = state.report;
   double energy = state.minimization->energy();
-  // Cells have been merged by the residuals of their quadrics, which moves that lower another energy would increase.
-  bool has_ended = has_vertex_cells(state.input);
+  // Moves that lower another energy would increase the residuals of quadrics.
+  bool has_ended = state.initial && state.initial->is_merged_by_quadrics();
   report.converged = has_ended;
   const std::size_t rounds_before = report.rounds;
   for (std::size_t made = 0; made < end.max_rounds && !has_ended; made = report.rounds - rounds_before) {
@@ -334,9 +334,8 @@ report_placement(Coarsening_report& report, const std::vector<Triangle>& triangl
 }
 
 // Seeds, grows and minimizes as before, with other densities.
-inline void recluster(Clustering_state& state, const std::vector<double>& densities)
+inline void recluster(Clustering_state& state, const Seeding& seeding, const std::vector<double>& densities)
 {
-  const Seeding seeding = state.seeding;
   const Minimization_end end = state.minimization_end;
   forget_clusters(state);
   if (state.input.cells) {
@@ -378,16 +377,17 @@ inline void raise_at_intersections(std::vector<double>& densities, const Cluster
 }
 
 // Returns the clusters of the first densities, and their placement after the exchange of vertices.
-inline Placed_dual return_to_first(Clustering_state& state, const std::vector<double>& densities, const std::vector<Index>& first,
-                                   Placed_dual dual)
+inline Placed_dual return_to_first(Clustering_state& state, const Seeding& seeding, const std::vector<double>& densities,
+                                   const std::vector<Index>& first, Placed_dual dual)
 {
-  recluster(state, densities);
+  recluster(state, seeding, densities);
   restore_clusters(state, first, dual);
   return dual;
 }
 
-// If pairs of intersecting triangles remain after the repair, the mesh is reclustered with other densities. Vertices are not
-// exchanged in these clusterings, because the exchange takes longer and the number of pairs decides among the results.
+// If pairs of intersecting triangles remain after the repair, the mesh is reclustered with other densities, without quadrics, which
+// do not depend on densities. Vertices are not exchanged in these clusterings, because the exchange takes longer and the number of
+// pairs decides among the results; they are exchanged in the end if no pair remains.
 CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state& state, const Placement_model& placement,
                                                                const Output_coordinates& output_coordinates)
 {
@@ -399,13 +399,16 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
     return first;
   const std::vector<Index> first_labels = labels(state).labels();
   const std::size_t exchanged = state.report.exchanged_vertices;
+  const Seeding first_seeding = state.seeding;
+  Seeding seeding = first_seeding;
+  seeding.may_use_quadrics = false;
   std::size_t clusterings = 1, fewest = first.number_left();
   const std::vector<double> first_densities = state.base_input().density;
   std::vector<double> densities = first_densities, best_densities = densities;
   Placed_dual dual;
   do {
     raise_at_intersections(densities, state, clusterings == 1 ? first : dual);
-    recluster(state, densities);
+    recluster(state, seeding, densities);
     budget.spend(placement_tests * first.triangles.size());
     dual = place(state, placement, output_coordinates, budget);
     ++clusterings;
@@ -415,17 +418,17 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
     }
   } while (clusterings <= max_repetitions && is_worth_reclustering(state, dual, budget));
   if (fewest == first.number_left()) {
-    dual = return_to_first(state, first_densities, first_labels, std::move(first));
+    dual = return_to_first(state, first_seeding, first_densities, first_labels, std::move(first));
     state.report.exchanged_vertices = exchanged;
     ++clusterings;
   } else {
     budget = repair_budget(state, 2); // the selected result must not be worse than before
     if (dual.number_left() > fewest) {
-      recluster(state, best_densities);
+      recluster(state, seeding, best_densities);
       ++clusterings;
       dual = place(state, placement, output_coordinates, budget);
     }
-    if (may_exchange_vertices(state, placement))
+    if (dual.number_left() == 0 && may_exchange_vertices(state, placement))
       dual = place_with_exchange(state, placement, output_coordinates, budget, &dual);
   }
   dual.clusterings = clusterings;

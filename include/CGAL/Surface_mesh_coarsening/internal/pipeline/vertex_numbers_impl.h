@@ -23,6 +23,19 @@ namespace CGAL {
 namespace Surface_mesh_coarsening {
 namespace internal {
 
+inline bool may_use_quadrics(const Clustering_state& state, const Seeding& seeding)
+{
+  return state.may_use_quadrics && seeding.may_use_quadrics && seeding.kind == Seeding::FOR_NUMBER && !state.subdivides_input;
+}
+
+// Returns how clusters of faces are merged. Long clusters need the exchange of vertices: without it, more triangles are narrow.
+inline Merging merging(const Clustering_state& state, const Seeding& seeding)
+{
+  if (may_use_quadrics(state, seeding) && state.exchange_rounds > 0)
+    return Merging::BY_QUADRICS;
+  return state.follows_paper ? Merging::BY_AREA : Merging::BY_MASS;
+}
+
 // Returns whether the cells of vertices serve better than faces. A face is half a vertex, so clusters of few faces have vertices
 // off the surface. Faces serve for the smallest numbers, because they determine the range of numbers.
 inline bool needs_vertex_cells(const Clustering_state& state, const Seeding& seeding)
@@ -33,8 +46,8 @@ inline bool needs_vertex_cells(const Clustering_state& state, const Seeding& see
     enough += Component_plan::sufficient_clusters(c);
   }
   const double share = double(seeding.value) / double(vertices);
-  return state.may_cluster_cells && seeding.may_use_cells && seeding.kind == Seeding::FOR_NUMBER && !state.subdivides_input &&
-         (share > min_share_of_dense || (share > state.share_for_cells && seeding.value >= enough));
+  return may_use_quadrics(state, seeding) &&
+         (share > min_share_of_dense || (share > min_share_of_cells && seeding.value >= enough));
 }
 
 // Calls `use` with a function that returns the clustering which finds the attainable numbers of clusters.
@@ -45,7 +58,7 @@ auto with_attainable_numbers(const Clustering_state& state, const Use& use)
   const std::optional<Featured_input> faces =
     has_vertex_cells(state.input) ? std::make_optional(with_items(state.input, Feature_cells::AT_FEATURES, state.context))
                                   : std::nullopt;
-  return use([&] { return Initial_clustering(faces ? *faces : state.input, state.follows_paper, unused, state.context); });
+  return use([&] { return Initial_clustering(faces ? *faces : state.input, merging(state, Seeding()), unused, state.context); });
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE std::pair<std::size_t, std::size_t> vertex_number_range(const Clustering_state& state)

@@ -239,7 +239,11 @@ private:
   // The logarithm of the smallest exchange rate. With goals below 30 degrees, -8 instead of -6 lowers the distance of four mechanical
   // models at five sizes by 5 %.
   static constexpr double exponent_without_exchange = -30;
-  static double exponent_with_exchange(double mean_angle) { return mean_angle < min_angle_of_faces ? -8 : -6; }
+  static double exponent_with_exchange(double mean_angle)
+  {
+    constexpr double small_angle = 30;
+    return mean_angle < small_angle ? -8 : -6;
+  }
   // The worth of one radian of narrowness, relative to the mean cost of a triangle.
   static constexpr double narrow_part = 2;
   static constexpr std::size_t steps_of_flip = 64, triangles_of_part = 16;

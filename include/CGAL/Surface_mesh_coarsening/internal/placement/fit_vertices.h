@@ -48,10 +48,6 @@ struct Fitted_mesh
   }
 };
 
-// With a smaller goal for the mean angle, cells of vertices are clustered instead of faces: they are merged by quadrics, which makes
-// long clusters.
-constexpr double min_angle_of_faces = 30;
-
 // If the clusters are more than this part of the cells of vertices, only the distance counts: few faces lie under a triangle,
 // and flips for angles would leave them.
 constexpr double min_share_of_dense = 0.3;

@@ -35,14 +35,16 @@ struct Clustered_component
   const Feature_rules* rules; // null without features
 };
 
+// Which clusters are merged first: the clusters with the smallest total area or mass, or pairs whose union adds least to the
+// residuals of their quadrics, as an edge collapse does (Garland and Heckbert: Surface simplification using quadric error metrics,
+// 1997).
+enum class Merging { BY_AREA, BY_MASS, BY_QUADRICS };
+
 // How clusters are merged.
 struct Merging_method
 {
+  Merging order = Merging::BY_MASS;
   bool by_threes = false; // whether three clusters may be merged at a time; if not, the order does not depend on the number
-  bool by_area = false;   // whether the size is the area, not the mass
-  // Whether pairs are merged whose union adds least to the residuals of their quadrics, as an edge collapse does (Garland and
-  // Heckbert: Surface simplification using quadric error metrics, 1997).
-  bool by_quadrics = false;
   // Whether, as a last resort, clusters may be merged that meet only in a vertex, that is, in an edge of its fan.
   // without_pinches() must then turn them into discs.
   bool may_join_at_vertices = false;
@@ -71,14 +73,14 @@ public:
   {
     std::iota(merged_into_.begin(), merged_into_.end(), Index(0));
     for (const Index f : component.faces) {
-      const Size size{method_.by_area ? input.area[f] : input.mass(f), input.number_of_faces_in(f)};
+      const Size size{is_by_area() ? input.area[f] : input.mass(f), input.number_of_faces_in(f)};
       size_[component.labels[f]] = size_[component.labels[f]] + size;
       mass_of_all_ += size.mass;
     }
     if (component.rules)
       features_.emplace(*component.rules, component.labels.mesh().component[*component.faces.begin()]);
-    if (method.by_quadrics)
-      add_quadrics(component.rules->cells());
+    if (method.order == Merging::BY_QUADRICS)
+      add_quadrics(input);
   }
 
   // Merges until at most `wanted` clusters remain, if the topology permits it. Returns the number of pairwise merges.
@@ -141,27 +143,39 @@ private:
   static constexpr double faces_of_round_cluster = 64;
   //! [size]
 
-  // Border edges add planes perpendicular to their faces.
-  void add_quadrics(const Feature_cells& cells)
+  bool is_by_area() const { return method_.order == Merging::BY_AREA; }
+
+  // A cell of the input consists of pieces of faces.
+  void add_quadrics(const Clustering_input& input)
   {
     quadrics_.resize(count_);
-    const Clustering_input& pieces = cells.pieces();
-    const Flat_mesh& m = pieces.mesh;
-    for (const Index f : component_.faces)
-      cells.for_each_piece(f, [&](Index piece) {
-        const Clustered_face face(pieces, piece);
-        Quadric_energy::Cluster_data& quadric = quadrics_[component_.labels[f]];
-        const Vector normal = face.plain_normal();
-        quadric_energy_.add(quadric, {pieces.area[piece], face.plain_centroid(), normal});
-        for (const Index c : m.corners(piece)) {
-          if (m.face_across[c] != NONE)
-            continue;
-          const Vector edge = m.edge_vector(piece, c), middle = 0.5 * (m.point_at(c) + m.point_at(m.next_corner(piece, c)));
-          const double size = length(edge);
-          if (size > 0)
-            quadric_energy_.add(quadric, {size * size, middle, (1 / size) * cross(edge, normal)});
-        }
-      });
+    for (const Index f : component_.faces) {
+      Quadric_energy::Cluster_data& quadric = quadrics_[component_.labels[f]];
+      if (component_.rules)
+        component_.rules->cells().for_each_piece(
+          f, [&](Index piece) { add_face(component_.rules->cells().pieces(), piece, quadric); });
+      else
+        add_face(input, f, quadric);
+    }
+    for (const Quadric_energy::Cluster_data& quadric : quadrics_)
+      residual_.push_back(quadric_energy_.energy(quadric, 0));
+  }
+
+  // Border edges add planes perpendicular to their faces.
+  void add_face(const Clustering_input& input, Index f, Quadric_energy::Cluster_data& quadric) const
+  {
+    const Flat_mesh& m = input.mesh;
+    const Clustered_face face(input, f);
+    const Vector normal = face.plain_normal();
+    quadric_energy_.add(quadric, {input.area[f], face.plain_centroid(), normal});
+    for (const Index c : m.corners(f)) {
+      if (m.face_across[c] != NONE)
+        continue;
+      const Vector edge = m.edge_vector(f, c), middle = 0.5 * (m.point_at(c) + m.point_at(m.next_corner(f, c)));
+      const double size = length(edge);
+      if (size > 0)
+        quadric_energy_.add(quadric, {size * size, middle, (1 / size) * cross(edge, normal)});
+    }
   }
 
   // A merge is retried after one of its clusters has changed. Changes farther away may also enable it; such merges are considered
@@ -202,7 +216,7 @@ private:
     double least = -1;
     const auto offer = [&](double size) { least = least < 0 || size < least ? size : least; };
     if (method_.by_threes && excess() > 1) {
-      if (method_.by_area)
+      if (is_by_area())
         for_each_triple_around(t, [&](const Triple& x) { offer(x.size); });
       if (least >= 0)
         return least;
@@ -221,7 +235,7 @@ private:
   // A cluster that is already large, such as a single face as large as many other clusters, is not enlarged unnecessarily.
   bool may_be_third(Index merged, Index third) const
   {
-    return method_.by_area || (size_[merged] + size_[third]).mass <= 4 * mean_mass();
+    return is_by_area() || (size_[merged] + size_[third]).mass <= 4 * mean_mass();
   }
 
   bool is_candidate(Edge e) const
@@ -234,16 +248,15 @@ private:
     const Index x = dual_.source(e), y = dual_.target(e);
     if (quadrics_.empty())
       return number_of(size_[x] + size_[y]);
-    const auto residual = [this](const Quadric_energy::Cluster_data& quadric) { return quadric_energy_.energy(quadric, 0); };
-    const double sum = residual(Quadric_energy::joined(quadrics_[x], quadrics_[y]));
-    return rounded_for_comparison((std::max)(0., sum - residual(quadrics_[x]) - residual(quadrics_[y])));
+    const double sum = quadric_energy_.energy(Quadric_energy::joined(quadrics_[x], quadrics_[y]), 0);
+    return rounded_for_comparison((std::max)(0., sum - residual_[x] - residual_[y]));
   }
 
   double mean_mass() const { return mass_of_all_ / double(wanted_); }
   double number_of(const Size& x) const
   {
     const double mass_of_faces = x.faces / faces_of_round_cluster * mean_mass();
-    return rounded_for_comparison(method_.by_area ? x.mass : (std::min)(x.mass, mass_of_faces));
+    return rounded_for_comparison(is_by_area() ? x.mass : (std::min)(x.mass, mass_of_faces));
   }
 
   void work_off()
@@ -303,7 +316,7 @@ private:
   {
     const bool three = method_.by_threes && excess() > 1;
     std::optional<Triple> triple; // the smallest
-    if (three && method_.by_area)
+    if (three && is_by_area())
       for_each_triple_around(t, [&](const Triple& x) {
         if ((!triple || x < *triple) && dual_.may_contract(x.arc))
           triple = x;
@@ -343,8 +356,10 @@ private:
       features_->merge(kept, gone, [this](Index x) { return cluster(x); });
     merged_into_[gone] = kept;
     size_[kept] = size_[kept] + size_[gone];
-    if (!quadrics_.empty())
+    if (!quadrics_.empty()) {
       quadrics_[kept] = Quadric_energy::joined(quadrics_[kept], quadrics_[gone]);
+      residual_[kept] = quadric_energy_.energy(quadrics_[kept], 0);
+    }
     --count_;
     return kept;
   }
@@ -364,6 +379,7 @@ private:
   std::vector<bool> is_queued_; // per triangle
   const Quadric_energy quadric_energy_{quadric_regularization};
   std::vector<Quadric_energy::Cluster_data> quadrics_; // empty if clusters are merged by size
+  std::vector<double> residual_;                       // of each quadric
   double mass_of_all_ = 0;
   Queue queue_;
 };

@@ -44,13 +44,13 @@ class Component_clustering
 public:
   Component_clustering(const Featured_input& input, bool merges_by_area, const Run_context& context)
     : input_(input.items), cells_(input.cells.get()), merges_by_area_(merges_by_area),
-      merges_by_quadrics_(has_vertex_cells(input)), context_(context), walk_(input.items.mesh, context) {}
+      has_vertex_cells_(has_vertex_cells(input)), context_(context), walk_(input.items.mesh, context) {}
 
   Component_seeds seeds(const Face_range& faces, const Component_plan& plan)
   {
     if (plan.level() != NONE)
       return seeds_of_level(faces, plan.level());
-    if (merges_by_quadrics_)
+    if (has_vertex_cells_)
       return seeds_of_level(faces, 0);
     Component_seeds seeds = largest_level_of(faces, plan.min_seeds());
     if (plan.is_on_schedule())
@@ -86,9 +86,11 @@ public:
     if (result.clusters <= plan.wanted())
       return result;
     Merging_method method;
-    method.by_threes = !plan.is_on_schedule() && !merges_by_quadrics_;
-    method.by_area = merges_by_area_ || !method.by_threes;
-    method.by_quadrics = merges_by_quadrics_;
+    const bool by_quadrics = has_vertex_cells_ || plan.merges_by_quadrics();
+    method.by_threes = !plan.is_on_schedule() && !by_quadrics;
+    method.order = by_quadrics                            ? Merging::BY_QUADRICS
+                   : merges_by_area_ || !method.by_threes ? Merging::BY_AREA
+                                                          : Merging::BY_MASS;
     method.may_join_at_vertices = plan.from_pieces() && plan.is_on_schedule() && !cells_;
     Cluster_merging merging(input_, {labels, faces, splitting.number_of_clusters(), growth.rules()}, method, context_);
     result.merges = merging.run(plan.wanted());
@@ -198,7 +200,7 @@ private:
   const Clustering_input& input_;
   const Feature_cells* cells_; // null without features
   bool merges_by_area_;
-  bool merges_by_quadrics_; // cells of vertices are merged from single cells
+  bool has_vertex_cells_; // which are merged from single cells
   const Run_context context_;
   Seed_walk walk_;
 };

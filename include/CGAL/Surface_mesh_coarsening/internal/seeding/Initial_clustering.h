@@ -28,11 +28,11 @@ namespace internal {
 class Initial_clustering
 {
 public:
-  // `merges_by_area`: whether the area of clusters determines which clusters are merged.
-  Initial_clustering(const Featured_input& input, bool merges_by_area, Coarsening_report& report, const Run_context& context)
+  // `merging`: which clusters are merged first. Cells of vertices are merged by quadrics in any case.
+  Initial_clustering(const Featured_input& input, Merging merging, Coarsening_report& report, const Run_context& context)
     : uncut_input_(&input),
       input_(&input),
-      merges_by_area_(merges_by_area),
+      merging_(merging),
       report_(report),
       context_(context),
       share_(input.items.mesh.components.size(), 0),
@@ -105,7 +105,7 @@ public:
     find_seeds_of(level);
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
       wanted_[i] = std::clamp(seeds_[i].faces.size(), min_[i], max_[i]);
-      plan_[i].begin(input_->items.mesh.components[i], wanted_[i], level);
+      plan_[i].begin(input_->items.mesh.components[i], wanted_[i], level, false);
     }
     number_ = sum(wanted_);
   }
@@ -126,6 +126,13 @@ public:
 
   // The faces of the seeds and clusters: the given faces or pieces of them.
   const Featured_input& input() const { return resolved_input_ ? *resolved_input_ : *input_; }
+
+  // Returns whether all clusters have been merged by quadrics.
+  bool is_merged_by_quadrics() const
+  {
+    return has_vertex_cells(*input_) ||
+           std::all_of(plan_.begin(), plan_.end(), [](const Component_plan& p) { return p.merges_by_quadrics(); });
+  }
 
   // Returns the seeds; after growth, a face of each cluster.
   std::vector<Index> seeds() const
@@ -192,16 +199,16 @@ private:
       find_minimum();
       throw_unreachable("the input, with " + needs_of_vertices(uncut_input_->items.mesh.components) + ", needs ", sum(min_));
     }
-    begin_plans(apportion(number_, share_, min_, max_));
+    begin_plans(apportion(number_, share_, min_, max_), merging_ == Merging::BY_QUADRICS);
   }
 
-  void begin_plans(const std::vector<std::size_t>& wanted)
+  void begin_plans(const std::vector<std::size_t>& wanted, bool by_quadrics)
   {
     wanted_.resize(wanted.size(), 0);
     for (std::size_t i = 0; i < wanted.size(); ++i)
       if (wanted_[i] != wanted[i]) {
         wanted_[i] = wanted[i];
-        plan_[i].begin(uncut_input_->items.mesh.components[i], wanted[i], merge_level_);
+        plan_[i].begin(uncut_input_->items.mesh.components[i], wanted[i], merge_level_, by_quadrics);
         state_[i] = State::NEW;
       }
   }
@@ -213,11 +220,11 @@ private:
                        [](const Component& c) { return c.max_clusters() < Component_plan::sufficient_clusters(c); });
   }
 
-  // The smallest attainable number is known after every component has reached its minimum.
+  // The smallest attainable number is known after every component has reached its minimum. It does not depend on quadrics.
   void find_minimum()
   {
     do {
-      begin_plans(min_);
+      begin_plans(min_, false);
       find_seeds();
     } while (!grow_components());
   }
@@ -256,7 +263,7 @@ private:
     faces_.emplace(numbers_below(Index(m.number_of_faces())), m.components.size(), [&](Index f) { return m.component[f]; },
                    context_);
     labels_.emplace(m);
-    clustering_.emplace(*input_, merges_by_area_, context_);
+    clustering_.emplace(*input_, merging_ == Merging::BY_AREA, context_);
     std::fill(state_.begin(), state_.end(), State::NEW);
   }
 
@@ -266,7 +273,7 @@ private:
   {
     wanted_.assign(min_.size(), 0);
     for (std::size_t i = 0; i < wanted_.size(); ++i)
-      plan_[i].begin(input_->items.mesh.components[i], 0, level);
+      plan_[i].begin(input_->items.mesh.components[i], 0, level, false);
     find_seeds();
   }
 
@@ -377,7 +384,7 @@ private:
 
   const Featured_input* uncut_input_; // the given input, or a subdivision of it
   const Featured_input* input_;       // the same, or with subdivided components
-  bool merges_by_area_;
+  Merging merging_;
   std::optional<Featured_input> subdivided_input_, cut_input_;
   std::optional<Featured_input> resolved_input_; // after growth, if clusters are joined at vertices
   Coarsening_report& report_;
