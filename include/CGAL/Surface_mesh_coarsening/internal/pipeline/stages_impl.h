@@ -387,12 +387,14 @@ inline Placed_dual return_to_first(Clustering_state& state, const Seeding& seedi
 
 // If pairs of intersecting triangles remain after the repair, the mesh is reclustered with other densities, without quadrics, which
 // do not depend on densities. Vertices are not exchanged in these clusterings, because the exchange takes longer and the number of
-// pairs decides among the results; they are exchanged in the end if no pair remains.
+// pairs decides among the results; they are exchanged in the end if few pairs remain.
 CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state& state, const Placement_model& placement,
                                                                const Output_coordinates& output_coordinates)
 {
   // Four times leave more pairs, because each spends a part of the budget.
   constexpr std::size_t max_repetitions = 2;
+  // With more pairs, the exchange rarely leaves as few pairs, and its repair takes long.
+  constexpr std::size_t clusters_of_pair = 100;
   Repair_budget budget = repair_budget(state);
   Placed_dual first = place_and_exchange(state, placement, output_coordinates, budget);
   if (!is_worth_reclustering(state, first, budget))
@@ -428,7 +430,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
       ++clusterings;
       dual = place(state, placement, output_coordinates, budget);
     }
-    if (dual.number_left() == 0 && may_exchange_vertices(state, placement))
+    if (clusters_of_pair * dual.number_left() <= state.number_of_clusters() && may_exchange_vertices(state, placement))
       dual = place_with_exchange(state, placement, output_coordinates, budget, &dual);
   }
   dual.clusterings = clusterings;

@@ -139,6 +139,9 @@ private:
   // Of 1e-3 to 1e-6, this value has the smallest distances at 60 and 80 % of the vertices of the Horse, with angles that are
   // hardly smaller.
   static constexpr double quadric_regularization = 1e-5;
+  // Of the planes at the border. With 1, the border of mannequin-devil.off with 200 vertices is 0.53 % of the diagonal away, with 2
+  // 0.37; with 4, the models of compare_quality are 0.4 % farther than with 2.
+  static constexpr double border_weight = 2;
   // This number of faces counts as much as the mean mass of a cluster.
   static constexpr double faces_of_round_cluster = 64;
   //! [size]
@@ -174,7 +177,7 @@ private:
       const Vector edge = m.edge_vector(f, c), middle = 0.5 * (m.point_at(c) + m.point_at(m.next_corner(f, c)));
       const double size = length(edge);
       if (size > 0)
-        quadric_energy_.add(quadric, {size * size, middle, (1 / size) * cross(edge, normal)});
+        quadric_energy_.add(quadric, {border_weight * size * size, middle, (1 / size) * cross(edge, normal)});
     }
   }
 

@@ -127,11 +127,11 @@ public:
   // The faces of the seeds and clusters: the given faces or pieces of them.
   const Featured_input& input() const { return resolved_input_ ? *resolved_input_ : *input_; }
 
-  // Returns whether all clusters have been merged by quadrics.
+  // Returns whether clusters have been merged by quadrics, except in components that do not permit their number in this way.
   bool is_merged_by_quadrics() const
   {
     return has_vertex_cells(*input_) ||
-           std::all_of(plan_.begin(), plan_.end(), [](const Component_plan& p) { return p.merges_by_quadrics(); });
+           std::any_of(plan_.begin(), plan_.end(), [](const Component_plan& p) { return p.merges_by_quadrics(); });
   }
 
   // Returns the seeds; after growth, a face of each cluster.
