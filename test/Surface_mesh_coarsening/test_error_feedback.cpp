@@ -125,8 +125,8 @@ BOOST_AUTO_TEST_CASE(distance_falls)
   }
 }
 
-// With a small goal for the mean angle, cells of vertices are merged by quadrics, and movements are judged. The Fandisk has narrow
-// triangles between which searches for closest points lose their way.
+// With a small goal for the mean angle, movements are judged. The Fandisk has narrow triangles between which searches for closest
+// points lose their way.
 BOOST_AUTO_TEST_CASE(only_the_distance_counts)
 {
   const struct
