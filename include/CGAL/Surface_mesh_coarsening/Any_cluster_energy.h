@@ -9,8 +9,7 @@
 
 #include <memory>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningEnergies
 /// An energy that a program chooses when it runs. `coarsen_mesh()`, `coarsen_mesh_to_distance()` and `Mwcvd_clustering` take it
@@ -36,7 +35,6 @@ private:
   std::shared_ptr<const internal::Energy_model> model_;
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_ANY_CLUSTER_ENERGY_H

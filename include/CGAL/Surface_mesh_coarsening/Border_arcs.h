@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// The border of the mesh, divided into arcs: one arc for each cluster on the border. The vertex of a cluster on the border lies
@@ -123,7 +122,6 @@ private:
   std::vector<Vector> places_;
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_BORDER_ARCS_H

@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
@@ -66,7 +65,6 @@ private:
   internal::Bucketed_items<face_descriptor> faces_;
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_FACES_H

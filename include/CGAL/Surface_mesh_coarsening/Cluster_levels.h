@@ -14,8 +14,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// Levels of detail of one clustering: a sequence of clusterings, each with one cluster less than the previous one.
@@ -166,7 +165,6 @@ private:
   internal::Level_hierarchy levels_;
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_LEVELS_H

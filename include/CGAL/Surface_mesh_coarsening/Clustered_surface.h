@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// The input of a vertex placement: the faces and their geometry, cluster by cluster.
@@ -73,7 +72,6 @@ private:
   const internal::Clustered_faces& clusters_;
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_CLUSTERED_SURFACE_H

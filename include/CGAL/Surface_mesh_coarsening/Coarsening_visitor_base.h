@@ -5,8 +5,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// The stages of a coarsening, in order. If the mesh is reclustered, the stages from `SEEDING` on are repeated. `REPAIR` and
@@ -44,7 +43,6 @@ struct Coarsening_visitor_base
   bool go_further() { return true; }
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_COARSENING_VISITOR_BASE_H

@@ -20,8 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// clusters the faces of a polygon mesh by a multiplicatively weighted centroidal Voronoi diagram, step by step.
@@ -399,7 +398,6 @@ private:
   internal::Clustering_state state_;
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_MWCVD_CLUSTERING_H

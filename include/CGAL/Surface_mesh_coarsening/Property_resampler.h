@@ -12,8 +12,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// The ways to transfer values of a mesh to its coarse mesh.
@@ -308,7 +307,6 @@ private:
   internal::Surface_correspondence surfaces_;
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_PROPERTY_RESAMPLER_H

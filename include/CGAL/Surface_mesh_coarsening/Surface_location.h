@@ -14,8 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// A point on the surface of a mesh, given by a face and coordinates in the face.
@@ -100,7 +99,6 @@ typename boost::graph_traits<FaceGraph>::vertex_descriptor nearest_corner(const 
   return source(internal::halfedge_from_nearest_corner(location, mesh), mesh);
 }
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_SURFACE_LOCATION_H

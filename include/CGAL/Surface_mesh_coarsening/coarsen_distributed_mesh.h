@@ -18,8 +18,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
@@ -224,7 +223,6 @@ Distributed_report coarsen_distributed_faces(const boost::mpi::communicator& com
   return coarsen_piece<ConcurrencyTag>(communicator, piece, number_of_vertices, output, np_out);
 }
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_COARSEN_DISTRIBUTED_MESH_H

@@ -15,8 +15,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 namespace internal {
 
@@ -132,7 +131,6 @@ Distance_report coarsen_mesh_to_distance(const FaceGraph& input, double maximum_
                                                    np_out);
 }
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_TO_DISTANCE_H

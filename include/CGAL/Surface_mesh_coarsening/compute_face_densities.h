@@ -5,8 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// computes the density of each face from the deviation of its normal from the normals around it (section 5.2 of the paper),
@@ -53,7 +52,6 @@ void compute_face_densities(const FaceGraph& mesh, FaceDensityMap densities,
     put(densities, n.faces[i], Value(values[i]));
 }
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_COMPUTE_FACE_DENSITIES_H

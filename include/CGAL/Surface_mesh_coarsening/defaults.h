@@ -5,8 +5,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// The default values in the library, the tool and the viewer. The default weight is `Weighted_area_weight`, and the default
@@ -30,7 +29,6 @@ struct Coarsening_defaults
   //! [defaults]
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_DEFAULTS_H

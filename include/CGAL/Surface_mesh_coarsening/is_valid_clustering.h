@@ -8,8 +8,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// describes why labels of the faces of a mesh are not a valid clustering. The description of a valid clustering is empty.
@@ -56,7 +55,6 @@ bool is_valid_clustering(const FaceGraph& mesh, const FaceClusterMap& clusters,
   return clustering_fault(mesh, clusters, np).empty();
 }
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_IS_VALID_CLUSTERING_H

@@ -9,8 +9,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// finds faces that are spread evenly over a mesh, by adjacency alone (section 6 of the paper).
@@ -50,7 +49,6 @@ OutputIterator neighborhood_seeds(const FaceGraph& mesh, std::size_t level, Outp
   return seeds;
 }
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_NEIGHBORHOOD_SEEDS_H

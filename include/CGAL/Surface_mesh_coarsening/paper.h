@@ -10,9 +10,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace parameters {
+namespace CGAL::Surface_mesh_coarsening::parameters {
 
 /// \cond SKIP_IN_MANUAL
 // The maximum density that table 1 of the paper lists for most models.
@@ -48,8 +46,6 @@ auto paper(const ClusterWeight& weight, double maximum_density = maximum_density
   return paper_clustering(weight, maximum_density).vertex_placement(Centroid_placement()).convergence_tolerance(0.);
 }
 
-} // namespace parameters
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::parameters
 
 #endif // CGAL_SURFACE_MESH_COARSENING_PAPER_H

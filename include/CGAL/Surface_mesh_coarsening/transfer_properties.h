@@ -18,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
@@ -238,7 +237,6 @@ std::vector<std::string> transfer_properties(const Surface_mesh<P>& mesh, const 
   return internal::Surface_mesh_transfer<P, Q>(mesh, coarse, policies, name, transfer).run();
 }
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_TRANSFER_PROPERTIES_H

@@ -10,8 +10,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// The range of the numbers of vertices to which a mesh can be coarsened.
@@ -47,7 +46,6 @@ Vertex_number_range vertex_number_range(const FaceGraph& mesh, const NamedParame
   return {range.first, range.second};
 }
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_VERTEX_NUMBER_RANGE_H

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningEnergies
 /// \cgalModels `ClusterEnergy`
@@ -73,7 +72,6 @@ private:
   double mean_area_ = 1;
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_NORMAL_DEVIATION_ENERGY_H

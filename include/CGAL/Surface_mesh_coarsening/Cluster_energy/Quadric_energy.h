@@ -10,8 +10,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningEnergies
 /// \cgalModels `ClusterEnergy`
@@ -128,7 +127,6 @@ private:
   }
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_QUADRIC_ENERGY_H

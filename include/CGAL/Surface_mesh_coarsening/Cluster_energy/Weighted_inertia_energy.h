@@ -14,8 +14,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
@@ -153,7 +152,6 @@ private:
   ClusterWeight weight_;
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_ENERGY_WEIGHTED_INERTIA_ENERGY_H

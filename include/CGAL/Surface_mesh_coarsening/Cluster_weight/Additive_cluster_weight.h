@@ -5,8 +5,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningWeights
 /// completes a weight that is a function of sums over the faces of a cluster. The weight defines `add()`, `remove()` and
@@ -66,7 +65,6 @@ struct Trial_move
   double target_squared_distance;
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_ADDITIVE_CLUSTER_WEIGHT_H

@@ -7,8 +7,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningWeights
 /// \cgalModels `ClusterWeight`
@@ -51,7 +50,6 @@ public:
   }
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_DENSITY_VARIANCE_WEIGHT_H

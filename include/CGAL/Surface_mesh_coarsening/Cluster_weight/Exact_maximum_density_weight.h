@@ -8,8 +8,7 @@
 #include <iterator>
 #include <map>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningWeights
 /// \cgalModels `ClusterWeight`
@@ -56,7 +55,6 @@ public:
   }
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_EXACT_MAXIMUM_DENSITY_WEIGHT_H

@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningWeights
 /// \cgalModels `ClusterWeight`
@@ -101,7 +100,6 @@ private:
   unsigned whole_p_; // `p` if it is an integer; otherwise 0
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_MAXIMUM_DENSITY_WEIGHT_H

@@ -5,8 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Additive_cluster_weight.h>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningWeights
 /// \cgalModels `ClusterWeight`
@@ -41,7 +40,6 @@ public:
   }
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_UNIFORM_WEIGHT_H

@@ -5,8 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_weight/Additive_cluster_weight.h>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningWeights
 /// \cgalModels `ClusterWeight`
@@ -39,7 +38,6 @@ public:
   }
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_CLUSTER_WEIGHT_WEIGHTED_AREA_WEIGHT_H

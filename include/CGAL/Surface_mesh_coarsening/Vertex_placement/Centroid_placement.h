@@ -5,8 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/Clustered_surface.h>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningPlacements
 /// \cgalModels `VertexPlacement`
@@ -25,7 +24,6 @@ public:
   }
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_VERTEX_PLACEMENT_CENTROID_PLACEMENT_H

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningPlacements
 /// \cgalModels `VertexPlacement`
@@ -45,7 +44,6 @@ public:
   }
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_VERTEX_PLACEMENT_CLOSEST_VERTEX_PLACEMENT_H

@@ -14,8 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningPlacements
 /// \cgalModels `GlobalVertexPlacement`
@@ -89,7 +88,6 @@ private:
   double mean_angle_;
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_VERTEX_PLACEMENT_FITTED_PLACEMENT_H

@@ -9,8 +9,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningPlacements
 /// \cgalModels `VertexPlacement`
@@ -50,7 +49,6 @@ private:
   double pull_;
 };
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_VERTEX_PLACEMENT_QUADRIC_PLACEMENT_H

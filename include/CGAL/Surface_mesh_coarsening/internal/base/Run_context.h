@@ -14,9 +14,7 @@
 #include <memory>
 #include <type_traits>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // What all steps of a run share: whether loops use several threads, and the caller's visitor with its type erased. Copies share the
 // visitor and the count of steps, so sequences of short loops are also covered.
@@ -130,8 +128,6 @@ private:
   std::shared_ptr<Erased_visitor> visitor_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_RUN_CONTEXT_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The number of a face, corner, vertex or cluster in the arrays.
 typedef std::uint32_t Index;
@@ -142,8 +140,6 @@ private:
   std::conditional_t<is_ordered, std::map<Value, double>, std::vector<std::pair<Value, double> > > areas_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_CONTAINERS_H

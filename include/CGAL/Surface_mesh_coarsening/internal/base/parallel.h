@@ -18,9 +18,7 @@
 #include <thread>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Calls `run(i)` for several numbers from 0 to `n`, in parallel if `context` requests it. The function is never inlined, so
 // that profilers separate parallel from serial work; `count_serial_part.sh` relies on this.
@@ -158,8 +156,6 @@ std::size_t first_of(const Run_context& context, std::size_t n, const Predicate&
   return first;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_PARALLEL_H

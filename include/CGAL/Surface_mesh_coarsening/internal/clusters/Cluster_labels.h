@@ -8,9 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The labels of the faces, the paper's boundary-edge count of each vertex (section 7), and the tests that keep every
 // cluster a closed disc.
@@ -202,8 +200,6 @@ inline std::vector<Index> faces_in_bfs_order(Cluster_labels& labels, Index f)
   return faces;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_CLUSTER_LABELS_H

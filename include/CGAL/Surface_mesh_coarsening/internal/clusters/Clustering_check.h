@@ -15,9 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Reads arbitrary labels as clusters numbered from 0 in the order of their labels. Returns the label of each cluster.
 template <class FaceGraph, class FaceClusterMap>
@@ -146,8 +144,6 @@ private:
   std::vector<Directed_edge> boundary_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_CLUSTERING_CHECK_H

@@ -13,9 +13,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The dual of the clusters of a component: a closed triangulated surface whose vertices are the clusters and the caps of the
 // border loops. The contraction of an edge merges two clusters without access to their faces.
@@ -197,8 +195,6 @@ private:
   Index stamp_ = 0;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_SURFACE_H

@@ -13,9 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The mass of a set of faces, their centroid (7), and the inertia about the centroid. The energy (8) is a multiple of the
 // inertia. The parallel axis theorem gives the moments after a face joins or leaves. A computation from scratch takes two passes
@@ -135,8 +133,6 @@ protected:
   double regularization_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_MOMENTS_H

@@ -17,9 +17,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // An edge seen from the face on its left: the edge after corner `corner` of `face`.
 struct Directed_edge
@@ -280,8 +278,6 @@ std::vector<Triangle> simplicial_dual_triangles(const Cluster_labels& labels, co
   return triangles;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_TRIANGLES_H

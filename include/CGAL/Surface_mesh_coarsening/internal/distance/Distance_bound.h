@@ -16,9 +16,7 @@
 #include <queue>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 typedef std::array<Vector, 3> Corner_points; // of a triangle
 
@@ -303,8 +301,6 @@ private:
   std::size_t& work_left_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_DISTANCE_BOUND_H

@@ -9,9 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The dual of a level with its positions.
 struct Placed_level
@@ -42,9 +40,7 @@ private:
   Merge_history history_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #ifndef CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy_impl.h>

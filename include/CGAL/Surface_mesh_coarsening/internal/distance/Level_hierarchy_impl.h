@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Estimates the distance between a mesh and its coarse mesh: the largest distance in both directions, at the vertices of the
 // mesh, at the vertices of the coarse mesh and at points of its triangles, with more points where distances are large. The
@@ -182,8 +180,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE double Level_hierarchy::estimate(const Place
   return Distance_estimate(placed.labels, placed.positions, placed.triangles, state_.context).distance();
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_LEVEL_HIERARCHY_IMPL_H

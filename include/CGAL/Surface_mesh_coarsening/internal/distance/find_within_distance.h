@@ -9,9 +9,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // What a search looks for. If `max_vertices` is given and is too small for the distance, the result has this number of vertices.
 struct Distance_goal
@@ -28,9 +26,7 @@ Placed_dual find_within_distance(Clustering_state& state, const Placement_model&
                                  const Output_coordinates& output_coordinates, const Distance_goal& goal,
                                  Distance_report& report);
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #ifndef CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE
 #include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance_impl.h>

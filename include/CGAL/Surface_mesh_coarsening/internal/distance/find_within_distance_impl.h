@@ -19,9 +19,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Bisects a list of numbers of vertices that does not depend on the distance. Whether the result for a number is within a larger
 // distance follows from whether it is within a smaller one: the steps toward the result do not depend on the distance, only
@@ -272,8 +270,6 @@ find_within_distance(Clustering_state& state, const Placement_model& placement, 
   return Distance_search(state, placement, output_coordinates, goal, report).run();
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_FIND_WITHIN_DISTANCE_IMPL_H

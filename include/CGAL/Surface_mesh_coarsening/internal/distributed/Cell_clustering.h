@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // A surface that approximates the input, on one rank. Its border is the border of the input, because the faces on the border are
 // cells, so it places the vertices there. With fans, each cell of several faces is a fan of triangles around a point of the cell.
@@ -285,8 +283,6 @@ private:
   Cell_clusters result_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_CELL_CLUSTERING_H

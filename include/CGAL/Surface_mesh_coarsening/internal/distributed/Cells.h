@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // What a record of a cell has besides its corners. The moments are sums of areas times centroids. The same sums weighted by the
 // density may be weighted by the deviation instead, because densities are linear in deviations.
@@ -344,8 +342,6 @@ private:
   Clustering_input input_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_CELLS_H

@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The clusters of a patch whose own faces are all faces of some clusters. A face moves only if all faces around its vertices
 // belong to these clusters. Such moves neither affect the moves in other patches nor depend on them, so the patches can be
@@ -163,8 +161,6 @@ struct Dual_parts
   }
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_DUAL_PARTS_H

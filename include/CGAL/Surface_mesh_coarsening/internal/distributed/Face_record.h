@@ -13,9 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The position of a point on the Morton curve, whose binary digits are the digits of the three coordinates in turn.
 class Morton_curve
@@ -199,8 +197,6 @@ Vector mean_of_corners(const Polygon_record<Data, Corner>& face)
 
 constexpr std::size_t words_of_triangle = (sizeof(Face_data) + 3 * sizeof(Face_corner)) / sizeof(std::uint64_t);
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_RECORD_H

@@ -18,9 +18,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // A mesh of the faces of a group, the own faces, and of all faces that share a vertex with them. The stars of the vertices of
 // own faces are complete. The other faces have edges that seem to lie on a border, and their vertices are split where the faces
@@ -317,8 +315,6 @@ inline Patch take_patch(Record_bins& bins, std::size_t i, const Rank_context& co
   return patch;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_PATCH_H

@@ -31,9 +31,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Returns the name of a face for messages, given its number in the sequence of all pieces.
 typedef std::function<std::string(std::uint64_t)> Face_names;
@@ -209,8 +207,6 @@ void for_each_block(std::size_t blocks, const Work& work)
     throw Invalid_input(first);
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_RANK_CONTEXT_H

@@ -19,9 +19,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Numbered bins of records on all ranks. Each rank holds a run of consecutive bins, its own bins, in memory and, beyond the
 // limit, in its scratch file. Records remain whole.
@@ -213,8 +211,6 @@ void gather_sorted(Rank_context& context, std::vector<Record>& records)
   });
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_RECORD_BINS_H

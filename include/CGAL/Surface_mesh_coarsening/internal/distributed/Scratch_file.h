@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Records as they lie in memory, one after the other.
 typedef std::vector<std::uint64_t> Words;
@@ -199,8 +197,6 @@ private:
   std::fstream file_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_SCRATCH_FILE_H

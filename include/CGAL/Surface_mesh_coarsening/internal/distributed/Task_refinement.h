@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // A vertex and a group with faces at this vertex.
 typedef std::array<std::uint64_t, 2> Place;
@@ -215,8 +213,6 @@ std::size_t refine_tasks(Rank_context& context, const Cluster_tasks& tasks, std:
   return rounds;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_TASK_REFINEMENT_H

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The features in the dual of clusters that satisfy Feature_rules. Corners are vertices, and lines are polylines of the
 // edges between the clusters that they cross.
@@ -172,8 +170,6 @@ inline std::size_t cluster_of_face(const Featured_input& input, const Cluster_la
   return votes.value();
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_COARSE_FEATURES_H

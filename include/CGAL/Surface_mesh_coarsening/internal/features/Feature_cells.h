@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Builds the mesh to be clustered if there are features, or if the dual cells of all vertices are clustered. Subdivides the faces
 // around the nodes of the feature graph, or all faces, into one quadrilateral per corner, and joins the quadrilaterals around a
@@ -306,8 +304,6 @@ inline bool has_vertex_cells(const Featured_input& input)
   return input.cells && input.cells->extent() == Feature_cells::AT_ALL_VERTICES;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_CELLS_H

@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The rules of features for clusters. A cluster contains either no cell of a feature, or the cells of one contiguous part of
 // one line, or the cell of one corner with contiguous parts of lines that begin there. A line keeps the number of crossings
@@ -236,8 +234,6 @@ private:
   std::vector<long> spare_;                       // the number of crossings of each line that are not required
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_RULES_H

@@ -13,9 +13,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The features that the caller requests.
 struct Feature_request
@@ -69,9 +67,7 @@ std::shared_ptr<const Exact_points> exact_points(const FaceGraph& mesh, const Na
   return exact;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #ifndef CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE
 #include <CGAL/Surface_mesh_coarsening/internal/features/find_features_impl.h>

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Finds feature edges and corners. Omits border edges, because the border is always kept.
 class Feature_detection
@@ -302,8 +300,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Index> keep_features(Featured_in
   return corners;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FIND_FEATURES_IMPL_H

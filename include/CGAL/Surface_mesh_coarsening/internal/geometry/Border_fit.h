@@ -11,9 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // A part of a border loop or of a feature line, simplified to few points: the corners, the ends and the midpoint.
 class Border_arc
@@ -226,8 +224,6 @@ void fit_border_loop(const std::vector<Index>& cluster_after, const MakeArc& mak
     set_vertex(clusters[k], arcs[k][chosen[k]]);
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_BORDER_FIT_H

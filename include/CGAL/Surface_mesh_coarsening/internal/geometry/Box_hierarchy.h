@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Twice the coordinate of the center of a box.
 inline double doubled_center(const Bbox_3& box, int axis) { return (box.min)(axis) + (box.max)(axis); }
@@ -165,8 +163,6 @@ private:
   std::array<std::vector<double>, 6> sides_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_BOX_HIERARCHY_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Placements take and return points of a kernel. `Vector` states why all other code does not.
 inline Simple_cartesian<double>::Point_3 to_point(const Vector& p) { return {p[0], p[1], p[2]}; }
@@ -152,8 +150,6 @@ private:
   const Labelled_pieces* pieces_ = nullptr; // null if no pieces were given
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_CLUSTERED_FACES_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The nearest point of a mesh, in a triangle of the fan around the first corner of its face. Of faces at equal distance, the face
 // of smallest number is returned.
@@ -374,8 +372,6 @@ private:
   const Nearest_point_search search_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_NEAREST_POINT_SEARCH_H

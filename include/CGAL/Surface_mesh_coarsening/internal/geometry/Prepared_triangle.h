@@ -11,9 +11,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // A triangle with precomputed gradients of the barycentric coordinates, for closest points to many points.
 class Prepared_triangle
@@ -138,8 +136,6 @@ private:
   int longest_side_ = -1; // of a flat triangle whose other sides lie on it but for rounding errors, from this corner to the next
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_PREPARED_TRIANGLE_H

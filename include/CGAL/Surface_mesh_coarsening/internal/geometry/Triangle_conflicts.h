@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 typedef Exact_predicates_inexact_constructions_kernel Exact_tests;
 typedef Exact_tests::Point_3 Exact_point;
@@ -411,8 +409,6 @@ inline std::vector<Triangle_pair> conflicting_pairs(const std::vector<Triangle>&
   return pairs;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_GEOMETRY_TRIANGLE_CONFLICTS_H

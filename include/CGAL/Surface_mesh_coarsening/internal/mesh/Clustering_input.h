@@ -12,9 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 struct Face_geometry
 {
@@ -202,8 +200,6 @@ struct Featured_input
   std::shared_ptr<const Feature_cells> cells; // null without features
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_CLUSTERING_INPUT_H

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 inline void check_countable(std::size_t n, const char* what)
 {
@@ -199,8 +197,6 @@ Bbox_3 vertex_bounds(const Flat_mesh& mesh, const FaceRange& faces)
   return grown(box, 0.5 * std::sqrt(squared_diagonal(box)) + 1e-12 * largest);
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_FLAT_MESH_H

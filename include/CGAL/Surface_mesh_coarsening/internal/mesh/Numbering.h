@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 template <class FaceGraph>
 struct Is_surface_mesh : std::false_type
@@ -166,8 +164,6 @@ Flat_mesh flat_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n
   return m;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NUMBERING_H

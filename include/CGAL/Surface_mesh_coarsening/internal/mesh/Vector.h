@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // A point or a vector inside the package. It consists of plain numbers instead of a kernel type, because coordinates are set one
 // by one, summed, and sent between ranks as they lie in memory, and the caller's kernel must not affect their rounding.
@@ -180,8 +178,6 @@ inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector
 // Maps a position in the arrays to coordinates of the output, rounded to its number type.
 typedef std::function<Vector(const Vector&)> Output_coordinates;
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_VECTOR_H

@@ -11,9 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Computes the stars, components and loops of a mesh from its faces; throws if these do not form a 2-manifold.
 void complete_topology(Flat_mesh& mesh, std::size_t number_of_vertices, const Run_context& context);
@@ -74,9 +72,7 @@ void compute_areas_and_centroids(Clustering_input& input, const Run_context& con
 Clustering_input cut_input(const Clustering_input& whole, Flat_mesh pieces, const std::vector<Index>& whole_face,
                            const Run_context& context = Run_context());
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #ifndef CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh_impl.h>

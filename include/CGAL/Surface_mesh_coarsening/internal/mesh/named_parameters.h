@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The tags of the named parameters that a function reads from a pack.
 template <class... Tags>
@@ -275,8 +273,6 @@ Clustering_input clustering_input(const FaceGraph& mesh, const NamedParameters& 
   return input;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NAMED_PARAMETERS_H

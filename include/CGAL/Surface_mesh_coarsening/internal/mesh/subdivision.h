@@ -13,9 +13,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Replaces the faces of a mesh by pieces, which are added face by face. New vertices may lie on edges of the mesh, and divide
 // them into parts. Vertices keep their numbers, and new vertices follow.
@@ -357,8 +355,6 @@ inline std::vector<char> faces_of_components(const Flat_mesh& m, const std::vect
   return result;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_SUBDIVISION_H

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The minimization (section 8.2 of the paper) of a block: rounds over the edges between its clusters. The face on one of the two
 // sides joins the cluster on the other side, whichever lowers the energy more, if both clusters remain discs and the dual remains
@@ -383,8 +381,6 @@ private:
   bool is_cancelled_ = false;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_BLOCK_MINIMIZATION_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Blocks of nearby clusters, all with about the same number of clusters, by recursive coordinate bisection (Berger and Bokhari: A
 // partitioning strategy for nonuniform problems on multiprocessors, 1987). They depend only on the points; ties are broken by the
@@ -181,8 +179,6 @@ inline std::vector<Boundary_edges> distribute(const Boundary_edges& edges, const
   return result;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_BOUNDARY_EDGES_H

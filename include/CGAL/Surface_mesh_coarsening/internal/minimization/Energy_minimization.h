@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The minimization (sections 5.1 and 8.2 of the paper), in rounds over the edges between clusters. The face on one of the two
 // sides joins the cluster on the other side, whichever lowers the energy more, as long as the clusters remain discs whose dual is
@@ -285,8 +283,6 @@ private:
   std::size_t rounds_since_sums_ = 0;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_ENERGY_MINIMIZATION_H

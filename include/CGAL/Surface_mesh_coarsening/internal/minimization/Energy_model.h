@@ -12,9 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The end of a minimization: after a number of rounds, or with the first round that lowers the energy by at most the
 // relative amount `tolerance`.
@@ -69,8 +67,6 @@ public:
   virtual bool is_default() const = 0;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_ENERGY_MODEL_H

@@ -25,9 +25,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The sums of the clusters, by a model of `ClusterEnergy`.
 template <class Energy>
@@ -141,8 +139,6 @@ std::shared_ptr<const Energy_model> energy_model(const Energy& energy)
     return std::make_shared<Typed_energy_model<Energy> >(energy);
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_TYPED_ENERGY_MODEL_H

@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 template <class GeomTraits>
 std::vector<typename GeomTraits::Point_3> to_points(const std::vector<Vector>& positions, const Local_frame& frame,
@@ -232,8 +230,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_FACE_GRAPH_FILLER_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Returns the region between feature lines of each face; regions are numbered from 0 in the order of the faces.
 inline std::vector<long long> regions(const Flat_mesh& m, const Feature_edges& edges)
@@ -275,8 +273,6 @@ private:
   std::vector<Surface_location<FaceGraph> > locations_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_OUTPUT_MAPS_H

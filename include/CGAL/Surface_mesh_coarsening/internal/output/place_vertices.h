@@ -13,9 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Returns the centroid if the position of a placement is not finite, for example with coordinates of very different magnitude.
 inline Vector checked_position(const Clustered_faces& surface, std::size_t cluster, const Vector& p)
@@ -87,8 +85,6 @@ inline std::vector<Vector> place_vertices(const Placement_input& input, bool wit
   return positions;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_PLACE_VERTICES_H

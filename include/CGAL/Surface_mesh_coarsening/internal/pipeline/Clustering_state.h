@@ -15,9 +15,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 class Cluster_editing;
 class Initial_clustering;
@@ -100,8 +98,6 @@ void choose_items_for(const Placement&, bool minimizes, Clustering_state& state)
     state.may_use_quadrics = false;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_CLUSTERING_STATE_H

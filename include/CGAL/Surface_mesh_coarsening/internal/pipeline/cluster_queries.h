@@ -9,9 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Returns the statistics of the clusters of a mesh with `faces` faces.
 std::vector<Cluster_report> cluster_reports(const Clustering_state& state, std::size_t faces);
@@ -21,9 +19,7 @@ std::vector<Cluster_report> cluster_reports(const Clustering_state& state, std::
 bool boundary_counts_allow_move(const Clustering_state& state, Index face, std::size_t cluster);
 bool guarantee_allows_move(Clustering_state& state, Index face, std::size_t cluster);
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #ifndef CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/cluster_queries_impl.h>

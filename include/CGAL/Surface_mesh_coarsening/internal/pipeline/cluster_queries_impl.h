@@ -9,9 +9,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/cluster_queries.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<Cluster_report> cluster_reports(const Clustering_state& state,
                                                                                 std::size_t faces)
@@ -49,8 +47,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE bool guarantee_allows_move(Clustering_state&
   return labels(state)[face] != cluster && Valid_moves(*state.labels, nullptr).may_move(face, Index(cluster));
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_CLUSTER_QUERIES_IMPL_H

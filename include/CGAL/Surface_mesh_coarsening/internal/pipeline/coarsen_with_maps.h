@@ -12,9 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 template <class Clustering, class Map>
 void write_clusters(const Clustering& clustering, const Map& map) { clustering.write_clusters(map); }
@@ -60,8 +58,6 @@ Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& outp
   return clustering.report();
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_COARSEN_WITH_MAPS_H

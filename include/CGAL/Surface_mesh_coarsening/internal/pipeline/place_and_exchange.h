@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Each placement after the first takes about as long as this number of exact tests for each triangle.
 constexpr std::size_t placement_tests = 1000;
@@ -190,8 +188,6 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
                                                  : place(state, placement, output_coordinates, budget);
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_PLACE_AND_EXCHANGE_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The pipeline: prepare -> seed -> grow -> minimize -> place (with repair) -> emit. Each stage is one function over the same
 // state. Only the first and the last stage depend on the types of the meshes: `prepare()` and `Face_graph_filler`. All entry
@@ -140,9 +138,7 @@ void emit(Clustering_state& state, const Placed_dual& dual, Output& output, cons
   write_features(output, np, {dual.triangles, dual.pieces->features(), state.featured_input(), labels(state), state.patches});
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #ifndef CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages_impl.h>

@@ -22,9 +22,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 CGAL_SURFACE_MESH_COARSENING_INLINE Clustering_state::Clustering_state() = default;
 CGAL_SURFACE_MESH_COARSENING_INLINE Clustering_state::~Clustering_state() = default;
@@ -437,8 +435,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
   return dual;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_STAGES_IMPL_H

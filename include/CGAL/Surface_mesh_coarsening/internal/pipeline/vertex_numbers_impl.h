@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 inline bool may_use_quadrics(const Clustering_state& state, const Seeding& seeding)
 {
@@ -168,8 +166,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::size_t vertices_for_faces(Clustering_st
   return number_by_deviation.begin()->second;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_VERTEX_NUMBERS_IMPL_H

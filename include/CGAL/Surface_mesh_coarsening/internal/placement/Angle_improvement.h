@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Moves vertices of narrow triangles if the gain in angles is worth more than the increase of the distance.
 class Angle_improvement
@@ -224,8 +222,6 @@ private:
   std::size_t work_left_ = 0;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_ANGLE_IMPROVEMENT_H

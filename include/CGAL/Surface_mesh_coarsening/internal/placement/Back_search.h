@@ -13,9 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // A point of a coarse triangle, and its foot, the closest point on the input. The weight is an area.
 struct Back_sample
@@ -137,8 +135,6 @@ private:
   std::vector<Index> label_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_BACK_SEARCH_H

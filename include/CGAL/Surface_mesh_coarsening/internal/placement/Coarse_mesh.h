@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The mesh that a fit changes, with one vertex per cluster: what all its steps need to know. Refers to the positions, so that these
 // are the result of the fit.
@@ -94,8 +92,6 @@ private:
   Fit_samples samples_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_COARSE_MESH_H

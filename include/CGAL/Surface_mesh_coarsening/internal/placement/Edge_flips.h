@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Flips edges of a coarse mesh if the flip lowers the squared distance from the input enough for the loss in the smallest
 // angles of the two triangles, or improves the angles enough for the added distance. The exchange rate between distance and
@@ -257,8 +255,6 @@ private:
   std::vector<Measures> measures_; // of each triangle
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EDGE_FLIPS_H

@@ -16,9 +16,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // What is known about a change of the mesh before it is made.
 struct Change_estimate
@@ -299,8 +297,6 @@ private:
   std::vector<double> cost_, angle_; // of each triangle
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_EXCHANGE_CANDIDATES_H

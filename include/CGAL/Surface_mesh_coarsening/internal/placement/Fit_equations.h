@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // A symmetric matrix of six numbers; a fixed matrix of Eigen stores nine.
 struct Symmetric_block
@@ -200,8 +198,6 @@ private:
   const Run_context context_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_EQUATIONS_H

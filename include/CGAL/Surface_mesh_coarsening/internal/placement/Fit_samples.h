@@ -17,9 +17,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Samples of the input and of a coarse mesh, each with its closest point on the other surface, its foot. The search for a
 // foot descends from the previous foot, so feet remain on the same side of thin parts, and vertices of high valence do not
@@ -405,8 +403,6 @@ private:
   std::vector<Back_samples> back_;        // of each triangle
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_SAMPLES_H

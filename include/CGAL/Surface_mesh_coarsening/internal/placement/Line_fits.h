@@ -14,9 +14,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Fits the polyline of a feature line to the line, with fixed ends, by the squared distances of samples of both from the other.
 // Two steps alternate: find the closest points of the samples, and move each vertex to the position where its two sides are
@@ -354,8 +352,6 @@ private:
   std::vector<char> is_on_line_; // of each vertex
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_LINE_FITS_H

@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // A placement with its type erased, so that the stages of the pipeline are compiled once for all placements. Refers to the
 // original placement.
@@ -103,8 +101,6 @@ Placement_model placement_model(const Placement& placement)
   return model;
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLACEMENT_MODEL_H

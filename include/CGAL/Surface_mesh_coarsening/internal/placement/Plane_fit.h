@@ -15,9 +15,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Moves vertices exactly onto the planes of the input around them, where these planes have a common point. The fit ends near such
 // points only, because it also regards the shape of triangles. Where the fit has failed, for example at a vertex that cuts a sharp
@@ -228,8 +226,6 @@ private:
   double high_cost_ = 0;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLANE_FIT_H

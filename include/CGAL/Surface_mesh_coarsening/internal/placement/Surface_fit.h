@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Fits a triangle mesh with one vertex per cluster to the faces of the clusters, by the squared distances of samples of both
 // surfaces from the other surface. Two steps alternate: find the closest points of the samples, and solve for the movements of
@@ -275,8 +273,6 @@ private:
   Line_fits lines_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_SURFACE_FIT_H

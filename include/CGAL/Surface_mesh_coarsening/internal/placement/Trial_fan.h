@@ -19,9 +19,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // No flip, exchange or improvement creates a smaller angle, unless the affected triangles already have one or are unfolded.
 constexpr double min_angle = 10 * CGAL_PI / 180;
@@ -212,8 +210,6 @@ private:
   bool is_prepared_ = false;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_TRIAL_FAN_H

@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Moves vertices of a coarse mesh, one at a time, from regions where their removal costs little to regions where the distance
 // from the input is large: collapses an edge and splits another one. The numbers of vertices and triangles and the topology do
@@ -230,8 +228,6 @@ private:
   std::priority_queue<Vertex_insertion> insertions_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_VERTEX_EXCHANGE_H

@@ -14,9 +14,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The functions by which a placement that exchanges vertices relocates their clusters.
 struct Vertex_relocation
@@ -70,9 +68,7 @@ void fit_vertices(const Clustered_faces& surface, const Border_arcs& border, std
 void fit_vertices_from(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
                        std::vector<Triangle>& triangles, std::vector<Vector>& positions);
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #ifndef CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices_impl.h>

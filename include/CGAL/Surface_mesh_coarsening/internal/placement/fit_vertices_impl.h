@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Returns whether the result has all vertices of the input.
 inline bool has_all_vertices(const Clustered_faces& surface)
@@ -380,8 +378,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices(const Clustered_faces& sur
   }
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_VERTICES_IMPL_H

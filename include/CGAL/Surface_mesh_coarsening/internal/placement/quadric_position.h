@@ -7,16 +7,12 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The position that minimizes the quadric of a cluster: see `Quadric_placement`.
 Vector quadric_position(const Clustered_faces& surface, std::size_t cluster, double pull);
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #ifndef CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE
 #include <CGAL/Surface_mesh_coarsening/internal/placement/quadric_position_impl.h>

@@ -14,9 +14,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Returns the largest fraction, at most 1, of a movement away from the centroid that does not leave the extent of the faces.
 inline double share_within_reach(const Clustered_faces& surface, std::size_t cluster,
@@ -69,8 +67,6 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Vector quadric_position(const Clustered_face
   return surface.within_bounds(cluster, origin + center + share * Vector{{x[0], x[1], x[2]}});
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_QUADRIC_POSITION_IMPL_H

@@ -12,9 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Relocates clusters of a valid clustering. The clustering remains valid and keeps the number of clusters. A cluster may move to
 // another component, unless the component would have more clusters than vertices. All relocations can be undone.
@@ -88,8 +86,6 @@ private:
   std::vector<std::size_t> clusters_of_component_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_RELOCATION_H

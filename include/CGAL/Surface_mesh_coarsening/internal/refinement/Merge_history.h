@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Merges pairs of valid clusters as long as the dual remains a simplicial surface, and records how to undo the merges. Each step
 // selects the pair that increases the energy least.
@@ -211,8 +209,6 @@ private:
   std::vector<Index> first_triangle_, first_corner_; // restored from each level to the next
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_MERGE_HISTORY_H

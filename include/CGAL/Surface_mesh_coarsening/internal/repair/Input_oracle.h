@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The bounding boxes of blocks of consecutive faces of each cluster, and of groups of consecutive blocks.
 class Cluster_boxes
@@ -348,8 +346,6 @@ private:
   std::unordered_map<std::uint64_t, bool> intersecting_; // tested pairs of clusters
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_INPUT_ORACLE_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Moves vertices and flips edges of a coarse mesh where triangles intersect that do not in the input, and where triangles face
 // away from the surface that they approximate. For each fault, the repair tries many small changes: it moves vertices towards the
@@ -357,8 +355,6 @@ private:
   bool prefers_gain_ = false, tries_faces_ = false, at_input_vertices_ = false;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_PLACEMENT_REPAIR_H

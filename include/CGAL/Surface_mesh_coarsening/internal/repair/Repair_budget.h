@@ -10,9 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // The numbers of faults before and after a repair.
 struct Repair_counts
@@ -65,8 +63,6 @@ private:
   std::size_t all_, left_, left_of_repair_ = 0, left_for_input_ = 0;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_REPAIR_BUDGET_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 struct Component_seeds
 {
@@ -248,8 +246,6 @@ inline Clustering_input without_pinches(const Clustering_input& input, const Clu
   return cut_input(input, std::move(cut_mesh), cutting.old_face());
 }
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_COMPONENT_CLUSTERING_H

@@ -12,9 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Returns a lower bound of the number of vertices of simplicial surfaces with the topology of the component. Closed surfaces of
 // genus g need ceil((7 + sqrt(1 + 48 g)) / 2) vertices (Jungerman and Ringel, 1980). A surface with border is closed by one more
@@ -257,8 +255,6 @@ private:
   std::size_t nearest_ = (std::numeric_limits<std::size_t>::max)();
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_COMPONENT_PLAN_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Seeds and growth: computes a clustering with the required number of clusters. All clusters are closed discs, and their dual is
 // a simplicial surface with the topology of the mesh.
@@ -406,8 +404,6 @@ private:
   std::vector<Component_growth> grown_;
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_INITIAL_CLUSTERING_H

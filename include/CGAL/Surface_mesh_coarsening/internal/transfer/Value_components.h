@@ -14,9 +14,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
-namespace internal {
+namespace CGAL::Surface_mesh_coarsening::internal {
 
 template <class Number>
 Number to_number(double x)
@@ -120,8 +118,6 @@ private:
   std::array<double, Components::size> sum_{};
 };
 
-} // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening::internal
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_TRANSFER_VALUE_COMPONENTS_H
