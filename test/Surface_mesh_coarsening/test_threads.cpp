@@ -188,7 +188,6 @@ BOOST_AUTO_TEST_CASE(bounds_of_relocated_clusters)
   Cluster_relocation clusters(state.featured_input(), *state.labels, Index(n));
   Placed_dual dual;
   const std::unique_ptr<Bordered_surface> surface = bordered_surface(state, dual);
-  const Vertex_relocation relocation = vertex_relocation(state, surface->faces, clusters);
   const Clustering_input& items = state.featured_input().items;
   std::vector<Vector> positions(n);
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
@@ -196,12 +195,12 @@ BOOST_AUTO_TEST_CASE(bounds_of_relocated_clusters)
   for (std::size_t x = 0; x < n; ++x) {
     const Index f = Index(x * (mesh.number_of_faces() / n));
     const Vector before = std::exchange(positions[x], items.centroid(f));
-    if (relocation.relocate(Index(x), NONE, {f}, positions) != Relocation::DONE)
+    if (clusters.relocate(Index(x), NONE, {f}, positions) != Relocation::DONE)
       positions[x] = before;
   }
   BOOST_CHECK_GT(clusters.number(), n / 4);
 
-  const auto position = [&relocation](std::size_t x) { return relocation.within_bounds(Index(x), {{9, 9, 9}}); };
+  const auto position = [&](std::size_t x) { return clusters.within_bounds(surface->faces, Index(x), {{9, 9, 9}}); };
   std::vector<Vector> expected;
   for (std::size_t x = 0; x < n; ++x)
     expected.push_back(position(x));

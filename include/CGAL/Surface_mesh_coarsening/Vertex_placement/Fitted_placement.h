@@ -33,9 +33,6 @@ namespace CGAL::Surface_mesh_coarsening {
 class Fitted_placement
 {
 public:
-  /// the initial placement
-  typedef Quadric_placement Start;
-
   /// the number of fits of the default placement
   static constexpr std::size_t default_rounds = 5;
 
@@ -62,25 +59,12 @@ public:
                   std::vector<Clustered_surface::Point_3>& positions) const
   {
     std::vector<internal::Vector> fitted = internal::to_vectors(positions);
-    place_and_exchange(surface.clusters(), border, triangles, fitted, internal::Vertex_relocation());
+    internal::fit_vertices(surface.clusters(), border, choice(), triangles, fitted);
     positions = internal::to_points(fitted);
   }
 
   /// \cond SKIP_IN_MANUAL
-  // The same with rounds that exchange vertices.
-  void place_and_exchange(const internal::Clustered_faces& clusters, const Border_arcs& border,
-                          std::vector<internal::Triangle>& triangles, std::vector<internal::Vector>& positions,
-                          const internal::Vertex_relocation& relocation) const
-  {
-    internal::fit_vertices(clusters, border, rounds_, mean_angle_, triangles, positions, relocation);
-  }
-
-  // The same from positions of `Start`, without exchanges.
-  void place_from(const internal::Clustered_faces& clusters, const Border_arcs& border,
-                  std::vector<internal::Triangle>& triangles, std::vector<internal::Vector>& positions) const
-  {
-    internal::fit_vertices_from(clusters, border, rounds_, mean_angle_, triangles, positions);
-  }
+  internal::Fit_choice choice() const { return {rounds_, mean_angle_}; }
   /// \endcond
 
 private:

@@ -63,9 +63,9 @@ public:
     const Clustered_faces surface(input, labels, bounds, context);
     const Border_arcs border(surface);
     border.place(dual.positions);
-    if (context.placement.from_start) {
+    if (context.placement.fitted) {
       context.stage_begins(Coarsening_stage::PLACEMENT);
-      context.placement.from_start(surface, border, dual.triangles, dual.positions);
+      fit_vertices_from(surface, border, *context.placement.fitted, dual.triangles, dual.positions);
       context.stage_ends(Coarsening_stage::PLACEMENT);
     }
     if (!context.repairs_output)

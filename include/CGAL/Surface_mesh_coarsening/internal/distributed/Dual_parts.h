@@ -124,7 +124,10 @@ struct Dual_parts
       if (face.is_own && face.is_center)
         centers.push_back({{face.origin, face.cluster}});
     const Clustered_faces surface(input, local.labels(), local.size(), choice);
-    const auto& place = choice.placement.local ? choice.placement.local : choice.placement.start;
+    const auto place = [&](Index x) {
+      return choice.placement.fitted ? quadric_position(surface, x, Quadric_placement::default_pull)
+                                     : choice.placement.local(surface, x);
+    };
     const std::vector<Cluster_report> reports = choice.energy->cluster_reports(input, local.labels(), local.size());
     const auto is_on_border = [&m](Index f) {
       const Number_range corners = m.corners(f);
@@ -134,7 +137,7 @@ struct Dual_parts
       const Clustered_faces::Range faces = surface.faces(x);
       choice.poll(faces.size());
       const bool has_border = std::any_of(faces.begin(), faces.end(), is_on_border);
-      const Vector p = has_border ? Vector{{0, 0, 0}} : checked_position(surface, x, place(surface, x));
+      const Vector p = has_border ? Vector{{0, 0, 0}} : checked_position(surface, x, place(x));
       clusters.push_back({local.global_number(x), reports[x].energy, p, surface.vertex_bounds(x)});
     }
     for_each_meeting_point(local.labels(), [&](Index v, const std::vector<Index>& runs) {

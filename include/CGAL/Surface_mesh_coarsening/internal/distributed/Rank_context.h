@@ -56,7 +56,7 @@ struct Distributed_choice : Run_context
   std::uint64_t scratch_memory = 0; // the number of bytes of records that are kept in memory in spite of a scratch directory
 
   // Whether rank 0 fits or repairs vertices on the surface of cells.
-  bool places_on_cells() const { return placement.from_start || repairs_output; }
+  bool places_on_cells() const { return placement.fitted || repairs_output; }
 };
 
 // The parameters of distributed meshes that do not depend on the form of the pieces.
@@ -72,7 +72,7 @@ struct Distributed_parameters
 template <class ConcurrencyTag, class OutputTraits, class Placement, class NamedParameters>
 Distributed_choice distributed_choice(std::size_t number_of_vertices, const Placement& placement, const NamedParameters& np)
 {
-  static_assert(is_local_placement<Placement> || has_start<Placement>,
+  static_assert(is_local_placement<Placement> || is_fitted_placement<Placement>,
                 "a placement of all vertices together, other than Fitted_placement, is not available for distributed meshes");
   Distributed_choice choice;
   static_cast<Run_context&>(choice) = Run_context(ConcurrencyTag(), get_parameter(np, CGAL::internal_np::visitor));
@@ -87,7 +87,7 @@ Distributed_choice distributed_choice(std::size_t number_of_vertices, const Plac
   choice.maximum_density = density_choice(np).maximum;
   choice.energy = energy_model(chosen_energy<Energy_choice<NamedParameters> >(np));
   choice.placement = placement_model(placement);
-  choice.repairs_output = choose_parameter(get_parameter(np, internal_np::repair_output_p), bool(choice.placement.from_start));
+  choice.repairs_output = choose_parameter(get_parameter(np, internal_np::repair_output_p), bool(choice.placement.fitted));
   if (choice.repairs_output && choice.placement.is_at_input_vertices)
     throw Invalid_input("the parameter repair_output is not available for distributed meshes with a placement at input "
                         "vertices");

@@ -52,6 +52,8 @@ inline std::vector<Vector> place_vertices(const Placement_input& input, std::vec
           positions[x] = input.placement.local(surface, x);
       }
     });
+  } else if (input.placement.fitted) {
+    fit_vertices(surface, input.border, *input.placement.fitted, triangles, positions);
   } else {
     input.placement.global(surface, input.border, triangles, positions);
   }

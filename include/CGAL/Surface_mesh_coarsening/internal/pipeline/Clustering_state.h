@@ -94,7 +94,7 @@ inline Featured_input with_items(const Featured_input& input, Feature_cells::Ext
 template <class Placement>
 void choose_items_for(const Placement&, bool minimizes, Clustering_state& state)
 {
-  if (!exchanges_vertices<Placement> || minimizes)
+  if (!is_fitted_placement<Placement> || minimizes)
     state.may_use_quadrics = false;
 }
 

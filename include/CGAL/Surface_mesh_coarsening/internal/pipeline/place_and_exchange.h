@@ -60,26 +60,6 @@ inline bool has_many_intersections(const Clustering_state& state, const Placed_d
   return 1000 * dual.number_left() > state.number_of_clusters();
 }
 
-// Returns the functions by which the placement relocates clusters while it exchanges vertices.
-inline Vertex_relocation vertex_relocation(const Clustering_state& state, const Clustered_faces& surface,
-                                           Cluster_relocation& clusters)
-{
-  Vertex_relocation relocation;
-  relocation.rounds = state.exchange_rounds;
-  relocation.begins = [&state] {
-    state.context.stage_ends(Coarsening_stage::PLACEMENT);
-    state.context.stage_begins(Coarsening_stage::FEEDBACK);
-  };
-  relocation.relocate = [&](Index x, Index into, const std::vector<Index>& faces, const std::vector<Vector>& positions) {
-    return clusters.relocate(x, into, faces, positions);
-  };
-  relocation.undo = [&] { clusters.undo(); };
-  relocation.within_bounds = [&](Index x, const Vector& p) {
-    return clusters.has_changed(x) ? closest_in_box(p, clusters.vertex_bounds(x)) : surface.within_bounds(x, p);
-  };
-  return relocation;
-}
-
 // Repairs a placement if the output is to be repaired.
 inline Repair_counts repaired(const Clustering_state& state, const Bordered_surface& surface, const Placement_model& placement,
                               const Output_coordinates& output_coordinates, Placed_dual& dual, Repair_budget& budget)
@@ -141,8 +121,10 @@ inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_
     context.stage_begins(Coarsening_stage::PLACEMENT);
     dual.positions.resize(state.number_of_clusters());
     surface->border.place(dual.positions);
-    placement.exchanging(surface->faces, surface->border, dual.triangles, dual.positions,
-                         vertex_relocation(state, surface->faces, clusters));
+    Fit_choice choice = *placement.fitted;
+    choice.exchange_rounds = state.exchange_rounds;
+    choice.clusters = &clusters;
+    fit_vertices(surface->faces, surface->border, choice, dual.triangles, dual.positions);
     context.stage_ends(Coarsening_stage::FEEDBACK);
     if (clusters.number() > 0)
       surface = bordered_surface(state, dual);
@@ -176,7 +158,7 @@ inline bool has_dense_cells(const Clustering_state& state)
 
 inline bool may_exchange_vertices(const Clustering_state& state, const Placement_model& placement)
 {
-  return placement.exchanging && state.exchange_rounds > 0 && state.minimization_end.max_rounds > 0 &&
+  return placement.fitted && state.exchange_rounds > 0 && state.minimization_end.max_rounds > 0 &&
          state.seeding.kind != Seeding::BY_CALLER && !has_dense_cells(state);
 }
 

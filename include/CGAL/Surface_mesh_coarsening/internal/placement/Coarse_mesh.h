@@ -21,16 +21,15 @@ class Coarse_mesh : public Flippable_triangulation
 {
 public:
   Coarse_mesh(const Clustered_faces& surface, const Border_arcs& border, const std::vector<Triangle>& triangles,
-              std::vector<Vector>& positions, const Vertex_relocation& relocation)
+              std::vector<Vector>& positions, Cluster_relocation* clusters)
     : Flippable_triangulation(triangles, positions.size(), surface.features()), surface_(surface), border_(border),
-      relocation_(relocation), positions_(positions), samples_(surface, *this, positions)
+      clusters_(clusters), positions_(positions), samples_(surface, *this, positions)
   {}
   // The samples refer to the mesh.
   Coarse_mesh(const Coarse_mesh&) = delete;
 
   const Clustered_faces& surface() const { return surface_; }
   const Run_context& context() const { return surface_.context(); }
-  const Vertex_relocation& relocation() const { return relocation_; }
   std::vector<Vector>& positions() { return positions_; }
   const std::vector<Vector>& positions() const { return positions_; }
   Fit_samples& samples() { return samples_; }
@@ -44,12 +43,13 @@ public:
   bool is_on_border(Index v) const { return border_.is_on_border(v); }
 
   // Whether vertices may leave their clusters, which follow them.
-  bool may_relocate() const { return relocation_.rounds > 0; }
+  bool may_relocate() const { return clusters_; }
+  Cluster_relocation& clusters() const { return *clusters_; }
 
   // Returns the nearest admissible position of a vertex.
   Vector within_bounds(Index v, const Vector& p) const
   {
-    return may_relocate() ? relocation_.within_bounds(v, p) : surface_.within_bounds(v, p);
+    return clusters_ ? clusters_->within_bounds(surface_, v, p) : surface_.within_bounds(v, p);
   }
 
   // Returns the contribution of some triangles to the squared distance in both directions.
@@ -87,7 +87,7 @@ public:
 private:
   const Clustered_faces& surface_;
   const Border_arcs& border_;
-  const Vertex_relocation& relocation_;
+  Cluster_relocation* const clusters_; // null without exchanges
   std::vector<Vector>& positions_;
   Fit_samples samples_;
 };

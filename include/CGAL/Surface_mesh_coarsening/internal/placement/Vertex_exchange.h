@@ -6,7 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Exchange_candidates.h>
-#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_relocation.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -189,7 +189,7 @@ private:
       samples.forget_feet(split);
     compared_ += samples.redistribute(around, collapsed) + samples.redistribute({x.t, x.u}, split);
     const Relocation outcome =
-      mesh_.cost_of(all, worth_) < max_cost ? mesh_.relocation().relocate(v, r.into, faces, positions) : Relocation::TOO_FAR;
+      mesh_.cost_of(all, worth_) < max_cost ? mesh_.clusters().relocate(v, r.into, faces, positions) : Relocation::TOO_FAR;
     if (outcome == Relocation::DONE) {
       touch(r, x);
     } else {

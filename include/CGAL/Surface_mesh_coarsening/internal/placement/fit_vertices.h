@@ -7,28 +7,23 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_relocation.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace CGAL::Surface_mesh_coarsening::internal {
 
-// The functions by which a placement that exchanges vertices relocates their clusters.
-struct Vertex_relocation
+// What a fit does: see `Fitted_placement`. After `rounds` rounds, `exchange_rounds` rounds exchange vertices; they end early when
+// there are no profitable exchanges. Two rounds without exchange follow, and further ones if only the angles are not good enough.
+// The plain fit is the result unless the last mesh is closer and its angles are no worse.
+struct Fit_choice
 {
-  std::size_t rounds = 0; // the number of rounds with exchanges
-  // Called between the fit and the rounds with exchanges.
-  std::function<void()> begins;
-  // Merges cluster `x` into a neighbor, if possible into `into`, and forms it again around one of some faces of the surface, the
-  // first possible one with which the vertices are within their bounds.
-  std::function<Relocation(Index x, Index into, const std::vector<Index>& faces, const std::vector<Vector>& positions)> relocate;
-  // Returns the point nearest to `p` that is an admissible position of the vertex of cluster `x`.
-  std::function<Vector(Index x, const Vector& p)> within_bounds;
-  // Restores all clusters.
-  std::function<void()> undo;
+  std::size_t rounds;
+  double mean_angle; // in degrees
+  std::size_t exchange_rounds = 0;
+  Cluster_relocation* clusters = nullptr; // these follow exchanged vertices
 };
 
 // A coarse mesh, its mean squared distance from the input in the direction in which it is larger, and the mean of its smallest
@@ -56,16 +51,12 @@ inline bool has_merged_cells(const Clustered_faces& surface)
   return surface.has_cells() && surface.clusters_per_cell() <= min_share_of_dense;
 }
 
-// Fits all vertices together, starting from quadrics; see `Fitted_placement`. `mean_angle` is in degrees. After `rounds` rounds,
-// `relocation` determines the number of rounds that exchange vertices; they end early when there are no profitable exchanges.
-// Two rounds without exchange follow, and further ones if only the angles are not good enough. The plain fit is the result unless
-// the last mesh is closer and its angles are no worse.
-void fit_vertices(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
-                  std::vector<Triangle>& triangles, std::vector<Vector>& positions,
-                  const Vertex_relocation& relocation = Vertex_relocation());
+// Fits all vertices together, starting from quadrics.
+void fit_vertices(const Clustered_faces& surface, const Border_arcs& border, const Fit_choice& choice,
+                  std::vector<Triangle>& triangles, std::vector<Vector>& positions);
 
 // The same from given positions, without exchanges.
-void fit_vertices_from(const Clustered_faces& surface, const Border_arcs& border, std::size_t rounds, double mean_angle,
+void fit_vertices_from(const Clustered_faces& surface, const Border_arcs& border, const Fit_choice& choice,
                        std::vector<Triangle>& triangles, std::vector<Vector>& positions);
 
 } // namespace CGAL::Surface_mesh_coarsening::internal

@@ -279,8 +279,7 @@ inline void place_by_quadrics(const Clustered_faces& surface, const Border_arcs&
 
 // Continues a fit with rounds that exchange vertices, and some rounds without exchange. Returns whether the mesh is closer then,
 // and its angles reach the goal or are not worse.
-inline bool improves_by_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, std::size_t rounds, double mean_angle,
-                                  const Run_context& context)
+inline bool improves_by_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, const Fit_choice& choice, const Run_context& context)
 {
   // The number of rounds after the last exchange, and of further rounds while only the angles are not good enough.
   constexpr std::size_t last_rounds = 2, max_corrections = 3;
@@ -291,27 +290,27 @@ inline bool improves_by_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, std
   std::size_t exchanged = 1;
   std::vector<double> errors{plain.error};
   const auto pays = [&]() { return errors.size() < 3 || errors.back() <= (1 - min_gain) * *(errors.end() - 3); };
-  for (std::size_t i = 0; i < rounds && exchanged > 0 && pays(); ++i) {
+  for (std::size_t i = 0; i < choice.exchange_rounds && exchanged > 0 && pays(); ++i) {
     exchanged = fit.advance(true);
     fit.find_feet();
     errors.push_back(fit.error());
-    context.step_done(Coarsening_stage::FEEDBACK, i + 1, rounds + last_rounds);
+    context.step_done(Coarsening_stage::FEEDBACK, i + 1, choice.exchange_rounds + last_rounds);
   }
   for (std::size_t i = 0; i < last_rounds; ++i) {
     fit.advance(false);
     if (i + 1 < last_rounds)
       fit.find_feet();
-    context.step_done(Coarsening_stage::FEEDBACK, rounds + i + 1, rounds + last_rounds);
+    context.step_done(Coarsening_stage::FEEDBACK, choice.exchange_rounds + i + 1, choice.exchange_rounds + last_rounds);
   }
   fit.settle();
   Fitted_mesh mesh = fit.mesh();
-  for (std::size_t i = 0; i < max_corrections && mesh.error < plain.error && !mesh.improves(plain, mean_angle); ++i) {
+  for (std::size_t i = 0; i < max_corrections && mesh.error < plain.error && !mesh.improves(plain, choice.mean_angle); ++i) {
     fit.correct_angles();
     fit.advance(false);
     fit.settle();
     mesh = fit.mesh();
   }
-  return mesh.improves(plain, mean_angle);
+  return mesh.improves(plain, choice.mean_angle);
 }
 
 // The rounds without exchange. Merged cells begin with long triangles and close to the input, so the angles approach their goal in
@@ -339,42 +338,44 @@ inline bool are_input(const Clustered_faces& surface, const std::vector<Triangle
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices_from(const Clustered_faces& surface, const Border_arcs& border,
-                                                           std::size_t rounds, double mean_angle,
-                                                           std::vector<Triangle>& triangles, std::vector<Vector>& positions)
+                                                           const Fit_choice& choice, std::vector<Triangle>& triangles,
+                                                           std::vector<Vector>& positions)
 {
-  const Vertex_relocation none;
-  Coarse_mesh mesh(surface, border, triangles, positions, none);
-  Vertex_fit fit(mesh, mean_angle);
-  run_plain_rounds(fit, rounds, surface.has_cells(), surface.context());
+  Coarse_mesh mesh(surface, border, triangles, positions, nullptr);
+  Vertex_fit fit(mesh, choice.mean_angle);
+  run_plain_rounds(fit, choice.rounds, surface.has_cells(), surface.context());
   triangles = mesh.triangles();
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices(const Clustered_faces& surface, const Border_arcs& border,
-                                                      std::size_t rounds, double mean_angle, std::vector<Triangle>& triangles,
-                                                      std::vector<Vector>& positions, const Vertex_relocation& relocation)
+                                                      const Fit_choice& wanted, std::vector<Triangle>& triangles,
+                                                      std::vector<Vector>& positions)
 {
   place_by_quadrics(surface, border, positions);
   if (are_input(surface, triangles))
     return;
+  Fit_choice choice = wanted;
   if (surface.has_cells() && !has_merged_cells(surface)) {
     // Five rounds are no closer at 60 and 80 % of the vertices of the Horse.
     constexpr std::size_t rounds_of_dense = 2;
-    mean_angle = 0;
-    rounds = (std::min)(rounds, rounds_of_dense);
+    choice.mean_angle = 0;
+    choice.rounds = (std::min)(choice.rounds, rounds_of_dense);
   }
-  Coarse_mesh mesh(surface, border, triangles, positions, relocation);
-  Vertex_fit fit(mesh, mean_angle);
-  run_plain_rounds(fit, rounds, surface.has_cells(), surface.context());
+  Coarse_mesh mesh(surface, border, triangles, positions, choice.exchange_rounds > 0 ? choice.clusters : nullptr);
+  Vertex_fit fit(mesh, choice.mean_angle);
+  const Run_context& context = surface.context();
+  run_plain_rounds(fit, choice.rounds, surface.has_cells(), context);
   triangles = mesh.triangles();
-  if (relocation.rounds == 0)
+  if (!mesh.may_relocate())
     return;
-  relocation.begins();
+  context.stage_ends(Coarsening_stage::PLACEMENT);
+  context.stage_begins(Coarsening_stage::FEEDBACK);
   const Fitted_mesh plain = fit.mesh();
-  if (improves_by_exchanges(fit, plain, relocation.rounds, mean_angle, surface.context())) {
+  if (improves_by_exchanges(fit, plain, choice, context)) {
     triangles = mesh.triangles();
   } else {
     positions = plain.positions;
-    relocation.undo();
+    choice.clusters->undo();
   }
 }
 

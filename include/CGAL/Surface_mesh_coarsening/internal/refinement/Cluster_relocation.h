@@ -4,6 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_RELOCATION_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
 
@@ -31,9 +32,13 @@ public:
   // The number of relocated clusters.
   std::size_t number() const { return number_; }
   bool is_undone() const { return is_undone_; }
-  bool has_changed(Index x) const { return bounds_[x].has_value(); }
-  // Returns the bounds of the vertex of a changed cluster. Many threads may call this function, so the faces are visited earlier.
-  const Bbox_3& vertex_bounds(Index x) const { return *bounds_[x]; }
+
+  // Returns the admissible position of the vertex of a cluster that is nearest to `p`. `surface` has the clusters before relocations.
+  // Many threads may call this function, so the faces are visited earlier.
+  Vector within_bounds(const Clustered_faces& surface, Index x, const Vector& p) const
+  {
+    return bounds_[x] ? closest_in_box(p, *bounds_[x]) : surface.within_bounds(x, p);
+  }
 
   // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces of the
   // input, or around a piece of a face if features are kept. The positions of the vertices must remain within their bounds.
