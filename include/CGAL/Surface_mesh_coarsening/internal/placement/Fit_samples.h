@@ -36,7 +36,8 @@ public:
 
   Fit_samples(const Clustered_faces& surface, const Flippable_triangulation& coarse, const std::vector<Vector>& positions)
     : surface_(surface), coarse_(coarse), positions_(positions), back_search_(surface, positions),
-      prepared_(coarse.triangles().size()), back_(coarse.triangles().size())
+      prepared_(coarse.triangles().size()), back_(coarse.triangles().size()),
+      squares_(coarse.triangles().size()), back_cost_(coarse.triangles().size())
   {
     const Input_surface pieces(surface.input().mesh);
     area_ = pieces.area(surface.context());
@@ -48,17 +49,18 @@ public:
       samples_.push_back({p.position, p.face, NONE, {}});
     });
     next_on_.assign(samples_.size(), NONE);
+    use_every(1);
   }
 
   // The area of the input.
   double area() const { return area_; }
   // Returns the area that a sample of the input represents.
-  double weight() const { return samples_.empty() ? 0 : area_ / double(number_of_used()); }
+  double weight() const { return weight_; }
 
   // Uses every `step`-th sample of the input.
   void find_feet(std::size_t step)
   {
-    step_ = step;
+    use_every(step);
     const std::vector<Triangle>& triangles = coarse_.triangles();
     const Run_context& context = surface_.context();
     for_each_number(context, triangles.size(), [&](Index t) { prepared_[t] = Prepared_triangle(positions_, triangles[t]); });
@@ -77,8 +79,10 @@ public:
       context.poll(steps_of_triangle * at_a_time);
       for_each_chunk(context.uninterrupted(), (std::min)(at_a_time, back_.size() - first), 16,
                      [&](std::size_t, std::size_t begin, std::size_t end) {
-                       for (std::size_t t = first + begin; t < first + end; ++t)
-                         back_[t] = back_search_.again(triangles[t], back_[t], [&]() { return starts_around(Index(t)); });
+                       for (Index t = Index(first + begin); t < first + end; ++t) {
+                         set_back(t, back_search_.again(triangles[t], back_[t], [&]() { return starts_around(t); }));
+                         add_up_squares(t);
+                       }
                      });
     }
   }
@@ -115,16 +119,16 @@ public:
   double squared_distance() const
   {
     double back = 0, area = 0;
-    for (const Back_samples& samples : back_) {
-      back += cost_of(samples);
-      for (const Back_sample& s : samples)
+    for (std::size_t t = 0; t < back_.size(); ++t) {
+      back += back_cost_[t];
+      for (const Back_sample& s : back_[t])
         area += s.weight;
     }
     return (std::max)(area_ > 0 ? sum_of_squared_distances() / area_ : 0, area > 0 ? back / area : 0);
   }
 
   // Returns the contribution of a triangle to the sums of both directions.
-  double cost(Index t) const { return cost_of_input(t) + cost_of(back_[t]); }
+  double cost(Index t) const { return cost_of_input(t) + back_cost_[t]; }
 
   // Returns the contribution of two other triangles that replace `t` and `u`. Returns a value above `limit` as soon as the
   // contribution is known to exceed it: after a triangle, or with `at_once` after each sample.
@@ -165,23 +169,20 @@ public:
       s.triangle = nearer ? u : t;
       link(samples[k]);
     }
-    back_[t] = back_search_(coarse_.triangles()[t], starts);
-    back_[u] = back_search_(coarse_.triangles()[u], starts);
+    for (const Index changed : {t, u}) {
+      set_back(changed, back_search_(coarse_.triangles()[changed], starts));
+      add_up_squares(changed);
+    }
   }
 
   // Returns the cost of a triangle from the samples of the input.
-  double cost_of_input(Index t) const
-  {
-    double sum = 0;
-    for_each_on(t, [&](const Sample& s) { sum += s.foot.squared_distance; });
-    return weight() * sum;
-  }
+  double cost_of_input(Index t) const { return weight_ * squares_[t]; }
 
   // Forgets the feet of the samples of triangles that move to another component: the next search would begin there.
   void forget_feet(const std::vector<Index>& triangles)
   {
     for (const Index t : triangles)
-      back_[t] = Back_samples();
+      set_back(t, Back_samples());
   }
 
   // Finds the feet of the samples of replaced triangles on the new triangles, and the feet of the samples of the new triangles.
@@ -199,8 +200,10 @@ public:
         improve_foot(s, t);
       link(samples[k]);
     }
-    for (const Index t : new_triangles)
-      back_[t] = back_search_(coarse_.triangles()[t], starts_around(t));
+    for (const Index t : new_triangles) {
+      set_back(t, back_search_(coarse_.triangles()[t], starts_around(t)));
+      add_up_squares(t);
+    }
     return samples.size() * new_triangles.size();
   }
 
@@ -280,6 +283,25 @@ private:
   }
 
   std::size_t number_of_used() const { return (samples_.size() + step_ - 1) / step_; }
+
+  void use_every(std::size_t step)
+  {
+    step_ = step;
+    weight_ = samples_.empty() ? 0 : area_ / double(number_of_used());
+  }
+
+  void set_back(Index t, const Back_samples& samples)
+  {
+    back_[t] = samples;
+    back_cost_[t] = cost_of(samples);
+  }
+
+  // Adds up the squared distances of the samples whose feet lie on a triangle.
+  void add_up_squares(Index t)
+  {
+    squares_[t] = 0;
+    for_each_on(t, [&](const Sample& s) { squares_[t] += s.foot.squared_distance; });
+  }
 
   // Removes the samples whose feet lie on some triangles from their lists, and returns them.
   std::vector<Index> unlinked_samples(const std::vector<Index>& triangles)
@@ -397,10 +419,12 @@ private:
   const Back_search back_search_;
   double area_;
   std::size_t step_ = 1;
+  double weight_ = 0;
   std::vector<Sample> samples_;
   std::vector<Prepared_triangle> prepared_;
   std::vector<Index> first_on_, next_on_; // the samples whose foot lies on each triangle, as linked lists
-  std::vector<Back_samples> back_;        // of each triangle
+  std::vector<Back_samples> back_;          // of each triangle
+  std::vector<double> squares_, back_cost_; // sums over the samples of the input and of `back_`, for each triangle
 };
 
 } // namespace CGAL::Surface_mesh_coarsening::internal

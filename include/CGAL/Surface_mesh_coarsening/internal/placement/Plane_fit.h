@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLANE_FIT_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_PLANE_FIT_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_equations.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Surface_mesh_coarsening::internal {
@@ -26,23 +28,26 @@ public:
   // Moves the vertices that `fit` may move.
   Plane_fit(Coarse_mesh& mesh, const Surface_fit& fit) : mesh_(mesh), fit_(fit) {}
 
-  // Movements bring samples to other triangles, hence the repetitions.
+  // Movements bring samples to other triangles, hence the repetitions, around the vertices that have moved.
   void run(const Angle_worth& worth)
   {
     constexpr int max_repetitions = 8;
     worth_ = worth;
     high_cost_ = part_of_high_cost * mean_cost();
-    std::vector<Move> moves(mesh_.positions().size());
     planes_.resize(mesh_.triangles().size());
-    bool has_moved = true;
-    for (int i = 0; i < max_repetitions && has_moved; ++i) {
-      for_each_number(mesh_.context(), planes_.size(), [this](Index t) { planes_[t] = planes_on(t); });
-      for_each_number(mesh_.context(), moves.size(),
-                      [&](Index v) { moves[v] = fit_.may_move(v) ? move_onto_planes(v) : Move(); });
-      has_moved = false;
-      for (std::size_t v = 0; v < moves.size(); ++v)
-        if (dot(moves[v].by, moves[v].by) > 0 && make(Index(v), moves[v]))
-          has_moved = true;
+    std::vector<Index> triangles(planes_.size());
+    std::iota(triangles.begin(), triangles.end(), Index(0));
+    std::vector<Index> vertices = movable_corners(triangles);
+    for (int i = 0; i < max_repetitions && !vertices.empty(); ++i) {
+      for_each_number(mesh_.context(), triangles.size(), [&](Index k) { planes_[triangles[k]] = planes_on(triangles[k]); });
+      std::vector<Move> moves(vertices.size());
+      for_each_number(mesh_.context(), vertices.size(), [&](Index k) { moves[k] = move_onto_planes(vertices[k]); });
+      triangles.clear();
+      for (std::size_t k = 0; k < vertices.size(); ++k)
+        if (dot(moves[k].by, moves[k].by) > 0 && make(vertices[k], moves[k]))
+          triangles.insert(triangles.end(), mesh_.around(vertices[k]).begin(), mesh_.around(vertices[k]).end());
+      sort_unique(triangles);
+      vertices = movable_corners(triangles);
     }
   }
 
@@ -113,6 +118,18 @@ private:
       if (s.foot.face != NONE && s.squared_distance > exact)
         add(vector_area(faces, s.foot.face), s.foot.position);
     return planes;
+  }
+
+  // Returns the corners of some triangles that the fit may move, in order.
+  std::vector<Index> movable_corners(const std::vector<Index>& triangles) const
+  {
+    std::vector<Index> vertices;
+    for (const Index t : triangles)
+      for (const Index v : mesh_.triangle(t))
+        if (fit_.may_move(v))
+          vertices.push_back(v);
+    sort_unique(vertices);
+    return vertices;
   }
 
   // Returns the mean cost of the triangles around a vertex. A vertex has six triangles.
