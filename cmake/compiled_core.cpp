@@ -8,7 +8,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/features/find_features_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Typed_energy_model.h>
-#include <CGAL/Surface_mesh_coarsening/internal/pipeline/cluster_queries_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/quadric_position_impl.h>

@@ -10,7 +10,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Typed_energy_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_state.h>
-#include <CGAL/Surface_mesh_coarsening/internal/pipeline/cluster_queries.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
 #include <cstddef>

@@ -41,6 +41,59 @@ struct Surface_location
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
+// Returns coordinates of a point of a face, one per corner in the order of the corners. In a triangle they are
+// barycentric. In a polygon they are mean value coordinates in its plane if these are not negative, as in every convex
+// polygon. If they are negative, or if the polygon is not planar so that they would yield another point, the coordinates are
+// barycentric in the triangle of the fan.
+inline std::vector<double> coordinates_in_face(const Flat_mesh& m, const Nearest_point& nearest, const Vector& normal)
+{
+  const Index begin = m.first_corner[nearest.face], degree = m.degree(nearest.face);
+  std::vector<double> fan(degree, 0);
+  const Index corners[3] = {0, nearest.corner - begin, nearest.corner + 1 - begin};
+  Vector p{{0, 0, 0}};
+  for (int i = 0; i < 3; ++i) {
+    fan[corners[i]] += nearest.barycentric[i];
+    p = p + nearest.barycentric[i] * m.points[m.corner_vertex[begin + corners[i]]];
+  }
+  const double normal_length = length(normal);
+  if (degree == 3 || !(normal_length > 0))
+    return fan;
+  // With r_i the distance of corner i and t_i the tangent of half the angle under which side i is seen, the weight of
+  // corner i is (t_{i-1} + t_i) / r_i.
+  std::vector<Vector> to_corner(degree);
+  std::vector<double> r(degree), tangent(degree), weight(degree);
+  double extent = 0;
+  for (Index i = 0; i < degree; ++i) {
+    to_corner[i] = m.points[m.corner_vertex[begin + i]] - p;
+    r[i] = length(to_corner[i]);
+    extent = (std::max)(extent, r[i]);
+  }
+  for (Index i = 0; i < degree; ++i) {
+    const Index j = (i + 1) % degree;
+    const double sine = dot(cross(to_corner[i], to_corner[j]), normal) / normal_length;
+    const double cosine = dot(to_corner[i], to_corner[j]);
+    // On a side or at a corner, the coordinates in the fan are the same.
+    if (r[i] * r[j] + cosine <= 1e-12 * extent * extent)
+      return fan;
+    tangent[i] = sine / (r[i] * r[j] + cosine);
+  }
+  double sum = 0;
+  for (Index i = 0; i < degree; ++i) {
+    if (!(r[i] > 1e-12 * extent))
+      return fan;
+    weight[i] = (tangent[(i + degree - 1) % degree] + tangent[i]) / r[i];
+    if (!(weight[i] >= 0))
+      return fan;
+    sum += weight[i];
+  }
+  Vector offset{{0, 0, 0}};
+  for (Index i = 0; i < degree; ++i) {
+    weight[i] /= sum;
+    offset = offset + weight[i] * to_corner[i];
+  }
+  return dot(offset, offset) <= 1e-24 * extent * extent ? weight : fan;
+}
+
 // Returns the halfedge that begins at the nearest corner.
 template <class FaceGraph>
 auto halfedge_from_nearest_corner(const Surface_location<FaceGraph>& location, const FaceGraph& mesh)

@@ -94,18 +94,6 @@ public:
     }
   }
 
-  // Returns the squared distance of `p` from one face; infinity if it is known to exceed `limit`.
-  double squared_distance_from_face(const Vector& p, Index f, double limit) const
-  {
-    Candidate candidate;
-    if (squared_distance_from_box(p, face_box(mesh_, f)) > exceeding(limit))
-      return std::numeric_limits<double>::infinity();
-    if (mesh_.degree(f) <= max_in_fan)
-      candidate.foot.squared_distance = limit;
-    improve(p, f, candidate);
-    return candidate.face == NONE ? std::numeric_limits<double>::infinity() : candidate.foot.squared_distance;
-  }
-
   // Finds the closest point to `p` on face `f`. Returns whether it is no nearer to a side than to `p`; then a descent ends here.
   // Fans of several triangles are left to the descent.
   bool is_closest_inside(const Vector& p, Index f, Closest& closest) const

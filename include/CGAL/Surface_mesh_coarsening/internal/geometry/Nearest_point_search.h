@@ -86,7 +86,7 @@ public:
     return (*this)(p, first_group, near_enough, compared);
   }
 
-  // Adds the number of faces and boxes with which the point is compared to `compared`.
+  // Adds the number of triangles and boxes with which the point is compared to `compared`.
   Nearest_point operator()(const Vector& p, Index first_group, double near_enough, std::size_t& compared) const
   {
     Nearest_point nearest;
@@ -97,11 +97,25 @@ public:
     return nearest;
   }
 
-  void improve_in(const Vector& p, Index group, Nearest_point& nearest) const
+  // Replaces a point by the nearest point of a group if it is nearer. Returns the number of triangles and boxes compared.
+  std::size_t improve_in(const Vector& p, Index group, Nearest_point& nearest) const
   {
-    if (root_of_[group] != NONE)
-      improve_below(root_of_[group], NONE, p, nearest, -1);
+    return root_of_[group] == NONE ? 0 : improve_below(root_of_[group], NONE, p, nearest, -1);
   }
+
+  // Calls `visit` with the faces of a group whose squared distance from a point is at most `limit`. Returns the number of
+  // triangles and boxes compared.
+  template <class Visit>
+  std::size_t for_each_within(const Vector& p, Index group, double limit, const Visit& visit) const
+  {
+    std::size_t compared = 0;
+    if (root_of_[group] != NONE)
+      visit_within(root_of_[group], p, limit, visit, compared);
+    return compared;
+  }
+
+  // Returns the bounding box of a group.
+  Bbox_3 box(Index group) const { return root_of_[group] == NONE ? Bbox_3() : node_[root_of_[group]].box; }
 
 private:
   static constexpr std::size_t max_faces = 16; // of a leaf
@@ -148,7 +162,28 @@ private:
     static double margin(const Vector& p) { return 1e-14 * (std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2])); }
   };
 
-  // Omits the subtree of another node. Returns the number of faces and boxes with which the point is compared.
+  template <class Visit>
+  void visit_within(Index node, const Vector& p, double limit, const Visit& visit, std::size_t& compared) const
+  {
+    const Node& n = node_[node];
+    ++compared;
+    if (squared_distance_from_box(p, n.box) > limit)
+      return;
+    if (!n.is_leaf) {
+      visit_within(n.first, p, limit, visit, compared);
+      visit_within(n.second, p, limit, visit, compared);
+      return;
+    }
+    for (Index i = n.first; i < n.second; ++i) {
+      Nearest_point point;
+      improve(mesh_, p, order_[i], point);
+      compared += mesh_.degree(order_[i]) - 2;
+      if (point.squared_distance <= limit)
+        visit(order_[i]);
+    }
+  }
+
+  // Omits the subtree of another node. Returns the number of triangles and boxes with which the point is compared.
   std::size_t improve_below(Index root, Index omitted, const Vector& p, Nearest_point& nearest, double near_enough) const
   {
     boost::container::small_vector<Waiting_node, 64> stack(1, {root, squared_distance_from_box(p, node_[root].box)});
@@ -163,8 +198,10 @@ private:
       if (number == omitted || squared_distance > limit || is_beyond_turned_box(p, n, limit))
         continue;
       if (n.is_leaf) {
-        for (Index i = n.first; i < n.second && nearest.squared_distance > near_enough; ++i, ++compared)
+        for (Index i = n.first; i < n.second && nearest.squared_distance > near_enough; ++i) {
           improve(mesh_, p, order_[i], nearest);
+          compared += mesh_.degree(order_[i]) - 2;
+        }
         continue;
       }
       const Waiting_node first{n.first, squared_distance_from_box(p, node_[n.first].box)},
@@ -283,59 +320,6 @@ private:
   std::vector<Node> node_;
   std::vector<Turned_box> turned_;
 };
-
-// Returns coordinates of a point of a face, one per corner in the order of the corners. In a triangle they are
-// barycentric. In a polygon they are mean value coordinates in its plane if these are not negative, as in every convex
-// polygon. If they are negative, or if the polygon is not planar so that they would yield another point, the coordinates are
-// barycentric in the triangle of the fan.
-inline std::vector<double> coordinates_in_face(const Flat_mesh& m, const Nearest_point& nearest, const Vector& normal)
-{
-  const Index begin = m.first_corner[nearest.face], degree = m.degree(nearest.face);
-  std::vector<double> fan(degree, 0);
-  const Index corners[3] = {0, nearest.corner - begin, nearest.corner + 1 - begin};
-  Vector p{{0, 0, 0}};
-  for (int i = 0; i < 3; ++i) {
-    fan[corners[i]] += nearest.barycentric[i];
-    p = p + nearest.barycentric[i] * m.points[m.corner_vertex[begin + corners[i]]];
-  }
-  const double normal_length = length(normal);
-  if (degree == 3 || !(normal_length > 0))
-    return fan;
-  // With r_i the distance of corner i and t_i the tangent of half the angle under which side i is seen, the weight of
-  // corner i is (t_{i-1} + t_i) / r_i.
-  std::vector<Vector> to_corner(degree);
-  std::vector<double> r(degree), tangent(degree), weight(degree);
-  double extent = 0;
-  for (Index i = 0; i < degree; ++i) {
-    to_corner[i] = m.points[m.corner_vertex[begin + i]] - p;
-    r[i] = length(to_corner[i]);
-    extent = (std::max)(extent, r[i]);
-  }
-  for (Index i = 0; i < degree; ++i) {
-    const Index j = (i + 1) % degree;
-    const double sine = dot(cross(to_corner[i], to_corner[j]), normal) / normal_length;
-    const double cosine = dot(to_corner[i], to_corner[j]);
-    // On a side or at a corner, the coordinates in the fan are the same.
-    if (r[i] * r[j] + cosine <= 1e-12 * extent * extent)
-      return fan;
-    tangent[i] = sine / (r[i] * r[j] + cosine);
-  }
-  double sum = 0;
-  for (Index i = 0; i < degree; ++i) {
-    if (!(r[i] > 1e-12 * extent))
-      return fan;
-    weight[i] = (tangent[(i + degree - 1) % degree] + tangent[i]) / r[i];
-    if (!(weight[i] >= 0))
-      return fan;
-    sum += weight[i];
-  }
-  Vector offset{{0, 0, 0}};
-  for (Index i = 0; i < degree; ++i) {
-    weight[i] /= sum;
-    offset = offset + weight[i] * to_corner[i];
-  }
-  return dot(offset, offset) <= 1e-24 * extent * extent ? weight : fan;
-}
 
 // Finds nearest points on the triangles of a coarse mesh.
 class Coarse_mesh_search

@@ -3,6 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_PLACE_AND_EXCHANGE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_PLACE_AND_EXCHANGE_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
@@ -168,6 +169,110 @@ inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_m
 {
   return may_exchange_vertices(state, placement) ? place_with_exchange(state, placement, output_coordinates, budget, nullptr)
                                                  : place(state, placement, output_coordinates, budget);
+}
+
+// Seeds, grows and minimizes as before, with other densities.
+inline void recluster(Clustering_state& state, const Seeding& seeding, const std::vector<double>& densities)
+{
+  const Minimization_end end = state.minimization_end;
+  forget_clusters(state);
+  if (state.input.cells) {
+    Clustering_input base = state.input.cells->base();
+    base.density = densities;
+    state.input = Feature_cells::run(base, state.input.cells->edges(), state.context, state.input.cells->extent());
+  } else {
+    state.input.items.density = densities;
+  }
+  seed(state, seeding);
+  grow(state);
+  minimize(state, end);
+}
+
+// Returns whether other densities are likely to reduce the number of intersections. They are not if it exceeds half the number of
+// clusters.
+inline bool is_worth_reclustering(const Clustering_state& state, const Placed_dual& dual, const Repair_budget& budget)
+{
+  return has_many_intersections(state, dual) && 2 * dual.number_left() <= state.number_of_clusters() && !budget.is_spent() &&
+         state.seeding.kind != Seeding::BY_CALLER && state.energy->depends_on_densities() && !has_vertex_cells(state.input);
+}
+
+// Raises the densities of the faces in clusters whose vertices belong to intersecting triangles.
+inline void raise_at_intersections(std::vector<double>& densities, const Clustering_state& state, const Placed_dual& dual)
+{
+  std::vector<char> is_at_fault(state.number_of_clusters(), false);
+  for (const auto& pair : dual.counts.intersections_left)
+    for (const Index t : {pair.first, pair.second})
+      for (const Index x : dual.triangles[t])
+        is_at_fault[x] = true;
+  const Clustering_input& pieces = dual.pieces->input();
+  std::vector<char> is_raised(densities.size(), false);
+  for (std::size_t p = 0; p < pieces.mesh.number_of_faces(); ++p)
+    if (is_at_fault[dual.pieces->labels()[Index(p)]])
+      is_raised[pieces.parent_of(Index(p))] = true;
+  for (std::size_t f = 0; f < densities.size(); ++f)
+    if (is_raised[f])
+      densities[f] = (std::min)(4 * densities[f], largest_density);
+}
+
+// Returns the clusters of the first densities, and their placement after the exchange of vertices.
+inline Placed_dual return_to_first(Clustering_state& state, const Seeding& seeding, const std::vector<double>& densities,
+                                   const std::vector<Index>& first, Placed_dual dual)
+{
+  recluster(state, seeding, densities);
+  restore_clusters(state, first, dual);
+  return dual;
+}
+
+// If pairs of intersecting triangles remain after the repair, the mesh is reclustered with other densities, without quadrics, which
+// do not depend on densities. Vertices are not exchanged in these clusterings, because the exchange takes longer and the number of
+// pairs decides among the results; they are exchanged in the end if few pairs remain.
+CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state& state, const Placement_model& placement,
+                                                               const Output_coordinates& output_coordinates)
+{
+  // Four times leave more pairs, because each spends a part of the budget.
+  constexpr std::size_t max_repetitions = 2;
+  // With more pairs, the exchange rarely leaves as few pairs, and its repair takes long.
+  constexpr std::size_t clusters_of_pair = 100;
+  Repair_budget budget = repair_budget(state);
+  Placed_dual first = place_and_exchange(state, placement, output_coordinates, budget);
+  if (!is_worth_reclustering(state, first, budget))
+    return first;
+  const std::vector<Index> first_labels = labels(state).labels();
+  const std::size_t exchanged = state.report.exchanged_vertices;
+  const Seeding first_seeding = state.seeding;
+  Seeding seeding = first_seeding;
+  seeding.may_use_quadrics = false;
+  std::size_t clusterings = 1, fewest = first.number_left();
+  const std::vector<double> first_densities = state.base_input().density;
+  std::vector<double> densities = first_densities, best_densities = densities;
+  Placed_dual dual;
+  do {
+    raise_at_intersections(densities, state, clusterings == 1 ? first : dual);
+    recluster(state, seeding, densities);
+    budget.spend(placement_tests * first.triangles.size());
+    dual = place(state, placement, output_coordinates, budget);
+    ++clusterings;
+    if (dual.number_left() < fewest) {
+      fewest = dual.number_left();
+      best_densities = densities;
+    }
+  } while (clusterings <= max_repetitions && is_worth_reclustering(state, dual, budget));
+  if (fewest == first.number_left()) {
+    dual = return_to_first(state, first_seeding, first_densities, first_labels, std::move(first));
+    state.report.exchanged_vertices = exchanged;
+    ++clusterings;
+  } else {
+    budget = repair_budget(state, 2); // the selected result must not be worse than before
+    if (dual.number_left() > fewest) {
+      recluster(state, seeding, best_densities);
+      ++clusterings;
+      dual = place(state, placement, output_coordinates, budget);
+    }
+    if (clusters_of_pair * dual.number_left() <= state.number_of_clusters() && may_exchange_vertices(state, placement))
+      dual = place_with_exchange(state, placement, output_coordinates, budget, &dual);
+  }
+  dual.clusterings = clusterings;
+  return dual;
 }
 
 } // namespace CGAL::Surface_mesh_coarsening::internal

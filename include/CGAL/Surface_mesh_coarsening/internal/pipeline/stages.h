@@ -25,6 +25,9 @@ namespace CGAL::Surface_mesh_coarsening::internal {
 // state. Only the first and the last stage depend on the types of the meshes: `prepare()` and `Face_graph_filler`. All entry
 // points call these functions.
 
+// Discards the clusters.
+void forget_clusters(Clustering_state& state);
+
 // Finds seeds (section 6) and discards earlier clusters.
 void seed(Clustering_state& state, const Seeding& seeding);
 
@@ -79,6 +82,14 @@ void freeze_cluster(Clustering_state& state, std::size_t cluster, bool is_frozen
 bool is_frozen(const Clustering_state& state, std::size_t cluster);
 bool split_cluster(Clustering_state& state, std::size_t cluster);
 bool remove_cluster(Clustering_state& state, std::size_t cluster);
+
+// Returns the statistics of the clusters of a mesh with `faces` faces.
+std::vector<Cluster_report> cluster_reports(const Clustering_state& state, std::size_t faces);
+
+// The answers of the two checks whether a face of the caller's mesh may join a cluster: the paper's check of boundary-edge counts
+// and the guarantee. They throw if the items of the clustering are not faces.
+bool boundary_counts_allow_move(const Clustering_state& state, Index face, std::size_t cluster);
+bool guarantee_allows_move(Clustering_state& state, Index face, std::size_t cluster);
 
 // The dual of the clusters (section 8.3) with its positions.
 struct Placed_dual

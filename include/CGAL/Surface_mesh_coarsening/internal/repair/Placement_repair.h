@@ -81,7 +81,6 @@ private:
   // Ends with the smallest number of faults that was reached.
   void search()
   {
-    reference_.sort_faces();
     const std::size_t found = faults_.number();
     std::size_t least = found, rounds_without_gain = 0;
     std::vector<Triangle> best_triangles = coarse_.triangles();
