@@ -288,16 +288,25 @@ private:
   void complete_mesh(std::vector<Cell_corner> corners, const Run_context& context)
   {
     Flat_mesh& m = input.mesh;
-    const std::size_t vertices = number_vertices(corners, m.corner_vertex).size();
+    std::vector<std::uint64_t> numbers;
+    numbers.reserve(corners.size());
+    for (const Cell_corner& corner : corners)
+      numbers.push_back(corner.vertex);
+    sort_unique(numbers);
+    const std::size_t vertices = numbers.size();
     m.points.resize(vertices);
+    m.corner_vertex.reserve(corners.size());
     std::vector<Index> first_cell(vertices); // the cell in which the star of each vertex begins
     {
       const std::vector<Index> cell_of_corner = faces_of_corners(m);
       for (Index c = 0; c < corners.size(); ++c) {
-        m.points[m.corner_vertex[c]] = corners[c].point;
+        const auto v = Index(std::lower_bound(numbers.begin(), numbers.end(), corners[c].vertex) - numbers.begin());
+        m.corner_vertex.push_back(v);
+        m.points[v] = corners[c].point;
         if (corners[c].begins_star)
-          first_cell[m.corner_vertex[c]] = cell_of_corner[c];
+          first_cell[v] = cell_of_corner[c];
       }
+      numbers = std::vector<std::uint64_t>();
       const Bucketed_items<Index> corners_at(numbers_below(Index(corners.size())), vertices,
                                              [&](Index c) { return m.corner_vertex[c]; });
       pair_edges(

@@ -166,6 +166,43 @@ inline Index block_of(const std::vector<std::uint64_t>& starts, std::uint64_t pl
 // Returns the rank of one of `bins` bins, blocks or others: consecutive runs of bins belong to consecutive ranks.
 inline std::size_t rank_of_bin(std::size_t bin, std::size_t bins, std::size_t ranks) { return bin * ranks / bins; }
 
+// Assigns consecutive indices to 64-bit numbers, from 0, in the order of their first occurrence. The table uses open addressing;
+// the maps of the standard library take several times the memory and the time.
+class Number_table
+{
+public:
+  Index index(std::uint64_t number)
+  {
+    if (2 * numbers_.size() >= slots_.size()) {
+      slots_.assign(slots_.empty() ? 64 : 2 * slots_.size(), NONE);
+      for (std::size_t i = 0; i < numbers_.size(); ++i)
+        slot(numbers_[i]) = Index(i);
+    }
+    Index& i = slot(number);
+    if (i == NONE) {
+      i = Index(numbers_.size());
+      numbers_.push_back(number);
+    }
+    return i;
+  }
+
+  // The numbers in the order of their indices.
+  const std::vector<std::uint64_t>& numbers() const { return numbers_; }
+
+private:
+  Index& slot(std::uint64_t number)
+  {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t i = std::size_t((number * 0x9e3779b97f4a7c15u) >> 32) & mask;
+    while (slots_[i] != NONE && numbers_[slots_[i]] != number)
+      i = (i + 1) & mask;
+    return slots_[i];
+  }
+
+  std::vector<Index> slots_;
+  std::vector<std::uint64_t> numbers_;
+};
+
 // What a record of a face has besides its corners.
 struct Face_data
 {

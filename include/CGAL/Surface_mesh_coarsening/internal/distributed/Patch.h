@@ -47,21 +47,6 @@ struct Patch
   }
 };
 
-// Returns the global numbers of the vertices of corners, sorted. `vertex_of_corner` receives their places in this order.
-template <class Corner>
-std::vector<std::uint64_t> number_vertices(const std::vector<Corner>& corners, std::vector<Index>& vertex_of_corner)
-{
-  std::vector<std::uint64_t> numbers;
-  numbers.reserve(corners.size());
-  for (const Corner& c : corners)
-    numbers.push_back(c.vertex);
-  sort_unique(numbers);
-  vertex_of_corner.reserve(corners.size());
-  for (const Corner& c : corners)
-    vertex_of_corner.push_back(Index(std::lower_bound(numbers.begin(), numbers.end(), c.vertex) - numbers.begin()));
-  return numbers;
-}
-
 inline std::vector<Index> faces_of_corners(const Flat_mesh& m)
 {
   std::vector<Index> faces;
@@ -137,8 +122,10 @@ public:
     for (const Face_data& face : faces_)
       mesh_.first_corner.push_back(mesh_.first_corner[mesh_.number_of_faces()] + face.corners);
     face_of_ = faces_of_corners(mesh_);
-    number_ = number_vertices(corner_, vertex_of_);
-    corners_at_.emplace(numbers_below(Index(corner_.size())), number_.size(), [this](Index c) { return vertex_of_[c]; });
+    vertex_of_.reserve(corner_.size());
+    for (const Face_corner& c : corner_)
+      vertex_of_.push_back(table_.index(c.vertex));
+    corners_at_.emplace(numbers_below(Index(corner_.size())), table_.numbers().size(), [this](Index c) { return vertex_of_[c]; });
     check_positions();
     const auto previous_vertex = [this](Index c) { return vertex_of_[previous_corner(c)]; };
     if (!pair_edges(mesh_, face_of_, *corners_at_, previous_vertex, [this](Index c) { return next_vertex(c); }))
@@ -184,6 +171,7 @@ private:
     faces_.swap(faces);
   }
 
+  std::uint64_t number(Index v) const { return table_.numbers()[v]; }
   Bucketed_items<Index>::Range corners_at(Index v) const { return (*corners_at_)[v]; }
   Index next_vertex(Index c) const { return vertex_of_[mesh_.next_corner(face_of_[c], c)]; }
   Index previous_corner(Index c) const { return mesh_.previous_corner(face_of_[c], c); }
@@ -191,14 +179,16 @@ private:
 
   void check_positions() const
   {
-    for (Index v = 0; v < number_.size(); ++v) {
-      const Index* const first = std::adjacent_find(corners_at(v).begin(), corners_at(v).end(), [this](Index c, Index d) {
-        return corner_[c].point != corner_[d].point;
-      });
-      if (first != corners_at(v).end())
-        throw Invalid_input("vertex " + std::to_string(number_[v]) + " has two positions, in " + name(face_of_[first[0]]) +
-                            " and in " + name(face_of_[first[1]]));
+    const auto differ = [this](Index c, Index d) { return corner_[c].point != corner_[d].point; };
+    const Index* first = nullptr; // of two consecutive corners
+    for (Index v = 0; v < table_.numbers().size(); ++v) {
+      const Index* const c = std::adjacent_find(corners_at(v).begin(), corners_at(v).end(), differ);
+      if (c != corners_at(v).end() && (!first || number(v) < corner_[*first].vertex))
+        first = c;
     }
+    if (first)
+      throw Invalid_input("vertex " + std::to_string(corner_[*first].vertex) + " has two positions, in " +
+                          name(face_of_[first[0]]) + " and in " + name(face_of_[first[1]]));
   }
 
   [[noreturn]] void throw_two_faces() const
@@ -206,7 +196,7 @@ private:
     typedef std::tuple<std::uint64_t, std::uint64_t, Index> Side; // the numbers of the ends, and the face
     std::vector<Side> sides;
     for (Index c = 0; c < vertex_of_.size(); ++c)
-      sides.emplace_back(corner_[c].vertex, number_[next_vertex(c)], face_of_[c]);
+      sides.emplace_back(corner_[c].vertex, number(next_vertex(c)), face_of_[c]);
     std::sort(sides.begin(), sides.end());
     const auto first = std::adjacent_find(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
       return std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b);
@@ -226,7 +216,8 @@ private:
   void divide_into_fans()
   {
     mesh_.corner_vertex.assign(vertex_of_.size(), NONE);
-    for (Index v = 0; v < number_.size(); ++v) {
+    Index faulty = NONE; // the vertex of smallest number
+    for (Index v = 0; v < table_.numbers().size(); ++v) {
       const std::size_t first = patch_.number.size();
       for (const bool are_closed : {false, true})
         for (const Index x : corners_at(v)) {
@@ -234,14 +225,17 @@ private:
             continue;
           for (Index c = x; c != NONE && mesh_.corner_vertex[c] == NONE; c = next_in_fan(c))
             mesh_.corner_vertex[c] = Index(patch_.number.size());
-          patch_.number.push_back(number_[v]);
+          patch_.number.push_back(number(v));
           mesh_.points.push_back(corner_[x].point);
         }
       const auto is_own = [this](Index c) { return patch_.is_own(face_of_[c]); };
-      if (patch_.number.size() > first + 1 && std::any_of(corners_at(v).begin(), corners_at(v).end(), is_own))
-        throw Invalid_input("vertex " + std::to_string(number_[v]) +
-                            " is not a manifold vertex: the faces around it form more than one fan");
+      if (patch_.number.size() > first + 1 && (faulty == NONE || number(v) < number(faulty)) &&
+          std::any_of(corners_at(v).begin(), corners_at(v).end(), is_own))
+        faulty = v;
     }
+    if (faulty != NONE)
+      throw Invalid_input("vertex " + std::to_string(number(faulty)) +
+                          " is not a manifold vertex: the faces around it form more than one fan");
   }
 
   // Returns the corner of the same vertex in the next face, counterclockwise, or NONE.
@@ -258,7 +252,7 @@ private:
   Flat_mesh& mesh_;
   const Face_names& names_;
   const std::size_t max_corners_;
-  std::vector<std::uint64_t> number_;                // the vertex numbers
+  Number_table table_;                               // of the vertex numbers
   std::vector<Index> face_of_;                       // of each corner
   std::vector<Index> vertex_of_;                     // of each corner, by number; fans are not distinguished
   std::optional<Bucketed_items<Index> > corners_at_; // of each vertex number

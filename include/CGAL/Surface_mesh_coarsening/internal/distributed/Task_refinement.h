@@ -183,14 +183,13 @@ inline void find_shared_vertices(Rank_context& context, const Record_bins& faces
   Record_bins places(context, faces.number_of_bins());
   places.fill([&] {
     for (std::size_t i = 0; i < faces.number_of_own(); ++i) {
-      std::vector<std::uint64_t> vertices;
+      Number_table vertices;
       faces.read<Face_record>(i, [&](const Face_record& face) {
         context.poll(words_of_triangle);
         for (const Face_corner& c : face.corner)
-          vertices.push_back(c.vertex);
+          vertices.index(c.vertex);
       });
-      sort_unique(vertices);
-      for (const std::uint64_t v : vertices) {
+      for (const std::uint64_t v : vertices.numbers()) {
         // Consecutive numbers, and numbers that differ by powers of two, belong to different bins.
         const std::size_t bin = std::size_t((v * 0x9e3779b97f4a7c15u) >> 32) % faces.number_of_bins();
         places.send(bin, Place{{v, faces.first_own() + i}});
