@@ -14,7 +14,6 @@
 #include <boost/mpi/communicator.hpp>
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <type_traits>
 
@@ -22,6 +21,15 @@ namespace CGAL::Surface_mesh_coarsening {
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
+
+// A piece of which `source(receive)` passes the vertices and points of each face, and whose faces have consecutive keys in maps.
+template <class Source, class Key, class NamedParameters>
+struct Piece
+{
+  const Source& source;
+  const Key first_key; // an iterator
+  const NamedParameters& np;
+};
 
 template <class ConcurrencyTag, class Piece, class OutputFaceGraph, class NamedParametersOut>
 Distributed_report coarsen_piece(const boost::mpi::communicator& communicator, const Piece& piece, std::size_t number_of_vertices,
@@ -34,24 +42,36 @@ Distributed_report coarsen_piece(const boost::mpi::communicator& communicator, c
   typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Fitted_placement> Placement;
   typedef typename GetGeomTraits<OutputFaceGraph, NamedParametersOut>::type OutputTraits;
   const auto placement = choose_parameter<Placement>(get_parameter(piece.np, internal_np::vertex_placement_p));
-  Distributed_choice choice;
+  Rank_context context(communicator);
   on_all_ranks(communicator,
-               [&] { choice = distributed_choice<ConcurrencyTag, OutputTraits>(number_of_vertices, placement, piece.np); });
-  Distributed_coarsening coarsening(communicator, choice, std::cref(piece));
+               [&] { set_choices<ConcurrencyTag, OutputTraits>(context, number_of_vertices, placement, piece.np); });
+  Distributed_coarsening coarsening(context, [&piece](const Face_receiver& receive) {
+    auto key = piece.first_key;
+    piece.source([&, map = get_parameter(piece.np, internal_np::face_density)](const auto& vertices, const auto& points) {
+      if constexpr (has_parameter<internal_np::face_density_t, NamedParametersIn>)
+        receive(vertices, points, CGAL::to_double(get(map, *key++)));
+      else
+        receive(vertices, points, 1);
+    });
+  });
   coarsening.run();
   std::optional<Face_graph_filler<OutputFaceGraph, NamedParametersOut> > filler;
   on_all_ranks(communicator, [&] {
-    if (coarsening.has_output())
-      filler.emplace(output_points<OutputFaceGraph>(coarsening.dual().positions, coarsening.frame(), np_out),
-                     coarsening.dual().triangles, output, np_out, choice);
-    choice.throw_if_cancelled();
+    if (context.rank() == 0 || context.wants_output_everywhere)
+      filler.emplace(output_points<OutputFaceGraph>(coarsening.dual.positions, context.frame, np_out), coarsening.dual.triangles,
+                     output, np_out, context);
+    context.throw_if_cancelled();
   });
   on_all_ranks(communicator, [&] {
-    piece.put_clusters(coarsening.clusters_of_piece());
+    if constexpr (has_parameter<internal_np::face_cluster_t, NamedParametersIn>) {
+      auto key = piece.first_key;
+      for (const Index cluster : coarsening.clusters)
+        put(get_parameter(piece.np, internal_np::face_cluster), *key++, cluster);
+    }
     if (filler)
       filler->commit();
   });
-  return coarsening.report();
+  return coarsening.report;
 }
 
 } // namespace internal

@@ -6,7 +6,6 @@
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Cells.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Dual_parts.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Task_refinement.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Record_bins.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
@@ -34,7 +33,7 @@ namespace CGAL::Surface_mesh_coarsening::internal {
 class Cell_surface
 {
 public:
-  Cell_surface(std::vector<Cell_mesh::Cell> cells, Flat_mesh mesh, bool has_fans)
+  Cell_surface(std::vector<Cell> cells, Flat_mesh mesh, bool has_fans)
     : cells_(std::move(cells)), mesh_(std::move(mesh)), has_fans_(has_fans)
   {
     if (has_fans && mesh_.corner_vertex.size() >= NONE / 6)
@@ -48,10 +47,20 @@ public:
   // request. Called once. The parts know the clusters of the faces that represent cells.
   void place(const Dual_parts& parts, const Rank_context& context, Placed_dual& dual)
   {
-    std::vector<Index> cell_of;
-    const Clustering_input input = make_input(cell_of, context);
-    std::vector<Index> cluster_of_cell;
-    for (const Cell_mesh::Cell& cell : cells_)
+    Clustering_input input;
+    std::vector<Index> cell_of, cluster_of_cell;
+    {
+      std::vector<char> is_fan;
+      for (const Cell& cell : cells_)
+        is_fan.push_back(has_fans_ && cell.faces > 1);
+      Star_subdivision cutting(mesh_, is_fan);
+      input.mesh = cutting.run([this](Index x) { return cells_[x].center; }, context);
+      cell_of = cutting.old_face();
+    }
+    mesh_ = Flat_mesh(); // frees its memory
+    compute_areas_and_centroids(input, context);
+    input.density.assign(input.area.size(), 1);
+    for (const Cell& cell : cells_)
       cluster_of_cell.push_back(parts.cluster_at(cell.origin));
     Cluster_labels labels(input.mesh);
     for (Index f = 0; f < cell_of.size(); ++f)
@@ -76,24 +85,7 @@ public:
   }
 
 private:
-  Clustering_input make_input(std::vector<Index>& cell_of, const Run_context& context)
-  {
-    std::vector<char> is_fan;
-    for (const Cell_mesh::Cell& cell : cells_)
-      is_fan.push_back(has_fans_ && cell.faces > 1);
-    Clustering_input input;
-    {
-      Star_subdivision cutting(mesh_, is_fan);
-      input.mesh = cutting.run([this](Index x) { return cells_[x].center; }, context);
-      cell_of = cutting.old_face();
-    }
-    mesh_ = Flat_mesh(); // frees its memory
-    compute_areas_and_centroids(input, context);
-    input.density.assign(input.area.size(), 1);
-    return input;
-  }
-
-  std::vector<Cell_mesh::Cell> cells_;
+  std::vector<Cell> cells_;
   Flat_mesh mesh_; // without stars
   bool has_fans_;
 };
@@ -168,15 +160,13 @@ private:
     });
     choose_density(largest);
     Record_bins clusters(context_, context_.number_of_ranks());
-    bool is_found = true;
     clusters.fill([&] {
       if (context_.rank() == 0)
-        is_found = cluster_on_first_rank(all, clusters);
+        cluster_on_first_rank(all, clusters);
     });
-    boost::mpi::broadcast(context_.communicator, is_found, 0);
-    if (!is_found)
-      return false;
     broadcast_records(context_, result_.tasks);
+    if (result_.tasks.empty())
+      return false;
     on_all_ranks(context_.communicator, [&] {
       clusters.read<std::uint64_t>(0, [&](std::uint64_t cluster) { result_.clusters.push_back(Index(cluster)); });
     });
@@ -203,18 +193,18 @@ private:
     result_.density = {1, largest_of_all > flat ? (context_.maximum_density - 1) / largest_of_all : 0};
   }
 
-  // Sends the clusters of the cells of each rank.
-  bool cluster_on_first_rank(Record_bins& all, Record_bins& clusters_of_ranks)
+  // Sends the clusters of the cells of each rank, or nothing if no clusters are found.
+  void cluster_on_first_rank(Record_bins& all, Record_bins& clusters_of_ranks)
   {
-    Cell_mesh mesh(all, result_.density, result_.level == 0);
+    Cell_mesh mesh(all, result_.density, result_.level == 0, context_);
     Clustering_state state;
     state.context = context_;
     state.energy = context_.energy;
     state.frame = context_.frame;
     state.repairs_output = context_.repairs_output;
-    state.input.items = mesh.take_input(context_);
+    state.input.items = std::move(mesh.input);
     if (!cluster(state))
-      return false;
+      return;
     const std::vector<Index> clusters = clusters_of_base_faces(state);
     for (std::size_t x = 0, rank = 0; x < clusters.size(); ++x) {
       while (x == mesh.ends[rank])
@@ -222,18 +212,14 @@ private:
       clusters_of_ranks.send(rank, std::uint64_t(clusters[x]));
     }
     divide_clusters(state, mesh, clusters);
+    const std::vector<Component>& components = state.input.items.mesh.components;
+    const bool has_border = std::any_of(components.begin(), components.end(), [](const Component& x) { return x.loops > 0; });
     if (result_.level == 0)
       result_.dual = place(state, context_.placement, context_.output_coordinates(context_.frame));
-    else if (context_.places_on_cells() || has_border(state.input.items.mesh.components))
+    else if (context_.places_on_cells() || has_border)
       result_.surface = std::make_unique<Cell_surface>(std::move(mesh.cells), std::move(state.input.items.mesh),
                                                        context_.places_on_cells());
     result_.report = state.report;
-    return true;
-  }
-
-  static bool has_border(const std::vector<Component>& components)
-  {
-    return std::any_of(components.begin(), components.end(), [](const Component& c) { return c.loops > 0; });
   }
 
   void divide_clusters(const Clustering_state& state, const Cell_mesh& mesh, const std::vector<Index>& cluster_of_cell)
@@ -258,7 +244,7 @@ private:
       return *context_.faces_per_block;
     constexpr std::size_t clusters_per_task = 1000, max_faces = std::size_t(1) << 21;
     const std::size_t enough = clusters_per_task * (number_of_faces / context_.number_of_vertices);
-    return (std::max)(Distributed_choice::default_faces_per_block, (std::min)(enough, max_faces));
+    return (std::max)(Rank_context::default_faces_per_block, (std::min)(enough, max_faces));
   }
 
   // Cells cannot be subdivided, because their faces are on other ranks.

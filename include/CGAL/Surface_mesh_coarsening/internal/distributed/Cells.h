@@ -20,17 +20,22 @@
 
 namespace CGAL::Surface_mesh_coarsening::internal {
 
+// What remains of a cell when its sums are in the input of the clustering.
+struct Cell
+{
+  Index corners = 0, faces = 0;
+  std::uint64_t origin = 0; // of the face that represents the cell
+  Vector center{{0, 0, 0}}; // the centroid of this face
+};
+
 // What a record of a cell has besides its corners. The moments are sums of areas times centroids. The same sums weighted by the
 // density may be weighted by the deviation instead, because densities are linear in deviations.
-struct Cell_data
+struct Cell_data : Cell
 {
   static constexpr Index max_corners = NONE;
 
-  Index corners = 0, faces = 0;
   double area = 0, weighted_area = 0;
   Vector moment{{0, 0, 0}}, weighted_moment{{0, 0, 0}};
-  std::uint64_t origin = 0;   // of the face that represents the cell
-  Vector center{{0, 0, 0}}; // the centroid of this face
 
   void add(const Face_geometry& face, double density)
   {
@@ -92,7 +97,14 @@ public:
     Cell_record cell;
     for (std::size_t i = 0; i < size(); ++i) {
       static_cast<Cell_data&>(cell) = data_[i];
-      list_corners(boundary_edge_[i], cell.corner);
+      cell.corner.clear();
+      const std::vector<Index> boundary = boundary_vertices(boundary_edge_[i]);
+      const auto number = [&](std::size_t k) { return patch_.number[boundary[k % boundary.size()]]; };
+      for (std::size_t k = 0; k < boundary.size(); ++k)
+        if (const Index v = boundary[k]; is_corner_[v])
+          cell.corner.push_back({number(k), number(k + boundary.size() - 1), number(k + 1),
+                                 labels_[mesh_.star[mesh_.first_in_star[v]]] == labels_[boundary_edge_[i].face],
+                                 mesh_.points[v]});
       receive(cell);
     }
   }
@@ -190,17 +202,6 @@ private:
     return boundary;
   }
 
-  void list_corners(const Directed_edge& start, std::vector<Cell_corner>& corners) const
-  {
-    corners.clear();
-    const std::vector<Index> boundary = boundary_vertices(start);
-    const auto number = [&](std::size_t i) { return patch_.number[boundary[i % boundary.size()]]; };
-    for (std::size_t i = 0; i < boundary.size(); ++i)
-      if (const Index v = boundary[i]; is_corner_[v])
-        corners.push_back({number(i), number(i + boundary.size() - 1), number(i + 1),
-                           labels_[mesh_.star[mesh_.first_in_star[v]]] == labels_[start.face], mesh_.points[v]});
-  }
-
   const Patch& patch_;
   const Flat_mesh& mesh_;
   Cluster_labels labels_;
@@ -225,121 +226,99 @@ struct Linear_density
 // An edge of this mesh is a path of edges between two cells. One cell identifies it by its first edge, the other cell by its
 // last edge, because two cells may have several edges with the same ends. The stars begin at the same places as the stars of the
 // faces, so the dual of clusters of cells is the dual of the same clusters of faces.
-class Cell_mesh
+struct Cell_mesh
 {
-public:
-  // What remains of a cell after `take_input()`: the face that represents it, its centroid, and the number of faces of the cell.
-  struct Cell
-  {
-    std::uint64_t origin;
-    Vector center;
-    Index faces;
-  };
-
   std::vector<Cell> cells;
   std::vector<std::size_t> ends; // of the cells of each bin
+  Clustering_input input;
 
   // Moves the cells out of the own bins.
-  Cell_mesh(Record_bins& records, const Linear_density& density, bool cells_are_faces)
-    : density_(density), cells_are_faces_(cells_are_faces)
+  Cell_mesh(Record_bins& records, const Linear_density& density, bool cells_are_faces, const Run_context& context)
   {
-    reserve(records);
-    input_.mesh.first_corner.push_back(0);
+    std::vector<Cell_corner> corners;
+    reserve(records, cells_are_faces, corners);
+    input.mesh.first_corner.push_back(0);
     for (std::size_t i = 0; i < records.number_of_own(); ++i) {
-      records.read<Cell_record>(i, [&](const Cell_record& cell) { add(cell); });
+      records.read<Cell_record>(i, [&](const Cell_record& cell) {
+        add(cell, density, cells_are_faces);
+        corners.insert(corners.end(), cell.corner.begin(), cell.corner.end());
+        input.mesh.first_corner.push_back(Index(corners.size()));
+      });
       records.clear(i);
       ends.push_back(cells.size());
     }
-  }
-
-  // Completes the mesh and moves it out. Called once.
-  Clustering_input take_input(const Run_context& context)
-  {
-    Flat_mesh& m = input_.mesh;
-    std::vector<Index> first_cell, cell_of_corner;
-    number_vertices(first_cell, cell_of_corner);
-    {
-      const Bucketed_items<Index> corners_at(numbers_below(Index(corners_.size())), first_cell.size(),
-                                             [&](Index c) { return m.corner_vertex[c]; });
-      pair_edges(
-        m, cell_of_corner, corners_at, [this](Index c) { return corners_[c].before; },
-        [this](Index c) { return corners_[c].after; });
-    }
-    cell_of_corner = std::vector<Index>();
-    corners_ = std::vector<Cell_corner>();
-    complete_topology(m, first_cell.size(), context);
-    for (Index v = 0; v < first_cell.size(); ++v)
-      if (!m.is_on_border(v))
-        std::rotate(m.star.begin() + m.first_in_star[v], m.star.begin() + m.position_in_star(v, first_cell[v]),
-                    m.star.begin() + m.first_in_star[v + 1]);
-    return std::move(input_);
+    complete_mesh(std::move(corners), context);
   }
 
 private:
   // Reserves memory; growing arrays would take almost twice as much.
-  void reserve(const Record_bins& records)
+  void reserve(const Record_bins& records, bool cells_are_faces, std::vector<Cell_corner>& corners)
   {
-    std::size_t number = 0, corners = 0;
+    std::size_t number = 0, number_of_corners = 0;
     for (std::size_t i = 0; i < records.number_of_own(); ++i)
       records.read<Cell_record>(i, [&](const Cell_record& cell) {
         ++number;
-        corners += cell.corners;
+        number_of_corners += cell.corners;
       });
-    if (corners >= NONE / 2)
-      throw Invalid_input("the mesh of cells has " + std::to_string(corners) + " corners, more than the " +
+    if (number_of_corners >= NONE / 2)
+      throw Invalid_input("the mesh of cells has " + std::to_string(number_of_corners) + " corners, more than the " +
                           std::to_string(NONE / 2 - 1) + " that can be numbered");
     cells.reserve(number);
-    input_.area.reserve(number);
-    input_.density.reserve(number);
-    input_.item_faces.reserve(cells_are_faces_ ? 0 : number);
-    input_.item_centroid.reserve(cells_are_faces_ ? 0 : number);
-    input_.mesh.first_corner.reserve(number + 1);
-    corners_.reserve(corners);
+    input.area.reserve(number);
+    input.density.reserve(number);
+    input.item_faces.reserve(cells_are_faces ? 0 : number);
+    input.item_centroid.reserve(cells_are_faces ? 0 : number);
+    input.mesh.first_corner.reserve(number + 1);
+    corners.reserve(number_of_corners);
   }
 
-  void add(const Cell_record& cell)
+  void add(const Cell_record& cell, const Linear_density& density, bool cells_are_faces)
   {
-    const double mass = density_.constant * cell.area + density_.factor * cell.weighted_area;
-    const Vector moment = density_.constant * cell.moment + density_.factor * cell.weighted_moment;
-    cells.push_back({cell.origin, cell.center, cell.faces});
-    input_.area.push_back(cell.area);
-    input_.density.push_back(cell.area > 0 ? mass / cell.area : 1);
-    if (!cells_are_faces_) {
-      input_.item_faces.push_back(cell.faces);
-      input_.item_centroid.push_back(mass > 0 ? (1 / mass) * moment : mean_of_corners(cell));
+    const double mass = density.constant * cell.area + density.factor * cell.weighted_area;
+    const Vector moment = density.constant * cell.moment + density.factor * cell.weighted_moment;
+    cells.push_back(cell);
+    input.area.push_back(cell.area);
+    input.density.push_back(cell.area > 0 ? mass / cell.area : 1);
+    if (!cells_are_faces) {
+      input.item_faces.push_back(cell.faces);
+      input.item_centroid.push_back(mass > 0 ? (1 / mass) * moment : mean_of_corners(cell));
     }
-    corners_.insert(corners_.end(), cell.corner.begin(), cell.corner.end());
-    input_.mesh.first_corner.push_back(Index(corners_.size()));
   }
 
-  // `first_cell` receives the cell in which the star of each vertex begins.
-  void number_vertices(std::vector<Index>& first_cell, std::vector<Index>& cell_of_corner)
+  void complete_mesh(std::vector<Cell_corner> corners, const Run_context& context)
   {
+    Flat_mesh& m = input.mesh;
     std::vector<std::uint64_t> numbers;
-    numbers.reserve(corners_.size());
-    for (const Cell_corner& corner : corners_)
+    numbers.reserve(corners.size());
+    for (const Cell_corner& corner : corners)
       numbers.push_back(corner.vertex);
     sort_unique(numbers);
-    Flat_mesh& m = input_.mesh;
-    m.points.resize(numbers.size());
-    m.corner_vertex.reserve(corners_.size());
-    first_cell.resize(numbers.size());
-    cell_of_corner.reserve(corners_.size());
-    for (Index x = 0; x < cells.size(); ++x)
-      for (const Index c : m.corners(x)) {
-        const auto v = std::size_t(std::lower_bound(numbers.begin(), numbers.end(), corners_[c].vertex) - numbers.begin());
-        m.corner_vertex.push_back(Index(v));
-        cell_of_corner.push_back(x);
-        m.points[v] = corners_[c].point;
-        if (corners_[c].begins_star)
-          first_cell[v] = x;
+    const std::size_t vertices = numbers.size();
+    m.points.resize(vertices);
+    m.corner_vertex.reserve(corners.size());
+    std::vector<Index> first_cell(vertices); // the cell in which the star of each vertex begins
+    {
+      const std::vector<Index> cell_of_corner = faces_of_corners(m);
+      for (Index c = 0; c < corners.size(); ++c) {
+        const auto v = Index(std::lower_bound(numbers.begin(), numbers.end(), corners[c].vertex) - numbers.begin());
+        m.corner_vertex.push_back(v);
+        m.points[v] = corners[c].point;
+        if (corners[c].begins_star)
+          first_cell[v] = cell_of_corner[c];
       }
+      numbers = std::vector<std::uint64_t>();
+      const Bucketed_items<Index> corners_at(numbers_below(Index(corners.size())), vertices,
+                                             [&](Index c) { return m.corner_vertex[c]; });
+      pair_edges(
+        m, cell_of_corner, corners_at, [&](Index c) { return corners[c].before; }, [&](Index c) { return corners[c].after; });
+    }
+    corners = std::vector<Cell_corner>();
+    complete_topology(m, vertices, context);
+    for (Index v = 0; v < vertices; ++v)
+      if (!m.is_on_border(v))
+        std::rotate(m.star.begin() + m.first_in_star[v], m.star.begin() + m.position_in_star(v, first_cell[v]),
+                    m.star.begin() + m.first_in_star[v + 1]);
   }
-
-  Linear_density density_;
-  bool cells_are_faces_;
-  std::vector<Cell_corner> corners_;
-  Clustering_input input_;
 };
 
 } // namespace CGAL::Surface_mesh_coarsening::internal

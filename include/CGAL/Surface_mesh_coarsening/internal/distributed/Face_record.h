@@ -4,16 +4,72 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_FACE_RECORD_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Scratch_file.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Surface_mesh_coarsening::internal {
+
+// Records as they lie in memory, one after the other.
+typedef std::vector<std::uint64_t> Words;
+
+// Appends values, which occupy whole words.
+template <class T>
+void write_values(const T* values, std::size_t number, Words& words)
+{
+  static_assert(std::is_trivially_copyable<T>::value && sizeof(T) % sizeof(std::uint64_t) == 0);
+  const std::size_t size = words.size();
+  words.resize(size + number * sizeof(T) / sizeof(std::uint64_t));
+  std::memcpy(words.data() + size, values, number * sizeof(T));
+}
+
+// Reads the values that begin at `word`, and returns their end.
+template <class T>
+const std::uint64_t* read_values(const std::uint64_t* word, T* values, std::size_t number)
+{
+  std::memcpy(static_cast<void*>(values), word, number * sizeof(T));
+  return word + number * sizeof(T) / sizeof(std::uint64_t);
+}
+
+// A record of a face or a cell: data, with the number of corners, and the corners.
+template <class Data, class Corner>
+struct Polygon_record : Data
+{
+  std::vector<Corner> corner;
+};
+
+template <class Record>
+void write_record(const Record& record, Words& words)
+{
+  write_values(&record, 1, words);
+}
+template <class Data, class Corner>
+void write_record(const Polygon_record<Data, Corner>& record, Words& words)
+{
+  Data data = record;
+  data.corners = Index(record.corner.size()) & Data::max_corners;
+  write_values(&data, 1, words);
+  write_values(record.corner.data(), record.corner.size(), words);
+}
+
+template <class Record>
+const std::uint64_t* read_record(const std::uint64_t* word, Record& record)
+{
+  return read_values(word, &record, 1);
+}
+template <class Data, class Corner>
+const std::uint64_t* read_record(const std::uint64_t* word, Polygon_record<Data, Corner>& record)
+{
+  word = read_values(word, static_cast<Data*>(&record), 1);
+  record.corner.resize(record.corners);
+  return read_values(word, record.corner.data(), record.corner.size());
+}
 
 // The position of a point on the Morton curve, whose binary digits are the digits of the three coordinates in turn.
 class Morton_curve
@@ -117,34 +173,30 @@ class Number_table
 public:
   Index index(std::uint64_t number)
   {
-    if (2 * numbers_.size() >= slots_.size())
-      grow();
-    const std::size_t slot = find(number);
-    if (slots_[slot] == NONE) {
-      slots_[slot] = Index(numbers_.size());
+    if (2 * numbers_.size() >= slots_.size()) {
+      slots_.assign(slots_.empty() ? 64 : 2 * slots_.size(), NONE);
+      for (std::size_t i = 0; i < numbers_.size(); ++i)
+        slot(numbers_[i]) = Index(i);
+    }
+    Index& i = slot(number);
+    if (i == NONE) {
+      i = Index(numbers_.size());
       numbers_.push_back(number);
     }
-    return slots_[slot];
+    return i;
   }
 
   // The numbers in the order of their indices.
   const std::vector<std::uint64_t>& numbers() const { return numbers_; }
 
 private:
-  std::size_t find(std::uint64_t number) const
+  Index& slot(std::uint64_t number)
   {
     const std::size_t mask = slots_.size() - 1;
-    std::size_t slot = std::size_t((number * 0x9e3779b97f4a7c15u) >> 32) & mask;
-    while (slots_[slot] != NONE && numbers_[slots_[slot]] != number)
-      slot = (slot + 1) & mask;
-    return slot;
-  }
-
-  void grow()
-  {
-    slots_.assign(slots_.empty() ? 64 : 2 * slots_.size(), NONE);
-    for (std::size_t i = 0; i < numbers_.size(); ++i)
-      slots_[find(numbers_[i])] = Index(i);
+    std::size_t i = std::size_t((number * 0x9e3779b97f4a7c15u) >> 32) & mask;
+    while (slots_[i] != NONE && numbers_[slots_[i]] != number)
+      i = (i + 1) & mask;
+    return slots_[i];
   }
 
   std::vector<Index> slots_;

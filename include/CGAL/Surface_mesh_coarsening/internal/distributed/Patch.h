@@ -47,6 +47,15 @@ struct Patch
   }
 };
 
+inline std::vector<Index> faces_of_corners(const Flat_mesh& m)
+{
+  std::vector<Index> faces;
+  faces.reserve(m.first_corner[m.number_of_faces()]);
+  for (Index f = 0; f < m.number_of_faces(); ++f)
+    faces.resize(m.first_corner[f + 1], f);
+  return faces;
+}
+
 // Sets the faces across all edges. An edge that leaves a vertex enters it, seen from the other face: corners x and y of the
 // vertex belong to one edge if `after(x) == before(y)`, numbers of vertices. Returns whether all edges enter a vertex from
 // different vertices. Corners are sorted, so vertices of high degree cost hardly more than others.
@@ -106,17 +115,29 @@ public:
   void run(const Run_context& context)
   {
     sort_faces();
-    check_size();
-    list_corners();
+    if (corner_.size() > max_corners_)
+      throw Invalid_input("a block around " + name(0) + " has " + std::to_string(corner_.size()) +
+                          " face corners, more than the " + std::to_string(max_corners_) + " that can be numbered");
+    mesh_.first_corner.push_back(0);
+    for (const Face_data& face : faces_)
+      mesh_.first_corner.push_back(mesh_.first_corner[mesh_.number_of_faces()] + face.corners);
+    face_of_ = faces_of_corners(mesh_);
+    vertex_of_.reserve(corner_.size());
+    for (const Face_corner& c : corner_)
+      vertex_of_.push_back(table_.index(c.vertex));
+    corners_at_.emplace(numbers_below(Index(corner_.size())), table_.numbers().size(), [this](Index c) { return vertex_of_[c]; });
     check_positions();
     const auto previous_vertex = [this](Index c) { return vertex_of_[previous_corner(c)]; };
     if (!pair_edges(mesh_, face_of_, *corners_at_, previous_vertex, [this](Index c) { return next_vertex(c); }))
       throw_two_faces();
-    number_vertices();
-    check_fans();
+    divide_into_fans();
     corner_ = std::vector<Face_corner>();
     complete_stars(mesh_, patch_.number.size(), context);
-    find_inner_vertices();
+    patch_.is_inner.assign(patch_.number.size(), true);
+    for (Index f = 0; f < faces_.size(); ++f)
+      if (!patch_.is_own(f))
+        for (const Index c : mesh_.corners(f))
+          patch_.is_inner[mesh_.corner_vertex[c]] = false;
   }
 
 private:
@@ -150,62 +171,24 @@ private:
     faces_.swap(faces);
   }
 
-  void check_size() const
-  {
-    if (corner_.size() > max_corners_)
-      throw Invalid_input("a block around " + name(0) + " has " + std::to_string(corner_.size()) +
-                          " face corners, more than the " + std::to_string(max_corners_) + " that can be numbered");
-  }
-
-  // Lists the corners at each vertex number, in order.
-  void list_corners()
-  {
-    mesh_.first_corner.push_back(0);
-    const Index corners = Index(corner_.size());
-    face_of_.reserve(corners);
-    vertex_of_.reserve(corners);
-    for (Index f = 0; f < faces_.size(); ++f) {
-      face_of_.resize(face_of_.size() + faces_[f].corners, f);
-      mesh_.first_corner.push_back(Index(face_of_.size()));
-    }
-    for (const Face_corner& c : corner_)
-      vertex_of_.push_back(table_.index(c.vertex));
-    corners_at_.emplace(numbers_below(corners), table_.numbers().size(), [this](Index c) { return vertex_of_[c]; });
-  }
-
-  Number_range vertices() const { return numbers_below(Index(table_.numbers().size())); }
   std::uint64_t number(Index v) const { return table_.numbers()[v]; }
   Bucketed_items<Index>::Range corners_at(Index v) const { return (*corners_at_)[v]; }
   Index next_vertex(Index c) const { return vertex_of_[mesh_.next_corner(face_of_[c], c)]; }
   Index previous_corner(Index c) const { return mesh_.previous_corner(face_of_[c], c); }
   std::string name(Index f) const { return names_(faces_[f].origin); }
 
-  // Returns the vertex of smallest number for which `is_faulty(v)`, or NONE.
-  template <class Predicate>
-  Index first_faulty(const Predicate& is_faulty) const
-  {
-    Index first = NONE;
-    for (const Index v : vertices())
-      if ((first == NONE || number(v) < number(first)) && is_faulty(v))
-        first = v;
-    return first;
-  }
-
-  // Returns the first corner at a vertex whose position differs from the position of the next corner, or the end.
-  const Index* other_position(Index v) const
-  {
-    return std::adjacent_find(corners_at(v).begin(), corners_at(v).end(),
-                              [this](Index c, Index d) { return corner_[c].point != corner_[d].point; });
-  }
-
   void check_positions() const
   {
-    const Index v = first_faulty([this](Index w) { return other_position(w) != corners_at(w).end(); });
-    if (v == NONE)
-      return;
-    const Index* const first = other_position(v);
-    throw Invalid_input("vertex " + std::to_string(number(v)) + " has two positions, in " + name(face_of_[first[0]]) +
-                        " and in " + name(face_of_[first[1]]));
+    const auto differ = [this](Index c, Index d) { return corner_[c].point != corner_[d].point; };
+    const Index* first = nullptr; // of two consecutive corners
+    for (Index v = 0; v < table_.numbers().size(); ++v) {
+      const Index* const c = std::adjacent_find(corners_at(v).begin(), corners_at(v).end(), differ);
+      if (c != corners_at(v).end() && (!first || number(v) < corner_[*first].vertex))
+        first = c;
+    }
+    if (first)
+      throw Invalid_input("vertex " + std::to_string(corner_[*first].vertex) + " has two positions, in " +
+                          name(face_of_[first[0]]) + " and in " + name(face_of_[first[1]]));
   }
 
   [[noreturn]] void throw_two_faces() const
@@ -220,75 +203,47 @@ private:
     });
     const auto [source, target, f] = first[0];
     const Index g = std::get<2>(first[1]);
-    if (have_same_vertices(f, g))
+    const Number_range a = mesh_.corners(f), b = mesh_.corners(g);
+    if (std::equal(a.begin(), a.end(), b.begin(), b.end(), [this](Index c, Index d) { return vertex_of_[c] == vertex_of_[d]; }))
       throw Invalid_input(name(f) + " is " + name(g) + ", too");
     throw Invalid_input("the edge from vertex " + std::to_string(source) + " to vertex " + std::to_string(target) +
                         " has two faces on the same side, " + name(f) + " and " + name(g) +
                         ": their orientations differ, or the edge has more than two faces");
   }
 
-  bool have_same_vertices(Index f, Index g) const
-  {
-    const Number_range a = mesh_.corners(f), b = mesh_.corners(g);
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [this](Index c, Index d) { return vertex_of_[c] == vertex_of_[d]; });
-  }
-
-  // The corners of a fan form one vertex. Visits each fan from its clockwise end; a closed fan, from any face.
-  void number_vertices()
+  // The corners of a fan form one vertex. An open fan is visited from its clockwise end, a closed fan from any face. Around a
+  // vertex of an own face, all faces must be present.
+  void divide_into_fans()
   {
     mesh_.corner_vertex.assign(vertex_of_.size(), NONE);
-    for (const Index v : vertices())
-      for (const Index x : corners_at(v)) {
-        if (mesh_.corner_vertex[x] != NONE)
-          continue;
-        const Index vertex = Index(patch_.number.size()), begin = first_of_fan(x);
-        patch_.number.push_back(number(v));
-        mesh_.points.push_back(corner_[begin].point);
-        for (Index c = begin; c != NONE && mesh_.corner_vertex[c] == NONE; c = next_in_fan(c))
-          mesh_.corner_vertex[c] = vertex;
-      }
-  }
-
-  // Returns the corner of the same vertex in the next face, counterclockwise or clockwise, or NONE.
-  Index next_in_fan(Index c) const { return corner_of(mesh_.face_across[previous_corner(c)], vertex_of_[c]); }
-  Index previous_in_fan(Index c) const { return corner_of(mesh_.face_across[c], vertex_of_[c]); }
-  Index corner_of(Index f, Index v) const
-  {
-    const auto begin = vertex_of_.begin();
-    return f == NONE ? NONE : Index(std::find(begin + mesh_.first_corner[f], vertex_of_.end(), v) - begin);
-  }
-  Index first_of_fan(Index c) const
-  {
-    Index first = c;
-    for (Index d = previous_in_fan(c); d != NONE && d != c; d = previous_in_fan(d))
-      first = d;
-    return first;
-  }
-
-  // Around a vertex of an own face, all faces must be present.
-  void check_fans() const
-  {
-    const Index v = first_faulty([this](Index w) {
-      bool has_own = false, has_fans = false;
-      for (const Index c : corners_at(w)) {
-        has_own = has_own || patch_.is_own(face_of_[c]);
-        has_fans = has_fans || mesh_.corner_vertex[c] != mesh_.corner_vertex[*corners_at(w).begin()];
-      }
-      return has_own && has_fans;
-    });
-    if (v != NONE)
-      throw Invalid_input("vertex " + std::to_string(number(v)) +
+    Index faulty = NONE; // the vertex of smallest number
+    for (Index v = 0; v < table_.numbers().size(); ++v) {
+      const std::size_t first = patch_.number.size();
+      for (const bool are_closed : {false, true})
+        for (const Index x : corners_at(v)) {
+          if (mesh_.corner_vertex[x] != NONE || (!are_closed && mesh_.face_across[x] != NONE))
+            continue;
+          for (Index c = x; c != NONE && mesh_.corner_vertex[c] == NONE; c = next_in_fan(c))
+            mesh_.corner_vertex[c] = Index(patch_.number.size());
+          patch_.number.push_back(number(v));
+          mesh_.points.push_back(corner_[x].point);
+        }
+      const auto is_own = [this](Index c) { return patch_.is_own(face_of_[c]); };
+      if (patch_.number.size() > first + 1 && (faulty == NONE || number(v) < number(faulty)) &&
+          std::any_of(corners_at(v).begin(), corners_at(v).end(), is_own))
+        faulty = v;
+    }
+    if (faulty != NONE)
+      throw Invalid_input("vertex " + std::to_string(number(faulty)) +
                           " is not a manifold vertex: the faces around it form more than one fan");
   }
 
-  void find_inner_vertices()
+  // Returns the corner of the same vertex in the next face, counterclockwise, or NONE.
+  Index next_in_fan(Index c) const
   {
-    patch_.is_inner.assign(patch_.number.size(), true);
-    for (Index f = 0; f < faces_.size(); ++f)
-      if (!patch_.is_own(f))
-        for (const Index c : mesh_.corners(f))
-          patch_.is_inner[mesh_.corner_vertex[c]] = false;
+    const Index f = mesh_.face_across[previous_corner(c)];
+    const auto begin = vertex_of_.begin();
+    return f == NONE ? NONE : Index(std::find(begin + mesh_.first_corner[f], vertex_of_.end(), vertex_of_[c]) - begin);
   }
 
   Patch& patch_;
@@ -297,9 +252,9 @@ private:
   Flat_mesh& mesh_;
   const Face_names& names_;
   const std::size_t max_corners_;
-  Number_table table_;             // of the vertex numbers
-  std::vector<Index> face_of_;     // of each corner
-  std::vector<Index> vertex_of_;   // of each corner, by number; fans are not distinguished
+  Number_table table_;                               // of the vertex numbers
+  std::vector<Index> face_of_;                       // of each corner
+  std::vector<Index> vertex_of_;                     // of each corner, by number; fans are not distinguished
   std::optional<Bucketed_items<Index> > corners_at_; // of each vertex number
 };
 

@@ -6,7 +6,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_record.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Rank_context.h>
-#include <CGAL/Surface_mesh_coarsening/internal/distributed/Scratch_file.h>
 
 #include <boost/mpi/collectives.hpp>
 #include <boost/mpi/nonblocking.hpp>
@@ -17,6 +16,7 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_coarsening::internal {
@@ -47,18 +47,16 @@ public:
   // throw the same exception.
   void fill(const std::function<void()>& produce)
   {
-    std::exception_ptr failure;
     try {
       produce();
     } catch (...) {
-      failure = std::current_exception();
+      failure_ = std::current_exception();
     }
     while (!exchange_round(true))
       ;
     on_all_ranks(context_.communicator, [&] {
-      for (const std::exception_ptr& e : {failure, failure_to_store_})
-        if (e)
-          std::rethrow_exception(e);
+      if (failure_)
+        std::rethrow_exception(failure_);
     });
   }
 
@@ -79,19 +77,13 @@ public:
     if (buffered_ < max_words_of_round)
       return;
     exchange_round(false);
-    if (failure_to_store_)
-      std::rethrow_exception(failure_to_store_);
+    if (failure_)
+      std::rethrow_exception(failure_);
   }
 
   // In the following functions, `i` is the number of a bin among the own ones.
 
-  std::size_t number_of_words(std::size_t i) const
-  {
-    std::size_t words = bins_[i].open.size();
-    for (const Scratch_file::Chunk& chunk : bins_[i].chunks)
-      words += chunk.size;
-    return words;
-  }
+  std::size_t number_of_words(std::size_t i) const { return bins_[i].words; }
 
   // Calls `receive(record)` for each record of a bin, in the order of appending. The bin must not change during the call.
   template <class Record, class Receive>
@@ -129,6 +121,7 @@ private:
   {
     std::vector<Scratch_file::Chunk> chunks;
     Words open; // the last chunk, to which records are appended
+    std::size_t words = 0;
   };
 
   std::size_t first_of(std::size_t rank) const
@@ -150,30 +143,23 @@ private:
       context_.bytes_sent += outgoing_[rank].size() * sizeof(std::uint64_t);
     }
     boost::mpi::wait_all(requests.begin(), requests.end());
-    for (std::size_t rank = 0; rank < outgoing_.size(); ++rank) {
-      outgoing_[rank] = Words();
-      store(incoming[rank]);
-      incoming[rank] = Words();
-    }
+    outgoing_ = std::vector<Words>(outgoing_.size());
     buffered_ = 0;
-    return ranks_to_go == 0;
-  }
-
-  // After a failure, rounds continue without storing records, because other ranks wait for them.
-  void store(const Words& words)
-  {
-    if (failure_to_store_)
-      return;
-    try {
-      for (const std::uint64_t* word = words.data(); word != words.data() + words.size();) {
-        Label label;
-        word = read_record(word, label);
-        append_words(label.bin - first_own_, word, label.size);
-        word += label.size;
+    // After a failure, rounds continue without storing records, because other ranks wait for them.
+    for (std::size_t rank = 0; rank < incoming.size() && !failure_; ++rank) {
+      const Words words = std::move(incoming[rank]);
+      try {
+        for (const std::uint64_t* word = words.data(); word != words.data() + words.size();) {
+          Label label;
+          word = read_record(word, label);
+          append_words(label.bin - first_own_, word, label.size);
+          word += label.size;
+        }
+      } catch (...) {
+        failure_ = std::current_exception();
       }
-    } catch (...) {
-      failure_to_store_ = std::current_exception();
     }
+    return ranks_to_go == 0;
   }
 
   void append_words(std::size_t i, const std::uint64_t* words, std::size_t size)
@@ -184,6 +170,7 @@ private:
     if (bin.open.empty())
       bin.open.reserve((std::max)(size, Scratch_file::slot_words));
     bin.open.insert(bin.open.end(), words, words + size);
+    bin.words += size;
   }
 
   Rank_context& context_;
@@ -192,7 +179,7 @@ private:
   std::vector<Words> outgoing_; // to each rank
   Words record_;                // the record that is sent
   std::size_t buffered_ = 0;
-  std::exception_ptr failure_to_store_;
+  std::exception_ptr failure_;
 };
 
 // Moves the records of all ranks to rank 0, sorted.
