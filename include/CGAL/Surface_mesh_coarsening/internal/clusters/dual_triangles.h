@@ -49,39 +49,6 @@ inline void clusters_around_vertex(const Cluster_labels& labels, Index v, std::v
     runs.pop_back(); // the first run, the apex, continues across the end of the array
 }
 
-// A set of labels. Most sets are so small that a linear search is fastest.
-class Label_set
-{
-public:
-  void clear()
-  {
-    list_.clear();
-    many_.clear();
-  }
-  std::size_t size() const { return list_.size(); }
-
-  // Returns whether the label is new.
-  bool insert(Index label)
-  {
-    if (list_.size() < few) {
-      if (std::find(list_.begin(), list_.end(), label) != list_.end())
-        return false;
-    } else {
-      if (many_.empty())
-        many_.insert(list_.begin(), list_.end());
-      if (!many_.insert(label).second)
-        return false;
-    }
-    list_.push_back(label);
-    return true;
-  }
-
-private:
-  static constexpr std::size_t few = 32;
-  std::vector<Index> list_;
-  std::unordered_set<Index> many_;
-};
-
 // Walks along the boundary of a cluster that is a closed disc, and lists its neighbors in the dual triangulation in order.
 class Dual_walk
 {
@@ -123,16 +90,25 @@ public:
   // cluster itself if the cycle is simple but shorter.
   Index first_link_defect(const Directed_edge start)
   {
+    constexpr std::size_t few = 32; // most links are so short that a linear search is fastest
     link_.clear();
+    many_.clear();
     Index defect = NONE, loops = 0;
     along_link(start, [&](Index label) {
-      const bool is_second_loop = Cluster_labels::is_cap(label) && ++loops > 1;
-      if (!link_.insert(label) || is_second_loop)
+      if (link_.size() == few)
+        many_.insert(link_.begin(), link_.end());
+      const bool is_new = link_.size() < few ? std::find(link_.begin(), link_.end(), label) == link_.end()
+                                             : many_.insert(label).second;
+      if (!is_new || (Cluster_labels::is_cap(label) && ++loops > 1))
         defect = label;
+      link_.push_back(label);
       return defect == NONE;
     });
     return defect == NONE && link_.size() < 3 ? labels_[start.face] : defect;
   }
+
+  // Returns the neighbors in order around the cluster whose link was last found to be simple.
+  const std::vector<Index>& simple_link() const { return link_; }
 
 private:
   // Visits the neighbors of the cluster of face `f` in the fan at `v`, except `front`. The boundary of the cluster arrives at `v`
@@ -169,8 +145,8 @@ private:
 
   const Cluster_labels& labels_;
   const Flat_mesh& mesh_;
-  std::vector<Index> runs_;
-  Label_set link_;
+  std::vector<Index> runs_, link_;
+  std::unordered_set<Index> many_; // the labels of a long link
 };
 
 // Returns, for each side of a triangulated 2-manifold, the side of the same edge in the other triangle; NONE on the border. Side

@@ -313,7 +313,13 @@ private:
   {
     std::vector<Boundary_edges> distributed = distribute(waiting, blocks, context_);
     waiting = std::move(distributed.back());
-    share_vertices(blocks, waiting, done);
+    const Flat_mesh& m = state_.input.mesh;
+    state_.is_shared.assign(m.number_of_vertices(), false);
+    for (const Boundary_edge& e : waiting)
+      mark_ends(m, e, state_.is_shared);
+    for (const Boundary_edge& e : done)
+      if (blocks[labels_[e.face[0]]] != blocks[labels_[e.face[1]]])
+        mark_ends(m, e, state_.is_shared);
     std::vector<Part> parts(blocks.size());
     run_concurrently(context_, parts.size(), [&](std::size_t i) {
       parts[i].edges.swap(distributed[i]);
@@ -329,17 +335,6 @@ private:
     for (Part& part : parts)
       progress += take(part, done, waiting);
     return progress;
-  }
-
-  void share_vertices(const Cluster_blocks& blocks, const Boundary_edges& between, const Boundary_edges& done)
-  {
-    const Flat_mesh& m = state_.input.mesh;
-    state_.is_shared.assign(m.number_of_vertices(), false);
-    for (const Boundary_edge& e : between)
-      mark_ends(m, e, state_.is_shared);
-    for (const Boundary_edge& e : done)
-      if (blocks[labels_[e.face[0]]] != blocks[labels_[e.face[1]]])
-        mark_ends(m, e, state_.is_shared);
   }
 
   void run_part(Part& part, std::size_t max_rounds, double least_gain_per_edge)

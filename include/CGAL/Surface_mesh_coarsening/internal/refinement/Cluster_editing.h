@@ -3,17 +3,15 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_EDITING_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_EDITING_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -73,9 +71,10 @@ public:
   Relocation relocate(Index x, Index into, const std::vector<Index>& to, const std::vector<Vector>& positions,
                       std::vector<Index>& changed)
   {
-    if (!is_free(x))
-      return Relocation::NOT_FROM_HERE;
+    // Only a cluster without vertices on the border and on features may lose its faces.
     const std::vector<Index> faces = outward(face_of_[x]);
+    if (labels_.is_frozen(x) || std::any_of(faces.begin(), faces.end(), [this](Index f) { return is_on_border(f); }))
+      return Relocation::NOT_FROM_HERE;
     const Index heir = merge(x, faces, into);
     if (heir == NONE)
       return Relocation::NOT_FROM_HERE;
@@ -88,8 +87,7 @@ public:
     if (outcome != Relocation::DONE) {
       changed.clear();
       face_of_[x] = faces.front();
-      for (const Index g : faces)
-        labels_.move(g, x);
+      move(faces, x);
     }
     return outcome;
   }
@@ -100,11 +98,10 @@ public:
 private:
   std::vector<Index> outward(Index f) { return faces_in_bfs_order(labels_, f); }
 
-  // Returns whether the cluster has no vertex on the border or on a feature, so it may lose its faces.
-  bool is_free(Index x)
+  void move(const std::vector<Index>& faces, Index to)
   {
-    const std::vector<Index> faces = outward(face_of_[x]);
-    return !labels_.is_frozen(x) && std::none_of(faces.begin(), faces.end(), [this](Index f) { return is_on_border(f); });
+    for (const Index f : faces)
+      labels_.move(f, to);
   }
 
   // Returns whether a face has a vertex on the border or on a feature.
@@ -125,18 +122,22 @@ private:
   // whose inertia increases least. Returns this neighbor; NONE if there is none.
   Index merge(Index x, const std::vector<Index>& faces, Index first = NONE)
   {
+    std::vector<Index> neighbors;
+    for (const Index f : faces)
+      for (const Index c : mesh_.corners(f))
+        neighbors.push_back(labels_.label_across(c));
+    sort_unique(neighbors);
+    const Moments moments = moments_of(faces);
     std::vector<std::pair<double, Index> > candidates;
-    for (const Index y : neighbors_in_arcs(faces))
-      if (!labels_.is_frozen(y))
-        candidates.emplace_back(y == first ? 0 : inertia_between(moments_of(faces), moments_of(outward(face_of_[y]))), y);
+    for (const Index y : neighbors)
+      if (y != x && !Cluster_labels::is_cap(y) && !labels_.is_frozen(y))
+        candidates.emplace_back(y == first ? 0 : inertia_between(moments, moments_of(outward(face_of_[y]))), y);
     std::sort(candidates.begin(), candidates.end());
-    for (const auto& candidate : candidates) {
-      for (const Index f : faces)
-        labels_.move(f, candidate.second);
-      if (is_valid_around(candidate.second))
-        return candidate.second;
-      for (const Index f : faces)
-        labels_.move(f, x);
+    for (const auto& [added_inertia, y] : candidates) {
+      move(faces, y);
+      if (is_valid_around(y))
+        return y;
+      move(faces, x);
     }
     return NONE;
   }
@@ -157,8 +158,7 @@ private:
         continue;
       if (is_within_bounds(x, positions) && is_within_bounds(y, positions))
         return y;
-      for (const Index g : outward(face_of_[x]))
-        labels_.move(g, y);
+      move(outward(face_of_[x]), y);
     }
     return NONE;
   }
@@ -217,13 +217,11 @@ private:
     }
     if (!is_covered)
       return false;
-    for (const Index f : of_second)
-      labels_.move(f, y);
+    move(of_second, y);
     const Index former = std::exchange(face_of_[x], first.front()), former_of_y = std::exchange(face_of_[y], second);
     if (is_valid_around(x) && is_valid_around(y))
       return true;
-    for (const Index f : of_second)
-      labels_.move(f, x);
+    move(of_second, x);
     face_of_[x] = former;
     face_of_[y] = former_of_y;
     return false;
@@ -233,26 +231,12 @@ private:
   {
     const Index last = number_of_clusters() - 1;
     if (x != last) {
-      for (const Index f : outward(face_of_[last]))
-        labels_.move(f, x);
+      move(outward(face_of_[last]), x);
       face_of_[x] = face_of_[last];
       labels_.freeze(x, labels_.is_frozen(last));
     }
     labels_.freeze(last, false);
     face_of_.pop_back();
-  }
-
-  std::vector<Index> neighbors_in_arcs(const std::vector<Index>& faces) const
-  {
-    std::vector<Index> neighbors;
-    for (const Index f : faces)
-      for (const Index c : mesh_.corners(f)) {
-        const Index y = labels_.label_across(c);
-        if (y != labels_[f] && !Cluster_labels::is_cap(y))
-          neighbors.push_back(y);
-      }
-    sort_unique(neighbors);
-    return neighbors;
   }
 
   // Returns the mass and the centroid; the inertia is not computed.
@@ -271,29 +255,18 @@ private:
     const std::vector<Index> faces = outward(face_of_[x]);
     if (!is_disc(x, faces) || !has_simple_link(faces))
       return false;
-    std::vector<Index> link;
-    walk_.along_link(boundary_edge(faces), [&](Index y) {
-      if (!Cluster_labels::is_cap(y))
-        link.push_back(y);
-      return true;
+    const std::vector<Index> link = walk_.simple_link(); // a copy: the walk continues
+    return std::all_of(link.begin(), link.end(), [this](Index y) {
+      return Cluster_labels::is_cap(y) || has_simple_link(outward(face_of_[y]));
     });
-    return std::all_of(link.begin(), link.end(), [this](Index y) { return has_simple_link(outward(face_of_[y])); });
   }
 
   bool has_simple_link(const std::vector<Index>& faces)
   {
-    const Directed_edge edge = boundary_edge(faces);
-    return edge.face != NONE && walk_.first_link_defect(edge) == NONE;
-  }
-
-  Directed_edge boundary_edge(const std::vector<Index>& faces) const
-  {
-    for (const Index f : faces) {
-      const Directed_edge e = walk_.boundary_edge(f);
-      if (e.face != NONE)
-        return e;
-    }
-    return {};
+    for (const Index f : faces)
+      if (const Directed_edge e = walk_.boundary_edge(f); e.face != NONE)
+        return walk_.first_link_defect(e) == NONE;
+    return false;
   }
 
   // The faces form a connected component of the cluster.
@@ -321,6 +294,75 @@ private:
   Cluster_labels& labels_;
   Dual_walk walk_;
   std::vector<Index> face_of_; // a face of each cluster
+};
+
+// Relocates clusters of a valid clustering. The clustering remains valid and keeps the number of clusters. A cluster may move to
+// another component, unless the component would have more clusters than vertices. All relocations can be undone.
+class Cluster_relocation
+{
+public:
+  Cluster_relocation(const Featured_input& input, Cluster_labels& labels, Index clusters)
+    : mesh_(input.items.mesh), cells_(input.cells.get()), labels_(labels), old_labels_(labels.labels()),
+      editing_(input, labels, clusters), bounds_(clusters),
+      clusters_of_component_(input.items.mesh.components.size(), 0)
+  {
+    for (Index x = 0; x < clusters; ++x)
+      ++clusters_of_component_[component_of(x)];
+  }
+
+  // The number of relocated clusters.
+  std::size_t number() const { return number_; }
+  bool is_undone() const { return is_undone_; }
+  bool has_changed(Index x) const { return bounds_[x].has_value(); }
+  // Returns the bounds of the vertex of a changed cluster. Many threads may call this function, so the faces are visited earlier.
+  const Bbox_3& vertex_bounds(Index x) const { return *bounds_[x]; }
+
+  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces of the
+  // input, or around a piece of a face if features are kept. The positions of the vertices must remain within their bounds.
+  Relocation relocate(Index x, Index into, std::vector<Index> faces, const std::vector<Vector>& positions)
+  {
+    if (cells_)
+      for (Index& f : faces)
+        f = cells_->polygon(f);
+    const Index from = component_of(x);
+    const auto has_no_room = [&](Index f) {
+      const Index c = mesh_.component[f];
+      return c != from && clusters_of_component_[c] >= mesh_.components[c].max_clusters();
+    };
+    faces.erase(std::remove_if(faces.begin(), faces.end(), has_no_room), faces.end());
+    std::vector<Index> changed;
+    const Relocation outcome = editing_.relocate(x, into, faces, positions, changed);
+    for (const Index y : changed)
+      bounds_[y] = internal::vertex_bounds(mesh_, editing_.faces(y));
+    if (outcome == Relocation::DONE) {
+      ++number_;
+      --clusters_of_component_[from];
+      ++clusters_of_component_[component_of(x)];
+    }
+    return outcome;
+  }
+
+  // Restores the labels; afterwards, nothing can be relocated.
+  void undo()
+  {
+    bounds_.assign(bounds_.size(), std::nullopt);
+    labels_.move_all(old_labels_);
+    number_ = 0;
+    is_undone_ = true;
+  }
+
+private:
+  Index component_of(Index x) const { return mesh_.component[editing_.face(x)]; }
+
+  const Flat_mesh& mesh_;
+  const Feature_cells* cells_; // null without features
+  Cluster_labels& labels_;
+  const std::vector<Index> old_labels_;
+  Cluster_editing editing_;
+  std::vector<std::optional<Bbox_3> > bounds_; // of the vertices of changed clusters
+  std::size_t number_ = 0;
+  bool is_undone_ = false;
+  std::vector<std::size_t> clusters_of_component_;
 };
 
 } // namespace CGAL::Surface_mesh_coarsening::internal
