@@ -4,8 +4,6 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_SURFACE_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
 #include <CGAL/assertions.h>
 

@@ -4,8 +4,6 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_TRIANGLES_H
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 
@@ -222,6 +220,7 @@ std::vector<Triangle> simplicial_dual_triangles(const Cluster_labels& labels, co
       edges.insert(edge(runs[i], runs[(i + 1) % runs.size()]));
   });
   std::vector<Triangle> triangles;
+  std::vector<std::uint64_t> sides;
   for_each_meeting_point(labels, [&](Index v, const std::vector<Index>& runs) {
     const std::size_t n = runs.size();
     std::size_t apex = 0;
@@ -237,16 +236,13 @@ std::vector<Triangle> simplicial_dual_triangles(const Cluster_labels& labels, co
       throw Invalid_input("the " + std::to_string(n) + " clusters around vertex " + std::to_string(v) + ", among them " +
                           name(runs[0]) + ", cannot be triangulated without repeating an edge");
     for (std::size_t i = 2; i < n; ++i) {
-      triangles.push_back({runs[apex], runs[(apex + i - 1) % n], runs[(apex + i) % n]});
+      const Index a = runs[apex], b = runs[(apex + i - 1) % n], c = runs[(apex + i) % n];
+      triangles.push_back({a, b, c});
+      sides.insert(sides.end(), {side(a, b), side(b, c), side(c, a)});
       if (i + 1 < n)
-        edges.insert(edge(runs[apex], runs[(apex + i) % n]));
+        edges.insert(edge(a, c));
     }
   });
-  std::vector<std::uint64_t> sides;
-  sides.reserve(3 * triangles.size());
-  for (const Triangle& t : triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      sides.push_back(side(t[i], t[(i + 1) % 3]));
   std::sort(sides.begin(), sides.end());
   const auto twice = std::adjacent_find(sides.begin(), sides.end());
   if (twice != sides.end())

@@ -3,10 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_ENERGY_MINIMIZATION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_ENERGY_MINIMIZATION_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Block_minimization.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
 

@@ -61,7 +61,14 @@ public:
   {
     if (merge(x, outward(face_of_[x])) == NONE)
       return false;
-    take_number(x);
+    const Index last = number_of_clusters() - 1;
+    if (x != last) {
+      move(outward(face_of_[last]), x);
+      face_of_[x] = face_of_[last];
+      labels_.freeze(x, labels_.is_frozen(last));
+    }
+    labels_.freeze(last, false);
+    face_of_.pop_back();
     return true;
   }
 
@@ -225,18 +232,6 @@ private:
     face_of_[x] = former;
     face_of_[y] = former_of_y;
     return false;
-  }
-
-  void take_number(Index x)
-  {
-    const Index last = number_of_clusters() - 1;
-    if (x != last) {
-      move(outward(face_of_[last]), x);
-      face_of_[x] = face_of_[last];
-      labels_.freeze(x, labels_.is_frozen(last));
-    }
-    labels_.freeze(last, false);
-    face_of_.pop_back();
   }
 
   // Returns the mass and the centroid; the inertia is not computed.

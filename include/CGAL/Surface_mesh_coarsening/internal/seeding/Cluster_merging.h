@@ -122,7 +122,6 @@ public:
 
 private:
   typedef Dual_surface::Edge Edge;
-  typedef std::pair<double, Index> Candidate; // summed size and triangle
 
   struct Size
   {
@@ -360,6 +359,7 @@ private:
     return kept;
   }
 
+  typedef std::pair<double, Index> Candidate; // size or cost, and triangle
   typedef std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > Queue;
 
   const Run_context context_;
