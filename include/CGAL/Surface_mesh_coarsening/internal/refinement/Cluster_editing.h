@@ -72,57 +72,13 @@ public:
     return true;
   }
 
-  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces, the first
-  // possible one, from the cluster of this face. The vertices remain within the bounds of their clusters. `changed` receives the
-  // changed clusters. Faces on the border or on features remain in their clusters, and frozen clusters do not change.
-  Relocation relocate(Index x, Index into, const std::vector<Index>& to, const std::vector<Vector>& positions,
-                      std::vector<Index>& changed)
-  {
-    // Only a cluster without vertices on the border and on features may lose its faces.
-    const std::vector<Index> faces = outward(face_of_[x]);
-    if (labels_.is_frozen(x) || std::any_of(faces.begin(), faces.end(), [this](Index f) { return is_on_border(f); }))
-      return Relocation::NOT_FROM_HERE;
-    const Index heir = merge(x, faces, into);
-    if (heir == NONE)
-      return Relocation::NOT_FROM_HERE;
-    Relocation outcome = Relocation::NOT_FROM_HERE;
-    if (is_within_bounds(heir, positions) && (into == NONE || is_within_bounds(into, positions))) {
-      const Index y = split_one(x, to, positions);
-      outcome = y == NONE ? Relocation::NOT_THERE : Relocation::DONE;
-      changed = {x, y, heir};
-    }
-    if (outcome != Relocation::DONE) {
-      changed.clear();
-      face_of_[x] = faces.front();
-      move(faces, x);
-    }
-    return outcome;
-  }
-
-  std::vector<Index> faces(Index x) { return outward(face_of_[x]); }
-  Index face(Index x) const { return face_of_[x]; }
-
-private:
+protected:
   std::vector<Index> outward(Index f) { return faces_in_bfs_order(labels_, f); }
 
   void move(const std::vector<Index>& faces, Index to)
   {
     for (const Index f : faces)
       labels_.move(f, to);
-  }
-
-  // Returns whether a face has a vertex on the border or on a feature.
-  bool is_on_border(Index f) const
-  {
-    if (cells_ && (cells_->node(f) != NONE || cells_->is_at_border(f)))
-      return true;
-    const auto corners = mesh_.corners(f);
-    return std::any_of(corners.begin(), corners.end(), [this](Index c) { return mesh_.is_on_border(mesh_.corner_vertex[c]); });
-  }
-
-  bool is_within_bounds(Index x, const std::vector<Vector>& positions)
-  {
-    return closest_in_box(positions[x], vertex_bounds(mesh_, outward(face_of_[x]))) == positions[x];
   }
 
   // Moves the faces of cluster `x` to a neighbor that can receive them: to `first` if possible, otherwise to the neighbor
@@ -147,46 +103,6 @@ private:
       move(faces, x);
     }
     return NONE;
-  }
-
-  // Splits a cluster `x` off the cluster of one of some faces. Returns the other part; NONE if there is no admissible split.
-  Index split_one(Index x, const std::vector<Index>& to, const std::vector<Vector>& positions)
-  {
-    constexpr std::size_t max_tried = 4;
-    std::vector<Index> tried;
-    for (const Index f : to) {
-      const Index y = labels_[f];
-      if (std::find(tried.begin(), tried.end(), y) != tried.end())
-        continue;
-      if (tried.size() == max_tried)
-        break;
-      tried.push_back(y);
-      if (labels_.is_frozen(y) || !split_around(y, x, f, positions[y]))
-        continue;
-      if (is_within_bounds(x, positions) && is_within_bounds(y, positions))
-        return y;
-      move(outward(face_of_[x]), y);
-    }
-    return NONE;
-  }
-
-  // Splits a cluster `x` around face `f` off cluster `y`, which keeps the face nearest to its vertex `p`, or the face farthest from
-  // `f`; if this fails, a half of `y`. The faces of `y` on the border remain in `y`; then `x` begins with the face nearest to `f`
-  // that is not on the border.
-  bool split_around(Index y, Index x, Index f, const Vector& p)
-  {
-    const std::vector<Index> faces = outward(f);
-    std::vector<Index> on_border;
-    std::copy_if(faces.begin(), faces.end(), std::back_inserter(on_border), [this](Index g) { return is_on_border(g); });
-    if (!on_border.empty()) {
-      const auto inside = std::find_if(faces.begin(), faces.end(), [this](Index g) { return !is_on_border(g); });
-      return inside != faces.end() && try_split(y, x, faces, on_border, *inside);
-    }
-    const auto squared_distance = [&](Index g) { return dot(input_.centroid(g) - p, input_.centroid(g) - p); };
-    const Index nearest = *std::min_element(faces.begin(), faces.end(), [&](Index g, Index h) {
-      return squared_distance(g) < squared_distance(h);
-    });
-    return try_split(y, x, faces, {nearest}, f) || try_split(y, x, faces, {faces.back()}, f) || split_anyhow(y, x, faces);
   }
 
   // Splits cluster `x` into two clusters of similar extent. The new cluster is `y`.
@@ -293,13 +209,12 @@ private:
 
 // Relocates clusters of a valid clustering. The clustering remains valid and keeps the number of clusters. A cluster may move to
 // another component, unless the component would have more clusters than vertices. All relocations can be undone.
-class Cluster_relocation
+class Cluster_relocation : private Cluster_editing
 {
 public:
   Cluster_relocation(const Featured_input& input, Cluster_labels& labels, Index clusters)
-    : mesh_(input.items.mesh), cells_(input.cells.get()), labels_(labels), old_labels_(labels.labels()),
-      editing_(input, labels, clusters), bounds_(clusters),
-      clusters_of_component_(input.items.mesh.components.size(), 0)
+    : Cluster_editing(input, labels, clusters), old_labels_(labels.labels()), bounds_(clusters),
+      clusters_of_component_(mesh_.components.size(), 0)
   {
     for (Index x = 0; x < clusters; ++x)
       ++clusters_of_component_[component_of(x)];
@@ -312,28 +227,43 @@ public:
   // Returns the bounds of the vertex of a changed cluster. Many threads may call this function, so the faces are visited earlier.
   const Bbox_3& vertex_bounds(Index x) const { return *bounds_[x]; }
 
-  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces of the
-  // input, or around a piece of a face if features are kept. The positions of the vertices must remain within their bounds.
-  Relocation relocate(Index x, Index into, std::vector<Index> faces, const std::vector<Vector>& positions)
+  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces of the input,
+  // the first possible one, from the cluster of this face, or around a piece of a face if features are kept. The positions of the
+  // vertices must remain within the bounds of their clusters. Faces on the border or on features remain in their clusters, and
+  // frozen clusters do not change.
+  Relocation relocate(Index x, Index into, std::vector<Index> to, const std::vector<Vector>& positions)
   {
     if (cells_)
-      for (Index& f : faces)
+      for (Index& f : to)
         f = cells_->polygon(f);
     const Index from = component_of(x);
     const auto has_no_room = [&](Index f) {
       const Index c = mesh_.component[f];
       return c != from && clusters_of_component_[c] >= mesh_.components[c].max_clusters();
     };
-    faces.erase(std::remove_if(faces.begin(), faces.end(), has_no_room), faces.end());
-    std::vector<Index> changed;
-    const Relocation outcome = editing_.relocate(x, into, faces, positions, changed);
-    for (const Index y : changed)
-      bounds_[y] = internal::vertex_bounds(mesh_, editing_.faces(y));
-    if (outcome == Relocation::DONE) {
-      ++number_;
-      --clusters_of_component_[from];
-      ++clusters_of_component_[component_of(x)];
+    to.erase(std::remove_if(to.begin(), to.end(), has_no_room), to.end());
+    // Only a cluster without vertices on the border and on features may lose its faces.
+    const std::vector<Index> faces = outward(face_of_[x]);
+    if (labels_.is_frozen(x) || std::any_of(faces.begin(), faces.end(), [this](Index f) { return is_on_border(f); }))
+      return Relocation::NOT_FROM_HERE;
+    const Index heir = merge(x, faces, into);
+    if (heir == NONE)
+      return Relocation::NOT_FROM_HERE;
+    Relocation outcome = Relocation::NOT_FROM_HERE;
+    if (is_within_bounds(heir, positions) && (into == NONE || is_within_bounds(into, positions))) {
+      const Index y = split_one(x, to, positions);
+      if (y != NONE) {
+        for (const Index changed : {x, y, heir})
+          bounds_[changed] = bounds(changed);
+        ++number_;
+        --clusters_of_component_[from];
+        ++clusters_of_component_[component_of(x)];
+        return Relocation::DONE;
+      }
+      outcome = Relocation::NOT_THERE;
     }
+    face_of_[x] = faces.front();
+    move(faces, x);
     return outcome;
   }
 
@@ -347,13 +277,64 @@ public:
   }
 
 private:
-  Index component_of(Index x) const { return mesh_.component[editing_.face(x)]; }
+  Index component_of(Index x) const { return mesh_.component[face_of_[x]]; }
+  Bbox_3 bounds(Index x) { return internal::vertex_bounds(mesh_, outward(face_of_[x])); }
 
-  const Flat_mesh& mesh_;
-  const Feature_cells* cells_; // null without features
-  Cluster_labels& labels_;
+  // Returns whether a face has a vertex on the border or on a feature.
+  bool is_on_border(Index f) const
+  {
+    if (cells_ && (cells_->node(f) != NONE || cells_->is_at_border(f)))
+      return true;
+    const auto corners = mesh_.corners(f);
+    return std::any_of(corners.begin(), corners.end(), [this](Index c) { return mesh_.is_on_border(mesh_.corner_vertex[c]); });
+  }
+
+  bool is_within_bounds(Index x, const std::vector<Vector>& positions)
+  {
+    return closest_in_box(positions[x], bounds(x)) == positions[x];
+  }
+
+  // Splits a cluster `x` off the cluster of one of some faces. Returns the other part; NONE if there is no admissible split.
+  Index split_one(Index x, const std::vector<Index>& to, const std::vector<Vector>& positions)
+  {
+    constexpr std::size_t max_tried = 4;
+    std::vector<Index> tried;
+    for (const Index f : to) {
+      const Index y = labels_[f];
+      if (std::find(tried.begin(), tried.end(), y) != tried.end())
+        continue;
+      if (tried.size() == max_tried)
+        break;
+      tried.push_back(y);
+      if (labels_.is_frozen(y) || !split_around(y, x, f, positions[y]))
+        continue;
+      if (is_within_bounds(x, positions) && is_within_bounds(y, positions))
+        return y;
+      move(outward(face_of_[x]), y);
+    }
+    return NONE;
+  }
+
+  // Splits a cluster `x` around face `f` off cluster `y`, which keeps the face nearest to its vertex `p`, or the face farthest from
+  // `f`; if this fails, a half of `y`. The faces of `y` on the border remain in `y`; then `x` begins with the face nearest to `f`
+  // that is not on the border.
+  bool split_around(Index y, Index x, Index f, const Vector& p)
+  {
+    const std::vector<Index> faces = outward(f);
+    std::vector<Index> on_border;
+    std::copy_if(faces.begin(), faces.end(), std::back_inserter(on_border), [this](Index g) { return is_on_border(g); });
+    if (!on_border.empty()) {
+      const auto inside = std::find_if(faces.begin(), faces.end(), [this](Index g) { return !is_on_border(g); });
+      return inside != faces.end() && try_split(y, x, faces, on_border, *inside);
+    }
+    const auto squared_distance = [&](Index g) { return dot(input_.centroid(g) - p, input_.centroid(g) - p); };
+    const Index nearest = *std::min_element(faces.begin(), faces.end(), [&](Index g, Index h) {
+      return squared_distance(g) < squared_distance(h);
+    });
+    return try_split(y, x, faces, {nearest}, f) || try_split(y, x, faces, {faces.back()}, f) || split_anyhow(y, x, faces);
+  }
+
   const std::vector<Index> old_labels_;
-  Cluster_editing editing_;
   std::vector<std::optional<Bbox_3> > bounds_; // of the vertices of changed clusters
   std::size_t number_ = 0;
   bool is_undone_ = false;
