@@ -95,8 +95,8 @@ public:
     along_link(start, [&](Index label) {
       if (link_.size() == few)
         many_.insert(link_.begin(), link_.end());
-      const bool is_new = link_.size() < few ? std::find(link_.begin(), link_.end(), label) == link_.end()
-                                             : many_.insert(label).second;
+      const bool is_new =
+        link_.size() < few ? std::find(link_.begin(), link_.end(), label) == link_.end() : many_.insert(label).second;
       if (!is_new || (Cluster_labels::is_cap(label) && ++loops > 1))
         defect = label;
       link_.push_back(label);

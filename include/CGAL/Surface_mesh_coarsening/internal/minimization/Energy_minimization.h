@@ -45,13 +45,16 @@ public:
         if (number == 1)
           return;
         const Vector side = high_corner(box) - low_corner(box);
-        const std::size_t half = number / 2, axis = std::max_element(side.begin(), side.end()) - side.begin();
+        const std::size_t half = number / 2, axis = std::size_t(std::max_element(side.begin(), side.end()) - side.begin());
         Index* const middle = begin + std::size_t(end - begin) * half / number;
         std::nth_element(begin, middle, end, [&](Index a, Index b) {
           return std::make_pair(points[a][axis], a) < std::make_pair(points[b][axis], b);
         });
         run_concurrently(context, 2, [&](std::size_t part) {
-          part == 0 ? bisect(begin, middle, first, half) : bisect(middle, end, first + half, number - half);
+          if (part == 0)
+            bisect(begin, middle, first, half);
+          else
+            bisect(middle, end, first + half, number - half);
         });
       };
     bisect(clusters.data(), clusters.data() + clusters.size(), 0, blocks);

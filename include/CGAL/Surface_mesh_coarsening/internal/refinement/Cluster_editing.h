@@ -227,10 +227,10 @@ public:
   // Returns the bounds of the vertex of a changed cluster. Many threads may call this function, so the faces are visited earlier.
   const Bbox_3& vertex_bounds(Index x) const { return *bounds_[x]; }
 
-  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces of the input,
-  // the first possible one, from the cluster of this face, or around a piece of a face if features are kept. The positions of the
-  // vertices must remain within the bounds of their clusters. Faces on the border or on features remain in their clusters, and
-  // frozen clusters do not change.
+  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces of the
+  // input, the first possible one, from the cluster of this face, or around a piece of a face if features are kept. The vertices
+  // remain within the bounds of their clusters. Faces on the border or on features remain in their clusters, and frozen clusters
+  // do not change.
   Relocation relocate(Index x, Index into, std::vector<Index> to, const std::vector<Vector>& positions)
   {
     if (cells_)

@@ -107,8 +107,8 @@ private:
         context_.poll();
         const auto [cost, a, b, versions, e] = queue_.top();
         queue_.pop();
-        const bool is_up_to_date = dual_.is_triangle(e / 3) && ends(e) == std::make_pair(a, b) && version_[a] + version_[b] == versions;
-        if (is_up_to_date && dual_.may_contract(e))
+        if (dual_.is_triangle(e / 3) && ends(e) == std::make_pair(a, b) && version_[a] + version_[b] == versions &&
+            dual_.may_contract(e))
           merge(e);
       }
     }

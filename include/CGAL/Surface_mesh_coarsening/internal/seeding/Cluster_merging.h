@@ -255,8 +255,8 @@ private:
     return (dual_.is_arc(e) || joins_at_vertices_) && !dual_.is_cap(dual_.source(e)) && !dual_.is_cap(dual_.target(e)) &&
            (!features_ || features_->may_merge(dual_.source(e), dual_.target(e), [this](Index x) { return cluster(x); }));
   }
-  // Returns the total size of the clusters at the ends, or what their union adds to the residuals. It is computed once until one of
-  // the clusters changes.
+  // Returns the total size of the clusters at the ends, or what their union adds to the residuals. The value is kept until one
+  // of the clusters changes.
   double size_of(Edge e) const
   {
     const Index x = dual_.source(e), y = dual_.target(e);
