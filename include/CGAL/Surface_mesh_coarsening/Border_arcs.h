@@ -26,12 +26,11 @@ public:
     : mesh_(surface.input().mesh), labels_(surface.labels()), features_(surface.features()),
       place_of_(surface.number_of_clusters(), internal::NONE)
   {
-    std::vector<bool> done(mesh_.number_of_vertices(), false);
-    for (std::size_t v = 0; with_border && v < mesh_.number_of_vertices(); ++v)
-      if (mesh_.is_on_border(Index(v)) && !done[v])
-        choose_places(Index(v), done);
-    if (surface.features())
-      place_on_features(*surface.features());
+    if (with_border)
+      internal::for_each_border_loop(mesh_, internal::Run_context(),
+                                     [this](const std::vector<Index>& loop) { place_on_border(loop); });
+    if (features_)
+      place_on_features(*features_);
   }
   /// \endcond
 
@@ -61,15 +60,11 @@ private:
   typedef internal::Index Index;
   typedef internal::Vector Vector;
 
-  // Divides the border loop from vertex `v`, and marks its vertices.
-  void choose_places(Index v, std::vector<bool>& done)
+  void place_on_border(const std::vector<Index>& loop)
   {
-    std::vector<Index> loop, cluster_after;
-    for (; !done[v]; v = mesh_.next_on_border(v)) {
-      done[v] = true;
-      loop.push_back(v);
-      cluster_after.push_back(labels_[mesh_.star[mesh_.first_in_star[v]]]); // of the face at the border edge that begins here
-    }
+    std::vector<Index> cluster_after; // of the face at the border edge that begins at each vertex
+    for (const Index v : loop)
+      cluster_after.push_back(labels_[mesh_.star[mesh_.first_in_star[v]]]);
     internal::fit_border_loop(
       cluster_after,
       [&](const std::vector<std::size_t>& places, Index cluster) {

@@ -4,8 +4,6 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_SURFACE_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
 #include <CGAL/assertions.h>
 
@@ -32,7 +30,10 @@ public:
     : clusters_(clusters)
   {
     add_triangles(labels, faces, context);
-    pair_edges();
+    for (Edge e = Edge(source_.size()); e-- > 0;)
+      edge_of_[source_[e]] = e;
+    opposite_ = opposite_sides(source_.size() / 3, edge_of_.size(), [this](Edge e) { return source_[e]; });
+    CGAL_assertion(std::find(opposite_.begin(), opposite_.end(), NONE) == opposite_.end());
     stamp_of_.assign(edge_of_.size(), 0);
     loop_of_.assign(clusters, NONE);
     for (Edge e = 0; e < source_.size(); ++e)
@@ -51,6 +52,7 @@ public:
   static Edge previous(Edge e) { return e % 3 == 0 ? e + 2 : e - 1; }
   Index source(Edge e) const { return source_[e]; }
   Index target(Edge e) const { return source_[next(e)]; }
+  Edge opposite(Edge e) const { return opposite_[e]; }
   // Returns whether the clusters at the ends meet in an arc, not only in the fan around a vertex of the mesh.
   bool is_arc(Edge e) const { return is_arc_[e]; }
 
@@ -101,13 +103,6 @@ public:
   }
 
 private:
-  struct Fan_triangle
-  {
-    Triangle corners;
-    Index vertex;
-    bool is_first, is_last;
-  };
-
   // Returns whether the third cluster of the triangle of `e` meets the two clusters at the ends of `e` in arcs, and no other
   // clusters in arcs. In this case the two clusters must not be merged: the merged cluster would touch itself at the vertex whose
   // fan contributes the other neighbors of the third cluster.
@@ -144,6 +139,12 @@ private:
   void add_triangles(const Cluster_labels& labels, const FaceRange& faces, const Run_context& context)
   {
     const Flat_mesh& m = labels.mesh();
+    struct Fan_triangle
+    {
+      Triangle corners;
+      Index vertex;
+      bool is_first, is_last;
+    };
     for_each_part<std::vector<Fan_triangle> >(
       context, faces.size(), 4096,
       [&](std::vector<Fan_triangle>& part, std::size_t begin, std::size_t end) {
@@ -174,14 +175,6 @@ private:
       if (Cluster_labels::is_cap(x))
         x = clusters_ + Index(std::lower_bound(loops.begin(), loops.end(), x) - loops.begin());
     edge_of_.assign(clusters_ + loops.size(), NONE);
-  }
-
-  void pair_edges()
-  {
-    for (Edge e = Edge(source_.size()); e-- > 0;)
-      edge_of_[source_[e]] = e;
-    opposite_ = opposite_sides(source_.size() / 3, edge_of_.size(), [this](Edge e) { return source_[e]; });
-    CGAL_assertion(std::find(opposite_.begin(), opposite_.end(), NONE) == opposite_.end());
   }
 
   Index clusters_;

@@ -4,8 +4,6 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_DUAL_TRIANGLES_H
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 
@@ -49,39 +47,6 @@ inline void clusters_around_vertex(const Cluster_labels& labels, Index v, std::v
     runs.pop_back(); // the first run, the apex, continues across the end of the array
 }
 
-// A set of labels. Most sets are so small that a linear search is fastest.
-class Label_set
-{
-public:
-  void clear()
-  {
-    list_.clear();
-    many_.clear();
-  }
-  std::size_t size() const { return list_.size(); }
-
-  // Returns whether the label is new.
-  bool insert(Index label)
-  {
-    if (list_.size() < few) {
-      if (std::find(list_.begin(), list_.end(), label) != list_.end())
-        return false;
-    } else {
-      if (many_.empty())
-        many_.insert(list_.begin(), list_.end());
-      if (!many_.insert(label).second)
-        return false;
-    }
-    list_.push_back(label);
-    return true;
-  }
-
-private:
-  static constexpr std::size_t few = 32;
-  std::vector<Index> list_;
-  std::unordered_set<Index> many_;
-};
-
 // Walks along the boundary of a cluster that is a closed disc, and lists its neighbors in the dual triangulation in order.
 class Dual_walk
 {
@@ -123,16 +88,25 @@ public:
   // cluster itself if the cycle is simple but shorter.
   Index first_link_defect(const Directed_edge start)
   {
+    constexpr std::size_t few = 32; // most links are so short that a linear search is fastest
     link_.clear();
+    many_.clear();
     Index defect = NONE, loops = 0;
     along_link(start, [&](Index label) {
-      const bool is_second_loop = Cluster_labels::is_cap(label) && ++loops > 1;
-      if (!link_.insert(label) || is_second_loop)
+      if (link_.size() == few)
+        many_.insert(link_.begin(), link_.end());
+      const bool is_new =
+        link_.size() < few ? std::find(link_.begin(), link_.end(), label) == link_.end() : many_.insert(label).second;
+      if (!is_new || (Cluster_labels::is_cap(label) && ++loops > 1))
         defect = label;
+      link_.push_back(label);
       return defect == NONE;
     });
     return defect == NONE && link_.size() < 3 ? labels_[start.face] : defect;
   }
+
+  // Returns the neighbors in order around the cluster whose link was last found to be simple.
+  const std::vector<Index>& simple_link() const { return link_; }
 
 private:
   // Visits the neighbors of the cluster of face `f` in the fan at `v`, except `front`. The boundary of the cluster arrives at `v`
@@ -169,8 +143,8 @@ private:
 
   const Cluster_labels& labels_;
   const Flat_mesh& mesh_;
-  std::vector<Index> runs_;
-  Label_set link_;
+  std::vector<Index> runs_, link_;
+  std::unordered_set<Index> many_; // the labels of a long link
 };
 
 // Returns, for each side of a triangulated 2-manifold, the side of the same edge in the other triangle; NONE on the border. Side
@@ -246,6 +220,7 @@ std::vector<Triangle> simplicial_dual_triangles(const Cluster_labels& labels, co
       edges.insert(edge(runs[i], runs[(i + 1) % runs.size()]));
   });
   std::vector<Triangle> triangles;
+  std::vector<std::uint64_t> sides;
   for_each_meeting_point(labels, [&](Index v, const std::vector<Index>& runs) {
     const std::size_t n = runs.size();
     std::size_t apex = 0;
@@ -261,16 +236,13 @@ std::vector<Triangle> simplicial_dual_triangles(const Cluster_labels& labels, co
       throw Invalid_input("the " + std::to_string(n) + " clusters around vertex " + std::to_string(v) + ", among them " +
                           name(runs[0]) + ", cannot be triangulated without repeating an edge");
     for (std::size_t i = 2; i < n; ++i) {
-      triangles.push_back({runs[apex], runs[(apex + i - 1) % n], runs[(apex + i) % n]});
+      const Index a = runs[apex], b = runs[(apex + i - 1) % n], c = runs[(apex + i) % n];
+      triangles.push_back({a, b, c});
+      sides.insert(sides.end(), {side(a, b), side(b, c), side(c, a)});
       if (i + 1 < n)
-        edges.insert(edge(runs[apex], runs[(apex + i) % n]));
+        edges.insert(edge(a, c));
     }
   });
-  std::vector<std::uint64_t> sides;
-  sides.reserve(3 * triangles.size());
-  for (const Triangle& t : triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      sides.push_back(side(t[i], t[(i + 1) % 3]));
   std::sort(sides.begin(), sides.end());
   const auto twice = std::adjacent_find(sides.begin(), sides.end());
   if (twice != sides.end())

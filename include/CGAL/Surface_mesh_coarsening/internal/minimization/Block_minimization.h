@@ -3,8 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_BLOCK_MINIMIZATION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_BLOCK_MINIMIZATION_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization_state.h>
 
@@ -37,8 +35,7 @@ public:
   // `edges` are the edges between clusters of the block. `now` is a time after all previous changes and tests.
   Block_minimization(State& state, Boundary_edges& edges, Move_time now, Shared_cancellation_point& cancellation)
     : state_(state), mesh_(state.input.mesh), labels_(state.labels), cancellation_(cancellation),
-      moves_(state.labels, state.rules), edges_(edges), is_postponed_(edges.size(), false),
-      now_(now)
+      moves_(state.labels, state.rules), edges_(edges), now_(now)
   {}
 
   // Runs at most `max_rounds` rounds, until a round moves no face or lowers the energy by at most `least_gain`. Returns what was
@@ -62,7 +59,9 @@ public:
     const Index size = Index(edges_.size());
     for (Index i = 0; i < size && !is_cancelled_;) {
       const Index first = i;
-      i = list_due(i, size);
+      for (due_.clear(); i < size && due_.size() < batch; ++i)
+        if (edges_[i].is_due(state_.last_change))
+          due_.push_back(i);
       is_cancelled_ = !cancellation_.poll(i - first);
       find_moves();
       for (const Move& m : found_)
@@ -77,10 +76,7 @@ public:
   void finish(Boundary_edges& postponed)
   {
     std::size_t n = 0;
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-      Boundary_edge e = edges_[i];
-      if (e.is_inner())
-        continue;
+    for (Boundary_edge e : edges_) {
       const bool is_due = e.is_due(state_.last_change);
       e.look_up(labels_);
       if (e.is_inner()) {
@@ -88,9 +84,9 @@ public:
         continue;
       }
       e.terms = NONE;
-      if (is_due || is_postponed_[i])
+      if (is_due || e.is_postponed)
         e.tested = 0;
-      if (is_postponed_[i])
+      if (std::exchange(e.is_postponed, false))
         postponed.push_back(e);
       else
         edges_[n++] = e;
@@ -133,17 +129,6 @@ private:
     Outcome without, with;
   };
 
-  Index list_due(Index i, Index size)
-  {
-    number_due_ = 0;
-    for (; i < size && number_due_ < batch; ++i) {
-      due_[number_due_] = i;
-      const Boundary_edge& e = edges_[i];
-      number_due_ += e.is_due(state_.last_change);
-    }
-    return i;
-  }
-
   BOOST_FORCEINLINE Trial trial(const Face& face, Index from, Index to) const
   {
     const Sums& source = state_.clusters[from];
@@ -166,9 +151,8 @@ private:
   //! [gain]
 
   // Returns the terms of the faces at an edge, which are computed when they are first needed.
-  const Terms& terms(Index i)
+  const Terms& terms(Boundary_edge& e)
   {
-    Boundary_edge& e = edges_[i];
     if (e.terms == NONE) {
       if (free_terms_.empty()) {
         free_terms_.push_back(Index(terms_.size()));
@@ -185,12 +169,12 @@ private:
   {
     candidates_.clear();
     found_.clear();
-    for (Index k = 0; k < number_due_; ++k)
-      prefetch_faces(edges_[due_[k]]);
-    for (Index k = 0; k < number_due_; ++k)
-      prefetch_points(edges_[due_[k]]);
-    for (Index k = 0; k < number_due_; ++k)
-      find_candidate(due_[k]);
+    for (const Index i : due_)
+      prefetch_faces(edges_[i]);
+    for (const Index i : due_)
+      prefetch_points(edges_[i]);
+    for (const Index i : due_)
+      find_candidate(i);
     for (const Candidate& x : candidates_)
       moves_.prefetch_labels(face_of(x));
     for (const Candidate& x : candidates_)
@@ -222,18 +206,27 @@ private:
         prefetch(&mesh_.points[mesh_.corner_vertex[c]]);
   }
 
+  // Selects, as section 8.2 does, the case of smallest energy at an edge: no move, or a move of either face.
   void find_candidate(Index i)
   {
     Boundary_edge& e = edges_[i];
     e.look_up(labels_);
     e.tested = now_;
-    is_postponed_[i] = false;
+    e.is_postponed = false;
     if (e.is_inner()) {
-      take_out(e);
+      state_.listed.erase(e.corner);
+      if (e.terms != NONE)
+        free_terms_.push_back(e.terms);
       return;
     }
     ++progress_.tests;
-    const Candidate candidate = candidate_at(i);
+    const Terms& terms = this->terms(e);
+    const std::array<Trial, 2> trials{{trial(terms[0], e.cluster[0], e.cluster[1]), trial(terms[1], e.cluster[1], e.cluster[0])}};
+    const int better = is_better(trials[1], trials[0]);
+    Candidate candidate{i, 0, {{better, 1 - better}}};
+    for (const int side : {better, 1 - better})
+      if (is_gain(trials[side]))
+        candidate.side[candidate.number++] = side;
     if (candidate.number == 0)
       return;
     candidates_.push_back(candidate);
@@ -242,11 +235,11 @@ private:
 
   void find_move(const Candidate& x)
   {
-    const Boundary_edge& e = edges_[x.edge];
+    Boundary_edge& e = edges_[x.edge];
     for (int k = 0; k < x.number; ++k) {
       const Index f = e.face[x.side[k]], to = e.cluster[1 - x.side[k]];
       if (must_wait(f)) {
-        is_postponed_[x.edge] = true;
+        e.is_postponed = true;
       } else if (state_.checks_boundary_counts && !moves_.boundary_counts_allow(f, to)) {
         ++progress_.refused_by_boundary_counts;
       } else if (moves_.keeps_discs(f, to)) {
@@ -270,24 +263,10 @@ private:
 
   Index face_of(const Candidate& x) const { return edges_[x.edge].face[x.side[0]]; }
 
-  // Selects, as section 8.2 does, the case of smallest energy at an edge: no move, or a move of either face.
-  Candidate candidate_at(Index i)
-  {
-    const std::array<Index, 2>& clusters = edges_[i].cluster;
-    const Terms& terms = this->terms(i);
-    const std::array<Trial, 2> trials{{trial(terms[0], clusters[0], clusters[1]), trial(terms[1], clusters[1], clusters[0])}};
-    const int better = is_better(trials[1], trials[0]);
-    Candidate candidate{i, 0, {{better, 1 - better}}};
-    for (const int side : {better, 1 - better})
-      if (is_gain(trials[side]))
-        candidate.side[candidate.number++] = side;
-    return candidate;
-  }
-
   void make(const Move& m)
   {
     const Index f = edges_[m.edge].face[m.side], from = labels_[f];
-    const Face& face = terms(m.edge)[m.side];
+    const Face& face = terms(edges_[m.edge])[m.side];
     if (from == m.to)
       return;
     const Trial t = trial(face, from, m.to);
@@ -322,33 +301,11 @@ private:
     }
   }
 
-  // Edges within a cluster are removed from the list only when there are many of them. They do not affect the result.
-  void take_out(Boundary_edge& e)
-  {
-    state_.listed.erase(e.corner);
-    e.cluster.fill(Index(state_.clusters.size())); // no cluster
-    if (e.terms != NONE)
-      free_terms_.push_back(e.terms);
-    ++number_taken_out_;
-  }
-
-  void close_gaps()
-  {
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < edges_.size(); ++i)
-      if (!edges_[i].is_inner()) {
-        edges_[n] = edges_[i];
-        is_postponed_[n++] = is_postponed_[i];
-      }
-    edges_.resize(n);
-    is_postponed_.resize(n);
-    number_taken_out_ = 0;
-  }
-
+  // Removes edges within a cluster, and appends edges between clusters that moves have created.
   void append_new()
   {
-    if (number_taken_out_ > edges_.size() / 4)
-      close_gaps();
+    const auto is_inner = [](const Boundary_edge& e) { return e.is_inner(); };
+    edges_.erase(std::remove_if(edges_.begin(), edges_.end(), is_inner), edges_.end());
     for (Boundary_edge& e : new_edges_) {
       e.look_up(labels_);
       if (e.is_inner())
@@ -357,7 +314,6 @@ private:
         edges_.push_back(e);
     }
     new_edges_.clear();
-    is_postponed_.resize(edges_.size(), false);
   }
 
   State& state_;
@@ -367,16 +323,13 @@ private:
   Valid_moves moves_;
   Boundary_edges& edges_;
   Boundary_edges new_edges_;
-  std::vector<char> is_postponed_; // of each edge
-  std::vector<Terms> terms_;       // of the faces at edges that have been tested
-  std::vector<Index> free_terms_;  // the terms of removed edges
-  std::array<Index, batch> due_;
+  std::vector<Terms> terms_;      // of the faces at edges that have been tested
+  std::vector<Index> free_terms_; // the terms of removed edges
+  std::vector<Index> due_;
   std::vector<Candidate> candidates_;
   std::vector<Move> found_;
-  Index number_due_ = 0;
   Move_time now_;
   double gain_ = 0;
-  std::size_t number_taken_out_ = 0;
   Minimization_progress progress_; // since the last call of `run()`
   bool is_cancelled_ = false;
 };

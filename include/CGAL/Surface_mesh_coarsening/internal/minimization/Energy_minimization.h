@@ -3,25 +3,120 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_ENERGY_MINIMIZATION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_ENERGY_MINIMIZATION_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Block_minimization.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Energy_model.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_coarsening::internal {
+
+// Blocks of nearby clusters, all with about the same number of clusters, by recursive coordinate bisection (Berger and Bokhari: A
+// partitioning strategy for nonuniform problems on multiprocessors, 1987). They depend only on the points; ties are broken by the
+// number of the cluster.
+class Cluster_blocks
+{
+public:
+  Cluster_blocks() {}
+
+  // One point for each cluster.
+  Cluster_blocks(const std::vector<Vector>& points, std::size_t blocks, const Run_context& context)
+    : block_of_(points.size(), 0), size_(blocks)
+  {
+    std::vector<Index> clusters(points.size());
+    std::iota(clusters.begin(), clusters.end(), Index(0));
+    const std::function<void(Index*, Index*, std::size_t, std::size_t)> bisect =
+      [&](Index* begin, Index* end, std::size_t first, std::size_t number) {
+        Bbox_3 box;
+        for (const Index* x = begin; x != end; ++x) {
+          box += box_of_point(points[*x]);
+          block_of_[*x] = Index(first);
+        }
+        if (number == 1)
+          return;
+        const Vector side = high_corner(box) - low_corner(box);
+        const std::size_t half = number / 2, axis = std::size_t(std::max_element(side.begin(), side.end()) - side.begin());
+        Index* const middle = begin + std::size_t(end - begin) * half / number;
+        std::nth_element(begin, middle, end, [&](Index a, Index b) {
+          return std::make_pair(points[a][axis], a) < std::make_pair(points[b][axis], b);
+        });
+        run_concurrently(context, 2, [&](std::size_t part) {
+          if (part == 0)
+            bisect(begin, middle, first, half);
+          else
+            bisect(middle, end, first + half, number - half);
+        });
+      };
+    bisect(clusters.data(), clusters.data() + clusters.size(), 0, blocks);
+  }
+
+  std::size_t size() const { return size_; }
+  Index operator[](Index cluster) const { return block_of_[cluster]; }
+
+private:
+  std::vector<Index> block_of_;
+  std::size_t size_ = 1;
+};
+
+// Lists all edges between clusters, face by face.
+inline void list_boundary_edges(const Cluster_labels& labels, Boundary_edges& all, Listed_edges& listed,
+                                const Run_context& context)
+{
+  const Flat_mesh& m = labels.mesh();
+  all.clear();
+  listed.clear();
+  for_each_part<Boundary_edges>(
+    context, m.number_of_faces(), 4096,
+    [&](Boundary_edges& edges, std::size_t begin, std::size_t end) {
+      edges.clear();
+      for (Index f = Index(begin); f != end; ++f)
+        for (const Index c : m.corners(f)) {
+          const Index g = m.face_across[c];
+          if (g != NONE && g > f && labels[g] != labels[f]) {
+            edges.push_back({{{f, g}}, c, {{labels[f], labels[g]}}, 0, NONE});
+            listed.insert(c);
+          }
+        }
+    },
+    [&](const Boundary_edges& edges) { all.insert(all.end(), edges.begin(), edges.end()); });
+}
+
+// Marks the two vertices of an edge.
+inline void mark_ends(const Flat_mesh& m, const Boundary_edge& e, std::vector<char>& is_marked)
+{
+  is_marked[m.corner_vertex[e.corner]] = true;
+  is_marked[m.corner_vertex[m.next_corner(e.face[0], e.corner)]] = true;
+}
+
+// Returns the edges of each block, and then the edges between blocks.
+inline std::vector<Boundary_edges> distribute(const Boundary_edges& edges, const Cluster_blocks& blocks,
+                                              const Run_context& context)
+{
+  std::vector<Index> block_of(edges.size());
+  std::vector<std::size_t> number(blocks.size() + 1, 0);
+  for_each_number(context.uninterrupted(), edges.size(), [&](Index i) {
+    const Index b = blocks[edges[i].cluster[0]];
+    block_of[i] = blocks[edges[i].cluster[1]] == b ? b : Index(blocks.size());
+  });
+  for (const Index b : block_of)
+    ++number[b];
+  std::vector<Boundary_edges> result(number.size());
+  for (std::size_t b = 0; b < number.size(); ++b)
+    result[b].reserve(number[b]);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    result[block_of[i]].push_back(edges[i]);
+  return result;
+}
 
 // The minimization (sections 5.1 and 8.2 of the paper), in rounds over the edges between clusters. The face on one of the two
 // sides joins the cluster on the other side, whichever lowers the energy more, as long as the clusters remain discs whose dual is
@@ -148,7 +243,7 @@ private:
       straight.push_back(p);
       oblique.push_back({p[0] + 2 * p[1] + 2 * p[2], 2 * p[0] + p[1] - 2 * p[2], 2 * p[0] - 2 * p[1] + p[2]});
     }
-    divisions_ = {{Cluster_blocks(std::move(straight), blocks, context_), Cluster_blocks(std::move(oblique), blocks, context_)}};
+    divisions_ = {{Cluster_blocks(straight, blocks, context_), Cluster_blocks(oblique, blocks, context_)}};
   }
 
   Minimization_progress run_rounds(const Minimization_end& end)
@@ -159,7 +254,9 @@ private:
       begin_time();
     }
     is_complete_ = false; // in case the minimization is cancelled
-    const Minimization_progress progress = is_divided() ? run_blocks(end) : run_whole(end);
+    if (!is_divided() && !whole_)
+      whole_.emplace(state_, edges_, now_, shared_cancellation_);
+    const Minimization_progress progress = whole_ ? whole_->run(end.max_rounds, end.tolerance * energy()) : run_blocks(end);
     is_complete_ = true;
     return progress;
   }
@@ -168,14 +265,6 @@ private:
   {
     now_ = 1;
     state_.last_change.assign(state_.clusters.size(), now_);
-    state_.last_change.push_back(0);
-  }
-
-  Minimization_progress run_whole(const Minimization_end& end)
-  {
-    if (!whole_)
-      whole_.emplace(state_, edges_, now_, shared_cancellation_);
-    return whole_->run(end.max_rounds, end.tolerance * energy());
   }
 
   Minimization_progress run_blocks(const Minimization_end& end)
@@ -224,7 +313,13 @@ private:
   {
     std::vector<Boundary_edges> distributed = distribute(waiting, blocks, context_);
     waiting = std::move(distributed.back());
-    share_vertices(blocks, waiting, done);
+    const Flat_mesh& m = state_.input.mesh;
+    state_.is_shared.assign(m.number_of_vertices(), false);
+    for (const Boundary_edge& e : waiting)
+      mark_ends(m, e, state_.is_shared);
+    for (const Boundary_edge& e : done)
+      if (blocks[labels_[e.face[0]]] != blocks[labels_[e.face[1]]])
+        mark_ends(m, e, state_.is_shared);
     std::vector<Part> parts(blocks.size());
     run_concurrently(context_, parts.size(), [&](std::size_t i) {
       parts[i].edges.swap(distributed[i]);
@@ -240,17 +335,6 @@ private:
     for (Part& part : parts)
       progress += take(part, done, waiting);
     return progress;
-  }
-
-  void share_vertices(const Cluster_blocks& blocks, const Boundary_edges& between, const Boundary_edges& done)
-  {
-    const Flat_mesh& m = state_.input.mesh;
-    state_.is_shared.assign(m.number_of_vertices(), false);
-    for (const Boundary_edge& e : between)
-      mark_ends(m, e, state_.is_shared);
-    for (const Boundary_edge& e : done)
-      if (blocks[labels_[e.face[0]]] != blocks[labels_[e.face[1]]])
-        mark_ends(m, e, state_.is_shared);
   }
 
   void run_part(Part& part, std::size_t max_rounds, double least_gain_per_edge)

@@ -4,17 +4,20 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MINIMIZATION_MINIMIZATION_STATE_H
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Clustered_face.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_rules.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/minimization/Boundary_edges.h>
 
 #include <boost/config.hpp>
 #include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <numeric>
 #include <type_traits>
@@ -152,6 +155,57 @@ private:
   std::size_t number_of_clusters_;
 };
 
+// A count of moves.
+typedef Index Move_time;
+
+// An edge between two clusters.
+struct Boundary_edge
+{
+  std::array<Index, 2> face;    // the face of smaller index first
+  Index corner;                 // of the first face, before the edge
+  std::array<Index, 2> cluster; // the clusters of the faces at the last look-up
+  Move_time tested;             // 0: never
+  Index terms;                  // the position of the terms of the two faces in a block; NONE if they are not stored
+  bool is_postponed = false;    // whether a move has to wait for other blocks
+
+  bool is_inner() const { return cluster[0] == cluster[1]; }
+
+  // Returns whether one of the clusters has changed since the last test. A face that changes its cluster changes both clusters.
+  bool is_due(const std::vector<Move_time>& last_change) const
+  {
+    return (std::max)(last_change[cluster[0]], last_change[cluster[1]]) > tested;
+  }
+
+  void look_up(const Cluster_labels& labels) { cluster = {{labels[face[0]], labels[face[1]]}}; }
+};
+
+typedef std::vector<Boundary_edge> Boundary_edges;
+
+// The set of listed edges, identified by their corners. Threads may insert and erase different edges at the same time.
+class Listed_edges
+{
+public:
+  explicit Listed_edges(std::size_t corners) : words_((corners + 63) / 64) { clear(); }
+
+  void clear()
+  {
+    for (std::atomic<std::uint64_t>& word : words_)
+      word.store(0, std::memory_order_relaxed);
+  }
+
+  // Returns whether the edge is new.
+  bool insert(Index corner)
+  {
+    return (words_[corner / 64].fetch_or(bit(corner), std::memory_order_relaxed) & bit(corner)) == 0;
+  }
+  void erase(Index corner) { words_[corner / 64].fetch_and(~bit(corner), std::memory_order_relaxed); }
+
+private:
+  static std::uint64_t bit(Index corner) { return std::uint64_t(1) << (corner % 64); }
+
+  std::vector<std::atomic<std::uint64_t> > words_;
+};
+
 // The data that the blocks of a minimization share. Each block reads and writes the parts of its own clusters.
 template <class Energy>
 struct Minimization_state
@@ -160,7 +214,7 @@ struct Minimization_state
   Cluster_labels& labels;
   Energy_evaluation<Energy> energy;
   std::vector<Cluster_sums<Energy> > clusters;
-  std::vector<Move_time> last_change; // of each cluster, and last of none, which never changes
+  std::vector<Move_time> last_change; // of each cluster
   Listed_edges listed;
   Feature_rules* rules; // null without features
   // For each vertex, whether clusters of several blocks meet there; empty if there is only one block.

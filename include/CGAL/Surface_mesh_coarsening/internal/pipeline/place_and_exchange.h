@@ -7,7 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
-#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_relocation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
 
 #include <CGAL/assertions.h>
 

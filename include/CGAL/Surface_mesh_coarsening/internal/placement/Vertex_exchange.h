@@ -6,7 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Exchange_candidates.h>
-#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_relocation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
 
 #include <algorithm>
 #include <cstddef>

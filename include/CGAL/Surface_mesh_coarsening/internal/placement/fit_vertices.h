@@ -7,7 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_relocation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -3,17 +3,16 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_EDITING_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_CLUSTER_EDITING_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -63,123 +62,48 @@ public:
   {
     if (merge(x, outward(face_of_[x])) == NONE)
       return false;
-    take_number(x);
+    const Index last = number_of_clusters() - 1;
+    if (x != last) {
+      move(outward(face_of_[last]), x);
+      face_of_[x] = face_of_[last];
+      labels_.freeze(x, labels_.is_frozen(last));
+    }
+    labels_.freeze(last, false);
+    face_of_.pop_back();
     return true;
   }
 
-  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces, the first
-  // possible one, from the cluster of this face. The vertices remain within the bounds of their clusters. `changed` receives the
-  // changed clusters. Faces on the border or on features remain in their clusters, and frozen clusters do not change.
-  Relocation relocate(Index x, Index into, const std::vector<Index>& to, const std::vector<Vector>& positions,
-                      std::vector<Index>& changed)
-  {
-    if (!is_free(x))
-      return Relocation::NOT_FROM_HERE;
-    const std::vector<Index> faces = outward(face_of_[x]);
-    const Index heir = merge(x, faces, into);
-    if (heir == NONE)
-      return Relocation::NOT_FROM_HERE;
-    Relocation outcome = Relocation::NOT_FROM_HERE;
-    if (is_within_bounds(heir, positions) && (into == NONE || is_within_bounds(into, positions))) {
-      const Index y = split_one(x, to, positions);
-      outcome = y == NONE ? Relocation::NOT_THERE : Relocation::DONE;
-      changed = {x, y, heir};
-    }
-    if (outcome != Relocation::DONE) {
-      changed.clear();
-      face_of_[x] = faces.front();
-      for (const Index g : faces)
-        labels_.move(g, x);
-    }
-    return outcome;
-  }
-
-  std::vector<Index> faces(Index x) { return outward(face_of_[x]); }
-  Index face(Index x) const { return face_of_[x]; }
-
-private:
+protected:
   std::vector<Index> outward(Index f) { return faces_in_bfs_order(labels_, f); }
 
-  // Returns whether the cluster has no vertex on the border or on a feature, so it may lose its faces.
-  bool is_free(Index x)
+  void move(const std::vector<Index>& faces, Index to)
   {
-    const std::vector<Index> faces = outward(face_of_[x]);
-    return !labels_.is_frozen(x) && std::none_of(faces.begin(), faces.end(), [this](Index f) { return is_on_border(f); });
-  }
-
-  // Returns whether a face has a vertex on the border or on a feature.
-  bool is_on_border(Index f) const
-  {
-    if (cells_ && (cells_->node(f) != NONE || cells_->is_at_border(f)))
-      return true;
-    const auto corners = mesh_.corners(f);
-    return std::any_of(corners.begin(), corners.end(), [this](Index c) { return mesh_.is_on_border(mesh_.corner_vertex[c]); });
-  }
-
-  bool is_within_bounds(Index x, const std::vector<Vector>& positions)
-  {
-    return closest_in_box(positions[x], vertex_bounds(mesh_, outward(face_of_[x]))) == positions[x];
+    for (const Index f : faces)
+      labels_.move(f, to);
   }
 
   // Moves the faces of cluster `x` to a neighbor that can receive them: to `first` if possible, otherwise to the neighbor
   // whose inertia increases least. Returns this neighbor; NONE if there is none.
   Index merge(Index x, const std::vector<Index>& faces, Index first = NONE)
   {
+    std::vector<Index> neighbors;
+    for (const Index f : faces)
+      for (const Index c : mesh_.corners(f))
+        neighbors.push_back(labels_.label_across(c));
+    sort_unique(neighbors);
+    const Moments moments = moments_of(faces);
     std::vector<std::pair<double, Index> > candidates;
-    for (const Index y : neighbors_in_arcs(faces))
-      if (!labels_.is_frozen(y))
-        candidates.emplace_back(y == first ? 0 : inertia_between(moments_of(faces), moments_of(outward(face_of_[y]))), y);
+    for (const Index y : neighbors)
+      if (y != x && !Cluster_labels::is_cap(y) && !labels_.is_frozen(y))
+        candidates.emplace_back(y == first ? 0 : inertia_between(moments, moments_of(outward(face_of_[y]))), y);
     std::sort(candidates.begin(), candidates.end());
-    for (const auto& candidate : candidates) {
-      for (const Index f : faces)
-        labels_.move(f, candidate.second);
-      if (is_valid_around(candidate.second))
-        return candidate.second;
-      for (const Index f : faces)
-        labels_.move(f, x);
-    }
-    return NONE;
-  }
-
-  // Splits a cluster `x` off the cluster of one of some faces. Returns the other part; NONE if there is no admissible split.
-  Index split_one(Index x, const std::vector<Index>& to, const std::vector<Vector>& positions)
-  {
-    constexpr std::size_t max_tried = 4;
-    std::vector<Index> tried;
-    for (const Index f : to) {
-      const Index y = labels_[f];
-      if (std::find(tried.begin(), tried.end(), y) != tried.end())
-        continue;
-      if (tried.size() == max_tried)
-        break;
-      tried.push_back(y);
-      if (labels_.is_frozen(y) || !split_around(y, x, f, positions[y]))
-        continue;
-      if (is_within_bounds(x, positions) && is_within_bounds(y, positions))
+    for (const auto& [added_inertia, y] : candidates) {
+      move(faces, y);
+      if (is_valid_around(y))
         return y;
-      for (const Index g : outward(face_of_[x]))
-        labels_.move(g, y);
+      move(faces, x);
     }
     return NONE;
-  }
-
-  // Splits a cluster `x` around face `f` off cluster `y`, which keeps the face nearest to its vertex `p`, or the face farthest from
-  // `f`; if this fails, a half of `y`. The faces of `y` on the border remain in `y`; then `x` begins with the face nearest to `f`
-  // that is not on the border.
-  bool split_around(Index y, Index x, Index f, const Vector& p)
-  {
-    const std::vector<Index> faces = outward(f);
-    std::vector<Index> on_border;
-    std::copy_if(faces.begin(), faces.end(), std::back_inserter(on_border), [this](Index g) { return is_on_border(g); });
-    if (!on_border.empty()) {
-      const auto inside = std::find_if(faces.begin(), faces.end(), [this](Index g) { return !is_on_border(g); });
-      return inside != faces.end() && try_split(y, x, faces, on_border, *inside);
-    }
-    const auto squared_distance = [&](Index g) { return dot(input_.centroid(g) - p, input_.centroid(g) - p); };
-    const Index nearest = *std::min_element(faces.begin(), faces.end(), [&](Index g, Index h) {
-      return squared_distance(g) < squared_distance(h);
-    });
-    return try_split(y, x, faces, {nearest}, f) || try_split(y, x, faces, {faces.back()}, f) || split_anyhow(y, x, faces);
   }
 
   // Splits cluster `x` into two clusters of similar extent. The new cluster is `y`.
@@ -217,42 +141,14 @@ private:
     }
     if (!is_covered)
       return false;
-    for (const Index f : of_second)
-      labels_.move(f, y);
+    move(of_second, y);
     const Index former = std::exchange(face_of_[x], first.front()), former_of_y = std::exchange(face_of_[y], second);
     if (is_valid_around(x) && is_valid_around(y))
       return true;
-    for (const Index f : of_second)
-      labels_.move(f, x);
+    move(of_second, x);
     face_of_[x] = former;
     face_of_[y] = former_of_y;
     return false;
-  }
-
-  void take_number(Index x)
-  {
-    const Index last = number_of_clusters() - 1;
-    if (x != last) {
-      for (const Index f : outward(face_of_[last]))
-        labels_.move(f, x);
-      face_of_[x] = face_of_[last];
-      labels_.freeze(x, labels_.is_frozen(last));
-    }
-    labels_.freeze(last, false);
-    face_of_.pop_back();
-  }
-
-  std::vector<Index> neighbors_in_arcs(const std::vector<Index>& faces) const
-  {
-    std::vector<Index> neighbors;
-    for (const Index f : faces)
-      for (const Index c : mesh_.corners(f)) {
-        const Index y = labels_.label_across(c);
-        if (y != labels_[f] && !Cluster_labels::is_cap(y))
-          neighbors.push_back(y);
-      }
-    sort_unique(neighbors);
-    return neighbors;
   }
 
   // Returns the mass and the centroid; the inertia is not computed.
@@ -271,29 +167,18 @@ private:
     const std::vector<Index> faces = outward(face_of_[x]);
     if (!is_disc(x, faces) || !has_simple_link(faces))
       return false;
-    std::vector<Index> link;
-    walk_.along_link(boundary_edge(faces), [&](Index y) {
-      if (!Cluster_labels::is_cap(y))
-        link.push_back(y);
-      return true;
+    const std::vector<Index> link = walk_.simple_link(); // a copy: the walk continues
+    return std::all_of(link.begin(), link.end(), [this](Index y) {
+      return Cluster_labels::is_cap(y) || has_simple_link(outward(face_of_[y]));
     });
-    return std::all_of(link.begin(), link.end(), [this](Index y) { return has_simple_link(outward(face_of_[y])); });
   }
 
   bool has_simple_link(const std::vector<Index>& faces)
   {
-    const Directed_edge edge = boundary_edge(faces);
-    return edge.face != NONE && walk_.first_link_defect(edge) == NONE;
-  }
-
-  Directed_edge boundary_edge(const std::vector<Index>& faces) const
-  {
-    for (const Index f : faces) {
-      const Directed_edge e = walk_.boundary_edge(f);
-      if (e.face != NONE)
-        return e;
-    }
-    return {};
+    for (const Index f : faces)
+      if (const Directed_edge e = walk_.boundary_edge(f); e.face != NONE)
+        return walk_.first_link_defect(e) == NONE;
+    return false;
   }
 
   // The faces form a connected component of the cluster.
@@ -321,6 +206,145 @@ private:
   Cluster_labels& labels_;
   Dual_walk walk_;
   std::vector<Index> face_of_; // a face of each cluster
+};
+
+// Relocates clusters of a valid clustering. The clustering remains valid and keeps the number of clusters. A cluster may move to
+// another component, unless the component would have more clusters than vertices. All relocations can be undone.
+class Cluster_relocation : private Cluster_editing
+{
+public:
+  Cluster_relocation(const Featured_input& input, Cluster_labels& labels, Index clusters)
+    : Cluster_editing(input, labels, clusters), old_labels_(labels.labels()), bounds_(clusters),
+      clusters_of_component_(mesh_.components.size(), 0)
+  {
+    for (Index x = 0; x < clusters; ++x)
+      ++clusters_of_component_[component_of(x)];
+  }
+
+  // The number of relocated clusters.
+  std::size_t number() const { return number_; }
+  bool is_undone() const { return is_undone_; }
+  bool has_changed(Index x) const { return bounds_[x].has_value(); }
+  // Returns the bounds of the vertex of a changed cluster. Many threads may call this function, so the faces are visited earlier.
+  const Bbox_3& vertex_bounds(Index x) const { return *bounds_[x]; }
+  // Returns the admissible position of the vertex of a cluster that is nearest to `p`. `surface` has the clusters before relocations.
+  Vector within_bounds(const Clustered_faces& surface, Index x, const Vector& p) const
+  {
+    return has_changed(x) ? closest_in_box(p, vertex_bounds(x)) : surface.within_bounds(x, p);
+  }
+
+  // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces of the
+  // input, the first possible one, from the cluster of this face, or around a piece of a face if features are kept. The vertices
+  // remain within the bounds of their clusters. Faces on the border or on features remain in their clusters, and frozen clusters
+  // do not change.
+  Relocation relocate(Index x, Index into, std::vector<Index> to, const std::vector<Vector>& positions)
+  {
+    if (cells_)
+      for (Index& f : to)
+        f = cells_->polygon(f);
+    const Index from = component_of(x);
+    const auto has_no_room = [&](Index f) {
+      const Index c = mesh_.component[f];
+      return c != from && clusters_of_component_[c] >= mesh_.components[c].max_clusters();
+    };
+    to.erase(std::remove_if(to.begin(), to.end(), has_no_room), to.end());
+    // Only a cluster without vertices on the border and on features may lose its faces.
+    const std::vector<Index> faces = outward(face_of_[x]);
+    if (labels_.is_frozen(x) || std::any_of(faces.begin(), faces.end(), [this](Index f) { return is_on_border(f); }))
+      return Relocation::NOT_FROM_HERE;
+    const Index heir = merge(x, faces, into);
+    if (heir == NONE)
+      return Relocation::NOT_FROM_HERE;
+    Relocation outcome = Relocation::NOT_FROM_HERE;
+    if (is_within_bounds(heir, positions) && (into == NONE || is_within_bounds(into, positions))) {
+      const Index y = split_one(x, to, positions);
+      if (y != NONE) {
+        for (const Index changed : {x, y, heir})
+          bounds_[changed] = bounds(changed);
+        ++number_;
+        --clusters_of_component_[from];
+        ++clusters_of_component_[component_of(x)];
+        return Relocation::DONE;
+      }
+      outcome = Relocation::NOT_THERE;
+    }
+    face_of_[x] = faces.front();
+    move(faces, x);
+    return outcome;
+  }
+
+  // Restores the labels; afterwards, nothing can be relocated.
+  void undo()
+  {
+    bounds_.assign(bounds_.size(), std::nullopt);
+    labels_.move_all(old_labels_);
+    number_ = 0;
+    is_undone_ = true;
+  }
+
+private:
+  Index component_of(Index x) const { return mesh_.component[face_of_[x]]; }
+  Bbox_3 bounds(Index x) { return internal::vertex_bounds(mesh_, outward(face_of_[x])); }
+
+  // Returns whether a face has a vertex on the border or on a feature.
+  bool is_on_border(Index f) const
+  {
+    if (cells_ && (cells_->node(f) != NONE || cells_->is_at_border(f)))
+      return true;
+    const auto corners = mesh_.corners(f);
+    return std::any_of(corners.begin(), corners.end(), [this](Index c) { return mesh_.is_on_border(mesh_.corner_vertex[c]); });
+  }
+
+  bool is_within_bounds(Index x, const std::vector<Vector>& positions)
+  {
+    return closest_in_box(positions[x], bounds(x)) == positions[x];
+  }
+
+  // Splits a cluster `x` off the cluster of one of some faces. Returns the other part; NONE if there is no admissible split.
+  Index split_one(Index x, const std::vector<Index>& to, const std::vector<Vector>& positions)
+  {
+    constexpr std::size_t max_tried = 4;
+    std::vector<Index> tried;
+    for (const Index f : to) {
+      const Index y = labels_[f];
+      if (std::find(tried.begin(), tried.end(), y) != tried.end())
+        continue;
+      if (tried.size() == max_tried)
+        break;
+      tried.push_back(y);
+      if (labels_.is_frozen(y) || !split_around(y, x, f, positions[y]))
+        continue;
+      if (is_within_bounds(x, positions) && is_within_bounds(y, positions))
+        return y;
+      move(outward(face_of_[x]), y);
+    }
+    return NONE;
+  }
+
+  // Splits a cluster `x` around face `f` off cluster `y`, which keeps the face nearest to its vertex `p`, or the face farthest from
+  // `f`; if this fails, a half of `y`. The faces of `y` on the border remain in `y`; then `x` begins with the face nearest to `f`
+  // that is not on the border.
+  bool split_around(Index y, Index x, Index f, const Vector& p)
+  {
+    const std::vector<Index> faces = outward(f);
+    std::vector<Index> on_border;
+    std::copy_if(faces.begin(), faces.end(), std::back_inserter(on_border), [this](Index g) { return is_on_border(g); });
+    if (!on_border.empty()) {
+      const auto inside = std::find_if(faces.begin(), faces.end(), [this](Index g) { return !is_on_border(g); });
+      return inside != faces.end() && try_split(y, x, faces, on_border, *inside);
+    }
+    const auto squared_distance = [&](Index g) { return dot(input_.centroid(g) - p, input_.centroid(g) - p); };
+    const Index nearest = *std::min_element(faces.begin(), faces.end(), [&](Index g, Index h) {
+      return squared_distance(g) < squared_distance(h);
+    });
+    return try_split(y, x, faces, {nearest}, f) || try_split(y, x, faces, {faces.back()}, f) || split_anyhow(y, x, faces);
+  }
+
+  const std::vector<Index> old_labels_;
+  std::vector<std::optional<Bbox_3> > bounds_; // of the vertices of changed clusters
+  std::size_t number_ = 0;
+  bool is_undone_ = false;
+  std::vector<std::size_t> clusters_of_component_;
 };
 
 } // namespace CGAL::Surface_mesh_coarsening::internal

@@ -3,10 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_MERGE_HISTORY_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_MERGE_HISTORY_H
 
+#include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
-#include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_merging.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <algorithm>
 #include <array>
@@ -79,19 +77,13 @@ private:
     std::array<Triangle, 2> corners; // of these
   };
 
-  // Orders merges by cost, and merges of equal cost by the numbers of the clusters.
-  struct Candidate
-  {
-    double cost;
-    Index a, b;
-    Index versions;
-    Edge edge;
-
-    bool operator>(const Candidate& c) const { return std::tie(cost, a, b) > std::tie(c.cost, c.a, c.b); }
-  };
+  // A merge: its cost, the two clusters, the smaller number first, the sum of their versions, and their edge.
+  typedef std::tuple<double, Index, Index, Index, Edge> Candidate;
 
   // The energy with the weight of formula (9). For a union of clusters, it follows from the sums of the clusters.
   static double energy(const Moments& s) { return s.mass * s.inertia; }
+
+  std::pair<Index, Index> ends(Edge e) const { return (std::minmax)({dual_.source(e), dual_.target(e)}); }
 
   void enqueue(Edge e)
   {
@@ -99,7 +91,7 @@ private:
     if (!dual_.is_arc(e) || dual_.is_cap(a) || dual_.is_cap(b))
       return;
     const double cost = energy(joined(sums_[a], sums_[b])) - energy(sums_[a]) - energy(sums_[b]);
-    queue_.push({rounded_for_comparison(cost), (std::min)(a, b), (std::max)(a, b), version_[a] + version_[b], e});
+    queue_.emplace(rounded_for_comparison(cost), ends(e).first, ends(e).second, version_[a] + version_[b], e);
   }
 
   void merge_all()
@@ -113,36 +105,27 @@ private:
               enqueue(e);
       while (!queue_.empty()) {
         context_.poll();
-        const Candidate c = queue_.top();
+        const auto [cost, a, b, versions, e] = queue_.top();
         queue_.pop();
-        if (is_up_to_date(c) && dual_.may_contract(c.edge))
-          merge(c.edge);
+        if (dual_.is_triangle(e / 3) && ends(e) == std::make_pair(a, b) && version_[a] + version_[b] == versions &&
+            dual_.may_contract(e))
+          merge(e);
       }
     }
-  }
-
-  bool is_up_to_date(const Candidate& c) const
-  {
-    if (!dual_.is_triangle(c.edge / 3))
-      return false;
-    const Index a = dual_.source(c.edge), b = dual_.target(c.edge);
-    return (std::min)(a, b) == c.a && (std::max)(a, b) == c.b && version_[a] + version_[b] == c.versions;
   }
 
   // Removes the cluster with fewer neighbors, which keeps the records short.
   void merge(Edge e)
   {
-    Edge back = NONE;
-    std::size_t of_kept = 0, of_gone = 0;
-    dual_.for_each_edge_from(dual_.source(e), [&](Edge) { ++of_kept; });
-    dual_.for_each_edge_from(dual_.target(e), [&](Edge f) {
-      ++of_gone;
-      back = dual_.target(f) == dual_.source(e) ? f : back;
-    });
-    if (of_gone > of_kept)
-      std::swap(e, back);
-    const Index kept = dual_.source(e), gone = dual_.target(e);
-    steps_.push_back({gone, kept, {}, {{e / 3, back / 3}}, {{corners(e / 3), corners(back / 3)}}});
+    const auto neighbors = [this](Index x) {
+      std::size_t n = 0;
+      dual_.for_each_edge_from(x, [&](Edge) { ++n; });
+      return n;
+    };
+    if (neighbors(dual_.target(e)) > neighbors(dual_.source(e)))
+      e = dual_.opposite(e);
+    const Index kept = dual_.source(e), gone = dual_.target(e), t = e / 3, other = dual_.opposite(e) / 3;
+    steps_.push_back({gone, kept, {}, {{t, other}}, {{corners(t), corners(other)}}});
     dual_.for_each_edge_from(gone, [&](Edge f) { steps_.back().moved.push_back(f); });
     dual_.contract(e);
     sums_[kept] = joined(sums_[kept], sums_[gone]);
@@ -150,7 +133,7 @@ private:
     dual_.for_each_edge_from(kept, [&](Edge f) { enqueue(f); });
   }
 
-  Triangle corners(Index t) const { return {dual_.source(3 * t), dual_.source(3 * t + 1), dual_.source(3 * t + 2)}; }
+  Triangle corners(Index t) const { return {{dual_.source(3 * t), dual_.source(3 * t + 1), dual_.source(3 * t + 2)}}; }
 
   void number_clusters()
   {

@@ -3,12 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_CLUSTER_GROWTH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_CLUSTER_GROWTH_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_rules.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -162,13 +158,22 @@ public:
   {
     for (;;) {
       survey();
-      if (!find_faulty_clusters())
-        return false;
-      if (to_split_.empty())
+      std::vector<Index> to_split;
+      std::vector<bool> listed(clusters_, false);
+      for (const auto& [x, fault] : faults()) {
+        const Index larger = cluster_to_split(x, fault);
+        if (larger == NONE && foreign_ == 0)
+          return false;
+        if (larger != NONE && !listed[larger]) {
+          listed[larger] = true;
+          to_split.push_back(larger);
+        }
+      }
+      if (to_split.empty())
         return true;
-      for (const Index x : to_split_)
+      for (const Index x : to_split)
         split(x);
-      splits_ += to_split_.size();
+      splits_ += to_split.size();
     }
   }
 
@@ -193,23 +198,6 @@ private:
       if (edge_[x].face == NONE)
         edge_[x] = walk_.boundary_edge(f);
     }
-  }
-
-  // Returns whether a faulty cluster can be split.
-  bool find_faulty_clusters()
-  {
-    to_split_.clear();
-    std::vector<bool> listed(clusters_, false);
-    for (const auto& [x, fault] : faults()) {
-      const Index larger = cluster_to_split(x, fault);
-      if (larger == NONE && foreign_ == 0)
-        return false;
-      if (larger != NONE && !listed[larger]) {
-        listed[larger] = true;
-        to_split_.push_back(larger);
-      }
-    }
-    return true;
   }
 
   // Returns each faulty cluster together with the cluster that causes the fault, or with itself if it has no boundary or fewer
@@ -275,7 +263,6 @@ private:
   std::size_t splits_ = 0;
   std::vector<Index> size_, face_;
   std::vector<Directed_edge> edge_;
-  std::vector<Index> to_split_;
 };
 
 } // namespace CGAL::Surface_mesh_coarsening::internal

@@ -4,12 +4,9 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_CLUSTER_MERGING_H
 
 #include <CGAL/Surface_mesh_coarsening/Cluster_energy/Quadric_energy.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_rules.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 
 #include <algorithm>
 #include <functional>
@@ -67,7 +64,8 @@ public:
       count_(component.clusters),
       merged_into_(count_),
       size_(count_),
-      is_queued_(dual_.number_of_triangles(), false)
+      is_queued_(dual_.number_of_triangles(), false),
+      cost_(3 * dual_.number_of_triangles(), unknown)
   {
     std::iota(merged_into_.begin(), merged_into_.end(), Index(0));
     for (const Index f : component.faces) {
@@ -124,7 +122,6 @@ public:
 
 private:
   typedef Dual_surface::Edge Edge;
-  typedef std::pair<double, Index> Candidate; // summed size and triangle
 
   struct Size
   {
@@ -185,14 +182,28 @@ private:
   {
     for (std::size_t last = count_ + 1; last != count_ && excess() > 0;) {
       last = count_;
+      is_queued_.assign(is_queued_.size(), false);
+      queue_ = Queue();
       for (Index t = 0; t < dual_.number_of_triangles(); ++t)
         if (dual_.is_triangle(t))
           enqueue(t);
-      work_off();
+      while (!queue_.empty() && excess() > 0) {
+        context_.poll();
+        const auto [key, t] = queue_.top();
+        queue_.pop();
+        is_queued_[t] = false;
+        if (!dual_.is_triangle(t))
+          continue;
+        if (key < key_of(t))
+          enqueue(t); // the clusters have grown in the meantime
+        else
+          merge_at(t);
+      }
     }
   }
 
   std::size_t excess() const { return count_ - (std::min)(count_, wanted_); }
+  bool merges_three() const { return method_.by_threes && excess() > 1; }
 
   Index cluster(Index x) const
   {
@@ -216,7 +227,7 @@ private:
   {
     double least = -1;
     const auto offer = [&](double size) { least = least < 0 || size < least ? size : least; };
-    if (method_.by_threes && excess() > 1) {
+    if (merges_three()) {
       if (is_by_area())
         for_each_triple_around(t, [&](const Triple& x) { offer(x.size); });
       if (least >= 0)
@@ -244,13 +255,19 @@ private:
     return (dual_.is_arc(e) || joins_at_vertices_) && !dual_.is_cap(dual_.source(e)) && !dual_.is_cap(dual_.target(e)) &&
            (!features_ || features_->may_merge(dual_.source(e), dual_.target(e), [this](Index x) { return cluster(x); }));
   }
+  // Returns the total size of the clusters at the ends, or what their union adds to the residuals. The value is kept until one
+  // of the clusters changes.
   double size_of(Edge e) const
   {
     const Index x = dual_.source(e), y = dual_.target(e);
-    if (quadrics_.empty())
-      return number_of(size_[x] + size_[y]);
-    const double sum = quadric_energy_.energy(Quadric_energy::joined(quadrics_[x], quadrics_[y]), 0);
-    return rounded_for_comparison((std::max)(0., sum - residual_[x] - residual_[y]));
+    double& cost = cost_[e];
+    if (cost == unknown && quadrics_.empty()) {
+      cost = number_of(size_[x] + size_[y]);
+    } else if (cost == unknown) {
+      const double sum = quadric_energy_.energy(Quadric_energy::joined(quadrics_[x], quadrics_[y]), 0);
+      cost = rounded_for_comparison((std::max)(0., sum - residual_[x] - residual_[y]));
+    }
+    return cost;
   }
 
   double mean_mass() const { return mass_of_all_ / double(wanted_); }
@@ -258,24 +275,6 @@ private:
   {
     const double mass_of_faces = x.faces / faces_of_round_cluster * mean_mass();
     return rounded_for_comparison(is_by_area() ? x.mass : (std::min)(x.mass, mass_of_faces));
-  }
-
-  void work_off()
-  {
-    while (!queue_.empty() && excess() > 0) {
-      context_.poll();
-      const auto [key, t] = queue_.top();
-      queue_.pop();
-      is_queued_[t] = false;
-      if (!dual_.is_triangle(t))
-        continue;
-      if (key < key_of(t))
-        enqueue(t); // the clusters have grown in the meantime
-      else
-        merge_at(t);
-    }
-    queue_ = Queue();
-    is_queued_.assign(is_queued_.size(), false);
   }
 
   // Three clusters that follow each other around a vertex. Those at the arc are merged first.
@@ -313,16 +312,20 @@ private:
       }
   }
 
+  // Merges the three smallest clusters around the vertex of a triangle that may be merged, or the two smallest.
   void merge_at(Index t)
   {
-    const bool three = method_.by_threes && excess() > 1;
+    const bool three = merges_three();
     std::optional<Triple> triple; // the smallest
     if (three && is_by_area())
       for_each_triple_around(t, [&](const Triple& x) {
         if ((!triple || x < *triple) && dual_.may_contract(x.arc))
           triple = x;
       });
-    const Edge e = triple ? triple->arc : smallest_edge_of(t);
+    Edge e = triple ? triple->arc : NONE;
+    for (Edge f = 3 * t; !triple && f != 3 * t + 3; ++f)
+      if (is_candidate(f) && (e == NONE || size_of(f) < size_of(e)) && dual_.may_contract(f))
+        e = f;
     if (e == NONE)
       return;
     const Index third = triple ? triple->third : dual_.source(Dual_surface::previous(e));
@@ -338,16 +341,6 @@ private:
     dual_.for_each_edge_from(merged, [&](Edge f) { enqueue(f / 3); });
   }
 
-  // Returns the contractible edge whose clusters have the smallest total size; NONE if there is none.
-  Edge smallest_edge_of(Index t)
-  {
-    Edge smallest = NONE;
-    for (Edge e = 3 * t; e != 3 * t + 3; ++e)
-      if (is_candidate(e) && (smallest == NONE || size_of(e) < size_of(smallest)) && dual_.may_contract(e))
-        smallest = e;
-    return smallest;
-  }
-
   // Merges the clusters at the ends of `e` and returns the remaining one.
   Index merge(Edge e)
   {
@@ -361,10 +354,12 @@ private:
       quadrics_[kept] = Quadric_energy::joined(quadrics_[kept], quadrics_[gone]);
       residual_[kept] = quadric_energy_.energy(quadrics_[kept], 0);
     }
+    dual_.for_each_edge_from(kept, [&](Edge f) { cost_[f] = cost_[dual_.opposite(f)] = unknown; });
     --count_;
     return kept;
   }
 
+  typedef std::pair<double, Index> Candidate; // size or cost, and triangle
   typedef std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > Queue;
 
   const Run_context context_;
@@ -378,6 +373,8 @@ private:
   mutable std::vector<Index> merged_into_; // with path compression
   std::vector<Size> size_;
   std::vector<bool> is_queued_; // per triangle
+  static constexpr double unknown = -1;
+  mutable std::vector<double> cost_; // of each edge: `size_of()`, or unknown
   const Quadric_energy quadric_energy_{quadric_regularization};
   std::vector<Quadric_energy::Cluster_data> quadrics_; // empty if clusters are merged by size
   std::vector<double> residual_;                       // of each quadric

@@ -3,10 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_COMPONENT_CLUSTERING_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_SEEDING_COMPONENT_CLUSTERING_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/subdivision.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_merging.h>
@@ -132,6 +128,9 @@ private:
 
   void fill_gaps_on_lines(const std::vector<Index>& cells_on_lines, Component_seeds& seeds)
   {
+    // Disjoint neighborhoods leave at most this number of nodes of a line between seeds, unless the line passes vertices of high
+    // valence, whose faces are all neighbors. Larger gaps get seeds at equal distances.
+    const std::size_t max_gap = 4 * std::size_t(seeds.level) + 2;
     const Feature_graph& graph = cells_->graph();
     std::vector<Index> lines, seeded;
     for (const Index f : cells_on_lines)
@@ -156,21 +155,12 @@ private:
       const std::size_t end = is_loop ? first + n : n - 1;
       for (std::size_t last = first, i = first + 1; i <= end; ++i)
         if (i == end || is_seed(i)) {
-          take_between(nodes, last, i, seeds);
+          const std::size_t parts = (i - last + max_gap - 1) / max_gap;
+          for (std::size_t k = 1; k < parts; ++k)
+            walk_.take(cells_->cell(nodes[(last + k * (i - last) / parts) % n]), 0, seeds.faces);
           last = i;
         }
     }
-  }
-
-  // Takes seeds at equal distances between two nodes of a line.
-  void take_between(const std::vector<Index>& nodes, std::size_t first, std::size_t last, Component_seeds& seeds)
-  {
-    // Disjoint neighborhoods leave at most this number of nodes of a line between seeds, unless the line passes vertices of high
-    // valence, whose faces are all neighbors.
-    const std::size_t max_gap = 4 * std::size_t(seeds.level) + 2;
-    const std::size_t parts = (last - first + max_gap - 1) / max_gap;
-    for (std::size_t i = 1; i < parts; ++i)
-      walk_.take(cells_->cell(nodes[(first + i * (last - first) / parts) % nodes.size()]), 0, seeds.faces);
   }
 
   // Returns the seeds of the largest level, near the expected level, with at least `wanted` seeds.

@@ -163,8 +163,12 @@ public:
   // may not begin with these seeds. Returns whether another attempt remains. If not, nearest() is the smallest attainable number.
   bool revise(Index level, std::size_t seeds, std::size_t reached)
   {
-    if (!on_schedule_)
-      return leave_standard_method(level, reached);
+    if (!on_schedule_) {
+      if (reached == 0 && !from_pieces_ && wanted_ >= enough_)
+        return take_pieces();
+      restart(true, from_pieces_, wanted_ >= enough_ ? scheduled_level(level) : NONE);
+      return true;
+    }
     if (reached > wanted_ && reached < nearest_) {
       nearest_ = reached;
       nearest_level_ = level;
@@ -227,14 +231,6 @@ private:
     levels_without_progress_ = 0;
     first_scheduled_level_ = NONE;
     is_climbing_ = lowest_has_failed_ = false;
-  }
-
-  bool leave_standard_method(Index level, std::size_t reached)
-  {
-    if (reached == 0 && !from_pieces_ && wanted_ >= enough_)
-      return take_pieces();
-    restart(true, from_pieces_, wanted_ >= enough_ ? scheduled_level(level) : NONE);
-    return true;
   }
 
   bool take_pieces()

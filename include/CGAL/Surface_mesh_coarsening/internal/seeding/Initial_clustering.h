@@ -88,7 +88,9 @@ public:
   void seed(std::size_t number)
   {
     number_ = number;
-    if (number_ > sum(max_) && some_component_may_need_more_clusters_than_vertices())
+    const std::vector<Component>& components = uncut_input_->items.mesh.components;
+    const auto may_need_more = [](const Component& c) { return c.max_clusters() < Component_plan::sufficient_clusters(c); };
+    if (number_ > sum(max_) && std::any_of(components.begin(), components.end(), may_need_more))
       find_minimum();
     if (number_ > sum(max_))
       throw_unreachable("the input has only ", sum(max_));
@@ -157,8 +159,13 @@ public:
       find_seeds();
     }
     number_clusters();
-    if (std::any_of(grown_.begin(), grown_.end(), [](const Component_growth& g) { return g.is_pinched; }))
-      resolve_pinches();
+    if (std::any_of(grown_.begin(), grown_.end(), [](const Component_growth& g) { return g.is_pinched; })) {
+      std::vector<Index> new_labels;
+      resolved_input_ = Featured_input{without_pinches(input_->items, *labels_, new_labels), nullptr};
+      labels_.emplace(resolved_input_->items.mesh);
+      for (std::size_t f = 0; f < new_labels.size(); ++f)
+        labels_->set(Index(f), new_labels[f]);
+    }
     labels_->recount();
     face_of_cluster_ = faces_of_clusters();
     Cluster_labels labels = std::move(*labels_);
@@ -209,13 +216,6 @@ private:
         plan_[i].begin(uncut_input_->items.mesh.components[i], wanted[i], merge_level_, by_quadrics);
         state_[i] = State::NEW;
       }
-  }
-
-  bool some_component_may_need_more_clusters_than_vertices() const
-  {
-    const std::vector<Component>& components = uncut_input_->items.mesh.components;
-    return std::any_of(components.begin(), components.end(),
-                       [](const Component& c) { return c.max_clusters() < Component_plan::sufficient_clusters(c); });
   }
 
   // The smallest attainable number is known after every component has reached its minimum. It does not depend on quadrics.
@@ -346,15 +346,6 @@ private:
     }
   }
 
-  void resolve_pinches()
-  {
-    std::vector<Index> new_labels;
-    resolved_input_ = Featured_input{without_pinches(input_->items, *labels_, new_labels), nullptr};
-    labels_.emplace(resolved_input_->items.mesh);
-    for (std::size_t f = 0; f < new_labels.size(); ++f)
-      labels_->set(Index(f), new_labels[f]);
-  }
-
   // Returns a face of each cluster: the first of the seeds, or otherwise of all faces. The seeds of merged clusters come before
   // the seeds that were merged.
   std::vector<Index> faces_of_clusters() const
@@ -362,8 +353,7 @@ private:
     std::vector<Index> result(report_.clusters, NONE);
     const auto offer = [&](Index f) {
       Index& face = result[(*labels_)[f]];
-      if (face == NONE)
-        face = f;
+      face = face == NONE ? f : face;
     };
     if (!resolved_input_) { // its faces have other numbers than the seeds
       for (const Component_growth& g : grown_)
