@@ -4,7 +4,6 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_CELLS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_graph.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/subdivision.h>
 
 #include <algorithm>
@@ -203,41 +202,38 @@ private:
     }
   }
 
+  // Joins the pieces around each vertex that has a cell. The corners of these pieces are the vertex, the midpoint of an edge, the
+  // center of the face, the midpoint of an edge.
   Flat_mesh join_pieces(const Run_context& context) const
   {
     const Flat_mesh& m = pieces_.mesh;
-    Flat_mesh_builder builder(m.points);
+    Flat_mesh result;
+    result.points = m.points;
+    result.first_corner.push_back(0);
     const auto push = [&](Index corner) {
       const Index across = m.face_across[corner];
-      builder.add_corner(m.corner_vertex[corner], across == NONE ? NONE : polygon_of_piece_[across]);
+      result.corner_vertex.push_back(m.corner_vertex[corner]);
+      result.face_across.push_back(across == NONE ? NONE : polygon_of_piece_[across]);
     };
     for (std::size_t polygon = 0; polygon < vertex_of_polygon_.size(); ++polygon) {
       const Index v = vertex_of_polygon_[polygon];
-      if (v == NONE)
+      if (v == NONE) {
         for (const Index c : m.corners(first_piece_[polygon]))
           push(c);
-      else
-        add_cell(v, push);
-      builder.end_face();
+      } else {
+        if (m.is_on_border(v))
+          push(m.first_corner[m.star[m.first_in_star[v]]]);
+        for (const Index piece : m.faces_around(v)) {
+          push(m.first_corner[piece] + 1);
+          push(m.first_corner[piece] + 2);
+        }
+        if (m.is_on_border(v))
+          push(m.first_corner[m.star[m.first_in_star[v + 1] - 1]] + 3);
+      }
+      result.first_corner.push_back(Index(result.corner_vertex.size()));
     }
-    return builder.finish(context);
-  }
-
-  // Walks around the pieces at `v`: their corners are the vertex, the midpoint of an edge, the center of the face, the
-  // midpoint of an edge.
-  template <class Push>
-  void add_cell(Index v, const Push& push) const
-  {
-    const Flat_mesh& m = pieces_.mesh;
-    const Index first = m.first_in_star[v], last = m.first_in_star[v + 1] - 1;
-    if (m.is_on_border(v))
-      push(m.first_corner[m.star[first]]);
-    for (Index k = first; k <= last; ++k) {
-      push(m.first_corner[m.star[k]] + 1);
-      push(m.first_corner[m.star[k]] + 2);
-    }
-    if (m.is_on_border(v))
-      push(m.first_corner[m.star[last]] + 3);
+    complete_topology(result, result.points.size(), context);
+    return result;
   }
 
   void sum_up(Clustering_input& result) const

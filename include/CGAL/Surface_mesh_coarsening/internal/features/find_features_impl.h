@@ -3,7 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FIND_FEATURES_IMPL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FIND_FEATURES_IMPL_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/find_features.h>
 
@@ -119,8 +118,12 @@ private:
     constexpr double tiny = 1e-6; // the height in units of the longest edge: slivers of rounded coordinates have no normal
     constexpr int max_faces = 8;
     for (int i = 0; i < max_faces; ++i) {
-      const Index next = m_.next_corner(f, c), longest = longest_edge(f);
-      const double square = squared_length(f, longest), bound = tiny * tiny * square * square;
+      const auto square_of_edge = [&](Index corner) { return squared_length(m_.edge_vector(f, corner)); };
+      const Number_range corners = m_.corners(f);
+      const Index next = m_.next_corner(f, c), longest = *std::max_element(corners.begin(), corners.end(), [&](Index a, Index b) {
+        return square_of_edge(a) < square_of_edge(b);
+      });
+      const double square = square_of_edge(longest), bound = tiny * tiny * square * square;
       const Vector n = cross(m_.edge_vector(f, c), m_.point_at(m_.next_corner(f, next)) - m_.point_at(c));
       if (dot(n, n) > bound)
         return n;
@@ -134,20 +137,6 @@ private:
       f = across;
     }
     return {{0, 0, 0}};
-  }
-
-  double squared_length(Index f, Index c) const
-  {
-    const Vector d = m_.edge_vector(f, c);
-    return dot(d, d);
-  }
-
-  // Returns the corner before the longest edge of a face.
-  Index longest_edge(Index f) const
-  {
-    const Number_range corners = m_.corners(f);
-    return *std::max_element(corners.begin(), corners.end(),
-                             [&](Index c, Index d) { return squared_length(f, c) < squared_length(f, d); });
   }
 
   // Returns whether each face around is inclined against the mean normal by at least the angle.

@@ -5,7 +5,6 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,10 +43,7 @@ inline Vector mean_of_corners(const Flat_mesh& m, Index f)
   return (1. / m.degree(f)) * sum;
 }
 
-inline double face_area(const Flat_mesh& m, Index f)
-{
-  return length(vector_area(m, f));
-}
+inline double face_area(const Flat_mesh& m, Index f) { return length(vector_area(m, f)); }
 
 inline Bbox_3 face_box(const Flat_mesh& m, Index f)
 {
@@ -105,18 +101,6 @@ inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
   return {area, centroid_of_star(m, f)};
 }
 
-// Computes the unit normal of each face; zero for faces without area.
-inline std::vector<Vector> unit_normals(const Flat_mesh& m, const Run_context& context = Run_context())
-{
-  std::vector<Vector> normals(m.number_of_faces());
-  for_each_number(context, normals.size(), [&](Index f) {
-    const Vector n = vector_area(m, f);
-    const double size = length(n);
-    normals[f] = size > 0 ? (1 / size) * n : Vector{{0, 0, 0}};
-  });
-  return normals;
-}
-
 // Computes the deviation of section 5.2 before the mapping: for each face, the mean length of the difference between its normal
 // and the normals of the faces around its vertices. A pair of faces counts once for each common vertex. Faces without a
 // normal have no deviation. At a vertex of very high degree, each face is compared with a fixed number of evenly spread
@@ -127,7 +111,12 @@ inline std::vector<double> mean_normal_deviations(const Flat_mesh& m, const Run_
   constexpr Index max_compared = 256;
   //! [valence]
   constexpr Vector none{{0, 0, 0}};
-  const std::vector<Vector> normals = unit_normals(m, context);
+  std::vector<Vector> normals(m.number_of_faces(), none); // of unit length
+  for_each_number(context, normals.size(), [&](Index f) {
+    const Vector n = vector_area(m, f);
+    if (const double size = length(n); size > 0)
+      normals[f] = (1 / size) * n;
+  });
   std::vector<double> deviations(m.number_of_faces(), 0);
   for_each_number(context, deviations.size(), [&](Index f) {
     if (normals[f] == none)

@@ -4,12 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_OUTPUT_MAPS_H
 
 #include <CGAL/Surface_mesh_coarsening/Surface_location.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Numbering.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
@@ -21,27 +16,6 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_coarsening::internal {
-
-// Returns the region between feature lines of each face; regions are numbered from 0 in the order of the faces.
-inline std::vector<long long> regions(const Flat_mesh& m, const Feature_edges& edges)
-{
-  std::vector<long long> region(m.number_of_faces(), -1);
-  std::vector<Index> reached;
-  long long number = 0;
-  for (std::size_t seed = 0; seed < region.size(); ++seed) {
-    if (region[seed] >= 0)
-      continue;
-    region[seed] = number;
-    flood_fill(m, Index(seed), reached, Run_context(), [&](Index c, Index g) {
-      if (edges.is_feature[c] || region[g] >= 0)
-        return false;
-      region[g] = number;
-      return true;
-    });
-    ++number;
-  }
-  return region;
-}
 
 // Calls `visit(x, arc)` for the edges of feature lines: `arc` is the arc of the line in the cluster after cluster `x`.
 template <class Visit>
@@ -75,8 +49,12 @@ public:
   Triangle_patches(const Featured_output& output, std::size_t clusters)
     : Featured_output(output), clusters_(clusters), pieces_(input.cells ? input.cells->pieces() : input.items)
   {
-    if (patches.empty() && input.cells)
-      regions_ = regions(input.cells->base().mesh, input.cells->edges());
+    if (!patches.empty() || !input.cells)
+      return;
+    const Flat_mesh& m = input.cells->base().mesh;
+    regions_.assign(m.number_of_faces(), NONE);
+    number_parts(m, numbers_below(Index(regions_.size())), regions_, Run_context(),
+                 [this](Index c, Index) { return !input.cells->edges().is_feature[c]; });
   }
 
   std::vector<long long> run() const
@@ -159,7 +137,7 @@ private:
 
   const std::size_t clusters_;
   const Clustering_input& pieces_;
-  std::vector<long long> regions_;
+  std::vector<Index> regions_; // between feature lines, per face of the base
 };
 
 // Writes the maps that the parameters of the output request.
@@ -191,42 +169,33 @@ void write_features(const Output& output, const NamedParameters& np, const Featu
   }
 }
 
-// Returns the cluster of each vertex of a mesh: among the clusters of the incident faces, the cluster of largest area there, and
-// of equal areas the smallest number. Vertices without faces get `clusters`.
-inline std::vector<Index> clusters_of_vertices(const Flat_mesh& m, const std::vector<double>& area,
-                                               const std::vector<Index>& cluster_of_face, Index clusters)
-{
-  std::vector<Index> result(m.number_of_vertices(), clusters);
-  std::vector<std::pair<Index, double> > around;
-  for (std::size_t v = 0; v < result.size(); ++v) {
-    around.clear();
-    for (const Index f : m.faces_around(v))
-      around.emplace_back(cluster_of_face[f], area[f]);
-    std::sort(around.begin(), around.end());
-    double largest = -1;
-    for (std::size_t i = 0; i < around.size();) {
-      const Index x = around[i].first;
-      double sum = 0;
-      for (; i < around.size() && around[i].first == x; ++i)
-        sum += around[i].second;
-      if (sum > largest) {
-        largest = sum;
-        result[v] = x;
-      }
-    }
-  }
-  return result;
-}
-
-// Writes the clusters of the vertices of the input.
+// Writes the cluster of each vertex of the input: among the clusters of the incident faces, the cluster of largest area there, and
+// of equal areas the smallest number. Vertices without faces get `number`, the number of clusters.
 template <class FaceGraph, class Map>
 void write_vertex_clusters(const Numbering<FaceGraph>& numbering, const Clustering_input& input,
                            const std::vector<Index>& clusters, std::size_t number, const Map& map)
 {
   if constexpr (is_given<Map>) {
-    const std::vector<Index> of_vertex = clusters_of_vertices(input.mesh, input.area, clusters, Index(number));
-    for (std::size_t v = 0; v < numbering.vertices.size(); ++v)
-      put(map, numbering.vertices[v], typename boost::property_traits<Map>::value_type(of_vertex[v]));
+    std::vector<std::pair<Index, double> > around;
+    for (std::size_t v = 0; v < numbering.vertices.size(); ++v) {
+      around.clear();
+      for (const Index f : input.mesh.faces_around(v))
+        around.emplace_back(clusters[f], input.area[f]);
+      std::sort(around.begin(), around.end());
+      Index selected = Index(number);
+      double largest = -1;
+      for (std::size_t i = 0; i < around.size();) {
+        const Index x = around[i].first;
+        double sum = 0;
+        for (; i < around.size() && around[i].first == x; ++i)
+          sum += around[i].second;
+        if (sum > largest) {
+          largest = sum;
+          selected = x;
+        }
+      }
+      put(map, numbering.vertices[v], typename boost::property_traits<Map>::value_type(selected));
+    }
   }
 }
 

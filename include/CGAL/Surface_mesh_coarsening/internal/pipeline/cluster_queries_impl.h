@@ -3,7 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_CLUSTER_QUERIES_IMPL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_CLUSTER_QUERIES_IMPL_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization_state.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/cluster_queries.h>
