@@ -11,7 +11,6 @@
 #include <boost/type_traits/has_less.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <map>
 #include <type_traits>
 #include <utility>

@@ -3,12 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_LEVEL_HIERARCHY_IMPL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_LEVEL_HIERARCHY_IMPL_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_bound.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 
 #include <algorithm>

@@ -9,7 +9,6 @@
 #include <CGAL/utility.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -118,12 +117,15 @@ private:
     constexpr double tiny = 1e-6; // the height in units of the longest edge: slivers of rounded coordinates have no normal
     constexpr int max_faces = 8;
     for (int i = 0; i < max_faces; ++i) {
-      const auto square_of_edge = [&](Index corner) { return squared_length(m_.edge_vector(f, corner)); };
-      const Number_range corners = m_.corners(f);
-      const Index next = m_.next_corner(f, c), longest = *std::max_element(corners.begin(), corners.end(), [&](Index a, Index b) {
-        return square_of_edge(a) < square_of_edge(b);
-      });
-      const double square = square_of_edge(longest), bound = tiny * tiny * square * square;
+      const Index next = m_.next_corner(f, c);
+      Index longest = NONE; // the corner before the longest edge
+      double square = -1;
+      for (const Index corner : m_.corners(f))
+        if (const double s = squared_length(m_.edge_vector(f, corner)); s > square) {
+          longest = corner;
+          square = s;
+        }
+      const double bound = tiny * tiny * square * square;
       const Vector n = cross(m_.edge_vector(f, c), m_.point_at(m_.next_corner(f, next)) - m_.point_at(c));
       if (dot(n, n) > bound)
         return n;

@@ -3,7 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_VECTOR_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_VECTOR_H
 
-#include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
 #include <CGAL/Bbox_3.h>
@@ -11,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -135,7 +133,8 @@ struct Local_frame
 // Translates the points to the center of their bounding box, so that energies do not lose digits if the mesh is far from the
 // origin. If sixth powers of the size and of much smaller details would not all be within the range of double, the points are
 // scaled to a size of about 1 by a power of two, which causes no rounding.
-inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector<Index>& first_in_star, const Run_context& context)
+inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector<Index>& first_in_star,
+                                  const Run_context& context)
 {
   Local_frame frame;
   Bbox_3 box;

@@ -5,7 +5,6 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_coarsening::internal {

@@ -3,12 +3,10 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_COMPLETE_MESH_IMPL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_COMPLETE_MESH_IMPL_H
 
-#include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -203,8 +201,8 @@ private:
         continue;
       context_.poll(mesh_.valence(v));
       for (const Index f : mesh_.faces_around(v)) {
-        // These are all other vertices of a triangle or quadrilateral. Of a larger face, they are the two adjacent vertices, which
-        // keeps the time linear.
+        // These are all other vertices of a triangle or quadrilateral. Of a larger face, only the two adjacent vertices are
+        // visited, which keeps the time linear.
         const Index c = mesh_.corner_of(f, v), before = mesh_.previous_corner(f, c), after = mesh_.next_corner(f, c);
         for (const Index corner : {before, after, mesh_.degree(f) == 4 ? mesh_.next_corner(f, after) : after}) {
           const Index w = mesh_.corner_vertex[corner];

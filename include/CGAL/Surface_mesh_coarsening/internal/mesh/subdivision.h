@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -37,8 +36,7 @@ protected:
     Part part;
   };
 
-  explicit Face_cutting(const Flat_mesh& m)
-    : m_(m), middle_(m.corner_vertex.size(), NONE), piece_(m.corner_vertex.size())
+  explicit Face_cutting(const Flat_mesh& m) : m_(m), middle_(m.corner_vertex.size(), NONE), piece_(m.corner_vertex.size())
   {
     mesh_.points = m.points;
     mesh_.first_corner.push_back(0);
@@ -203,7 +201,19 @@ public:
   Flat_mesh run(const Run_context& context)
   {
     add_points(context);
-    return build(context, [this](Index f) { is_cut_[f] ? cut(f) : copy(f); });
+    return build(context, [this](Index f) {
+      if (!is_cut_[f])
+        return copy(f);
+      const Index first = number() - m_.first_corner[f];
+      for (const Index c : m_.corners(f)) {
+        const Index previous = m_.previous_corner(f, c);
+        add_outer_corner({m_.corner_vertex[c], c, AT_SOURCE});
+        add_inner_corner(middle_[c], first + m_.next_corner(f, c));
+        add_inner_corner(center_[f], first + previous);
+        add_outer_corner({middle_[previous], previous, AT_TARGET});
+        end_piece(f);
+      }
+    });
   }
 
   // Returns the piece of a subdivided face `f` at its vertex `v`.
@@ -230,19 +240,6 @@ private:
     reserve(pieces, corners);
   }
 
-  void cut(Index f)
-  {
-    const Index first = number() - m_.first_corner[f];
-    for (const Index c : m_.corners(f)) {
-      const Index previous = m_.previous_corner(f, c);
-      add_outer_corner({m_.corner_vertex[c], c, AT_SOURCE});
-      add_inner_corner(middle_[c], first + m_.next_corner(f, c));
-      add_inner_corner(center_[f], first + previous);
-      add_outer_corner({middle_[previous], previous, AT_TARGET});
-      end_piece(f);
-    }
-  }
-
   const std::vector<char>& is_cut_; // per face
   std::vector<Index> center_;
 };
@@ -266,27 +263,18 @@ public:
   Flat_mesh run(const Run_context& context)
   {
     return build(context, [this](Index f) {
-      const std::vector<std::size_t> ends = ends_of_cuts(f);
+      const std::vector<Place> places = boundary(f);
+      std::vector<std::size_t> ends; // where pieces meet
+      for (std::size_t i = 0; i < places.size(); ++i)
+        if (places[i].part == AT_TARGET)
+          ends.push_back(i);
       if (ends.empty())
-        copy(f);
-      else
-        add_sectors(f, ends, ends.size() > 2 ? add_point(mean_of_corners(m_, f)) : NONE);
+        return copy(f);
+      if (ends.size() == 1)
+        ends.push_back((ends[0] + places.size() / 2) % places.size());
+      std::sort(ends.begin(), ends.end());
+      add_sectors(f, ends, ends.size() > 2 ? add_point(mean_of_corners(m_, f)) : NONE);
     });
-  }
-
-private:
-  // Returns the places where pieces meet: none if the face stays whole.
-  std::vector<std::size_t> ends_of_cuts(Index f) const
-  {
-    const std::vector<Place> places = boundary(f);
-    std::vector<std::size_t> ends;
-    for (std::size_t i = 0; i < places.size(); ++i)
-      if (places[i].part == AT_TARGET)
-        ends.push_back(i);
-    if (ends.size() == 1)
-      ends.push_back((ends[0] + places.size() / 2) % places.size());
-    std::sort(ends.begin(), ends.end());
-    return ends;
   }
 };
 
@@ -307,9 +295,15 @@ public:
     return build(Run_context(), [this](Index f) {
       const Index rest = number();
       add_rest(f);
-      for (const Index c : m_.corners(f))
-        if (is_cut_[c])
-          add_triangle(f, c, rest);
+      for (const Index c : m_.corners(f)) {
+        if (!is_cut_[c])
+          continue;
+        const Index previous = m_.previous_corner(f, c);
+        add_outer_corner({m_.corner_vertex[c], c, AT_SOURCE});
+        add_inner_corner(near_source_[c], rest);
+        add_outer_corner({near_target_[previous], previous, AT_TARGET});
+        end_piece(f);
+      }
     });
   }
 
@@ -343,15 +337,6 @@ private:
       if (near_target_[c] != NONE && !is_cut_[m_.next_corner(f, c)])
         add_outer_corner({near_target_[c], c, AT_TARGET});
     }
-    end_piece(f);
-  }
-
-  void add_triangle(Index f, Index c, Index rest)
-  {
-    const Index previous = m_.previous_corner(f, c);
-    add_outer_corner({m_.corner_vertex[c], c, AT_SOURCE});
-    add_inner_corner(near_source_[c], rest);
-    add_outer_corner({near_target_[previous], previous, AT_TARGET});
     end_piece(f);
   }
 

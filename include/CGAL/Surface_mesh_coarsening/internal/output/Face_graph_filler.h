@@ -10,7 +10,6 @@
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -53,8 +52,7 @@ struct Halfedges
   Halfedges(const std::vector<Triangle>& triangles, std::size_t vertices, const Run_context& context)
     : of_vertex(vertices, NONE), of_face(triangles.size())
   {
-    const std::vector<Index> twin =
-      opposite_sides(triangles.size(), vertices, [&](Index s) { return triangles[s / 3][s % 3]; });
+    const std::vector<Index> twin = opposite_sides(triangles.size(), vertices, [&](Index s) { return triangles[s / 3][s % 3]; });
     std::vector<Index> of_side(twin.size(), NONE);
     for (Index s = 0; s < Index(twin.size()); ++s) {
       context.poll();

@@ -10,7 +10,6 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <map>
 #include <utility>
 #include <vector>
@@ -61,7 +60,12 @@ public:
   {
     std::vector<Index> face = faces_at_lines();
     spread(face);
-    const std::vector<Index> some = some_faces();
+    std::vector<Index> some(clusters_, NONE); // a face of each cluster
+    for (std::size_t f = 0; f < pieces_.mesh.number_of_faces(); ++f) {
+      const Index label = labels[input.cells ? input.cells->polygon(Index(f)) : Index(f)];
+      if (label < some.size())
+        some[label] = Index(f);
+    }
     std::vector<long long> result;
     for (std::size_t t = 0; t < face.size(); ++t)
       result.push_back(patch_of(face[t] == NONE ? some[triangles[t][0]] : face[t])); // without face, the component has no lines
@@ -114,18 +118,6 @@ private:
         face[t] = face[reached[k]];
         reached.push_back(t);
       }
-  }
-
-  // Returns a face of each cluster.
-  std::vector<Index> some_faces() const
-  {
-    std::vector<Index> some(clusters_, NONE);
-    for (std::size_t f = 0; f < pieces_.mesh.number_of_faces(); ++f) {
-      const Index label = labels[input.cells ? input.cells->polygon(Index(f)) : Index(f)];
-      if (label < some.size())
-        some[label] = Index(f);
-    }
-    return some;
   }
 
   long long patch_of(Index face) const

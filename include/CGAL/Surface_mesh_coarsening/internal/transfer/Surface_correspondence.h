@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <map>
 #include <string>
@@ -314,8 +313,23 @@ public:
   template <class Visit>
   void for_each_corner_at(Index x, const Visit& visit)
   {
-    collect(x);
-    const bool is_cut = number_sectors(x);
+    std::vector<Index> clusters(1, x); // and the adjacent clusters
+    for (const Index t : surfaces_.around(x))
+      clusters.insert(clusters.end(), surfaces_.triangles()[t].begin(), surfaces_.triangles()[t].end());
+    sort_unique(clusters);
+    faces_.clear();
+    for (const Index y : clusters)
+      for (const Index f : surfaces_.faces(y)) {
+        faces_.push_back(f);
+        stamp_[f] = x;
+        sector_[f] = NONE;
+      }
+    bool is_cut = false;
+    for (const Index f : faces_)
+      for (const Index c : mesh_.corners(f))
+        is_cut = is_cut || (is_seam_[c] && mesh_.face_across[c] != NONE && stamp_[mesh_.face_across[c]] == x);
+    if (is_cut)
+      number_parts(mesh_, faces_, sector_, Run_context(), [&](Index c, Index g) { return !is_seam_[c] && stamp_[g] == x; });
     std::map<Index, Nearest_point> nearest_in_sector;
     for (const Index t : surfaces_.around(x)) {
       const Index face = surfaces_.triangle_sources()[t].face;
@@ -328,35 +342,6 @@ public:
   }
 
 private:
-  // Collects the faces of the cluster and of its neighbors.
-  void collect(Index x)
-  {
-    std::vector<Index> clusters(1, x);
-    for (const Index t : surfaces_.around(x))
-      clusters.insert(clusters.end(), surfaces_.triangles()[t].begin(), surfaces_.triangles()[t].end());
-    sort_unique(clusters);
-    faces_.clear();
-    for (const Index y : clusters)
-      for (const Index f : surfaces_.faces(y)) {
-        faces_.push_back(f);
-        stamp_[f] = x;
-        sector_[f] = NONE;
-      }
-  }
-
-  // Returns whether there is a seam.
-  bool number_sectors(Index x)
-  {
-    bool is_cut = false;
-    for (const Index f : faces_)
-      for (const Index c : mesh_.corners(f))
-        is_cut = is_cut || (is_seam_[c] && mesh_.face_across[c] != NONE && stamp_[mesh_.face_across[c]] == x);
-    if (!is_cut)
-      return false;
-    number_parts(mesh_, faces_, sector_, Run_context(), [&](Index c, Index g) { return !is_seam_[c] && stamp_[g] == x; });
-    return true;
-  }
-
   // Searches all faces if the sector is NONE.
   Nearest_point nearest_in(Index x, Index sector) const
   {
