@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NAMED_PARAMETERS_H
 
 #include <CGAL/Surface_mesh_coarsening/defaults.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/parameters.h>
 
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>

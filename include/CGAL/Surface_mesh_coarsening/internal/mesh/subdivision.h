@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_SUBDIVISION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_SUBDIVISION_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 
 #include <algorithm>
 #include <array>

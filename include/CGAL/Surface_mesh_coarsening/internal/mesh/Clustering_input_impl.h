@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_COMPLETE_MESH_IMPL_H
-#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_COMPLETE_MESH_IMPL_H
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_CLUSTERING_INPUT_IMPL_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_CLUSTERING_INPUT_IMPL_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 
 #include <algorithm>
 #include <cmath>
@@ -304,4 +304,4 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Clustering_input cut_input(const Clustering_
 
 } // namespace CGAL::Surface_mesh_coarsening::internal
 
-#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_COMPLETE_MESH_IMPL_H
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_CLUSTERING_INPUT_IMPL_H
