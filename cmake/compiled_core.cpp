@@ -6,7 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/find_features_impl.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh_impl.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Typed_energy_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices_impl.h>

@@ -182,7 +182,7 @@ set(theory Theory_and_proofs.txt)
 check_constant(${manual} "more than one pair for ([0-9]+) vertices remains" internal/pipeline/place_and_exchange.h
   "([0-9]+) \\* dual.number_left\\(\\) > state.number_of_clusters")
 check_constant(${manual} "reclusters the mesh, up to ([0-9]+) times" internal/pipeline/place_and_exchange.h "max_repetitions = ([0-9]+)")
-check_constant(${manual} "near curved borders, up to ([0-9]+) times" internal/mesh/complete_mesh_impl.h "max_raised = ([0-9]+)")
+check_constant(${manual} "near curved borders, up to ([0-9]+) times" internal/mesh/Clustering_input_impl.h "max_raised = ([0-9]+)")
 check_constant(${manual} "at most ([0-9]+) % larger than the number before" internal/distance/find_within_distance_impl.h
   "max_ratio = 1\\.0([0-9]+)")
 check_constant(${manual} "rho_j\\^{([0-9]+)} \\)" Cluster_weight/Maximum_density_weight.h "double p = ([0-9]+)")

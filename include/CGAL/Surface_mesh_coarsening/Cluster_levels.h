@@ -5,13 +5,10 @@
 
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy.h>
-#include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
-#include <CGAL/Surface_mesh_coarsening/internal/output/Output_maps.h>
 
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
-#include <cstddef>
 #include <string>
 
 namespace CGAL::Surface_mesh_coarsening {

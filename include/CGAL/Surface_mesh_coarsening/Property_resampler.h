@@ -5,9 +5,6 @@
 
 #include <CGAL/Surface_mesh_coarsening/Surface_location.h>
 #include <CGAL/Surface_mesh_coarsening/internal/transfer/Surface_correspondence.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
-#include <CGAL/Surface_mesh_coarsening/internal/transfer/Value_components.h>
 
 #include <array>
 #include <vector>

@@ -6,7 +6,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Numbering.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

@@ -3,15 +3,10 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_TO_DISTANCE_H
 #define CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_TO_DISTANCE_H
 
-#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
-#include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance.h>
-#include <CGAL/Surface_mesh_coarsening/internal/output/Output_maps.h>
-#include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
 #include <cmath>
-#include <cstddef>
 #include <type_traits>
 #include <vector>
 

@@ -3,7 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_MEASURE_COARSENING_H
 #define CGAL_SURFACE_MESH_COARSENING_MEASURE_COARSENING_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/Face_graph_filler.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -31,8 +30,57 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// The error of a surface with respect to another surface, at samples of the first: the distances to the closest points of the
+/// second surface, and the angles in degrees between the normals at these pairs of points.
+struct Surface_error
+{
+  /// The root of the mean squared distance.
+  double rms_distance = 0;
+  /// The mean distance.
+  double mean_distance = 0;
+  /// The largest distance.
+  double maximum_distance = 0;
+  /// The root of the mean squared angle between the normals.
+  double rms_normal_deviation = 0;
+  /// The mean angle between the normals.
+  double mean_normal_deviation = 0;
+  /// The largest angle between the normals.
+  double maximum_normal_deviation = 0;
+};
+
+/// \ingroup PkgSurfaceMeshCoarseningRef
+/// The distance between two meshes, the deviation of their normals, and the shape of the triangles of the second mesh. Lengths
+/// are in the unit of the meshes, angles in degrees. The members of the base class are the larger values of the two directions.
+struct Coarsening_quality : Surface_error
+{
+  /// The error at samples of the first mesh, with respect to the second.
+  Surface_error from_mesh;
+  /// The error at samples of the second mesh, with respect to the first.
+  Surface_error from_coarse;
+  /// The mean, over the triangles of the second mesh, of the smallest angle of a triangle.
+  double mean_smallest_angle = 0;
+  /// The smallest angle of all triangles of the second mesh.
+  double smallest_angle = 0;
+  /// The fraction of the triangles of the second mesh with an angle of less than 30 degrees.
+  double part_below_30_degrees = 0;
+  /// The number of pairs of faces of the second mesh that intersect.
+  std::size_t self_intersections = 0;
+  /// The root of the mean squared distance between the borders as curves, the larger value of the two directions; 0 without
+  /// borders, and infinity if one mesh has a border and the other has none.
+  double border_rms_distance = 0;
+  /// The mean distance between the borders, defined in the same way.
+  double border_mean_distance = 0;
+  /// The largest distance of a sample between the borders, defined in the same way.
+  double border_maximum_distance = 0;
+  /// The diagonal of the bounding box of the first mesh.
+  double diagonal = 0;
+};
+
+/// \cond SKIP_IN_MANUAL
+
 namespace internal {
 
 typedef Exact_predicates_inexact_constructions_kernel Measuring_kernel;
@@ -48,8 +96,6 @@ typedef AABB_segment_primitive<Measuring_kernel, Segments::const_iterator> Segme
 template <class Primitive>
 using Aabb_tree = AABB_tree<AABB_traits<Measuring_kernel, Primitive> >;
 #endif
-
-constexpr double degrees_per_radian = 180 / CGAL_PI;
 
 template <class FaceGraph, class NamedParameters>
 Triangle_mesh triangulated_copy(const FaceGraph& mesh, const NamedParameters& np)
@@ -97,7 +143,7 @@ inline double diagonal(const Triangle_mesh& mesh)
   for (const auto v : mesh.vertices())
     if (!mesh.is_isolated(v))
       box += mesh.point(v).bbox();
-  return std::sqrt(square(box.x_span()) + square(box.y_span()) + square(box.z_span()));
+  return std::sqrt(squared_diagonal(box));
 }
 
 inline std::array<Measuring_kernel::Point_3, 3> corners(const Triangle_mesh& mesh, Triangle_mesh::Face_index f)
@@ -116,7 +162,7 @@ inline Measuring_kernel::Vector_3 normal(const Triangle_mesh& mesh, Triangle_mes
 inline double angle(const Measuring_kernel::Vector_3& a, const Measuring_kernel::Vector_3& b)
 {
   const double product = std::sqrt(a.squared_length() * b.squared_length());
-  return product > 0 ? degrees_per_radian * std::acos((std::max)(-1., (std::min)(1., a * b / product))) : 0;
+  return product > 0 ? 180 / CGAL_PI * std::acos(std::clamp(a * b / product, -1., 1.)) : 0;
 }
 
 inline double smallest_angle(const Triangle_mesh& mesh, Triangle_mesh::Face_index f)
@@ -190,59 +236,6 @@ inline Statistics border_distances(const Triangle_mesh& from, const Triangle_mes
   return statistics;
 }
 
-} // namespace internal
-
-/// \ingroup PkgSurfaceMeshCoarseningRef
-/// The error of a surface with respect to another surface, at samples of the first: the distances to the closest points of the
-/// second surface, and the angles in degrees between the normals at these pairs of points.
-struct Surface_error
-{
-  /// The root of the mean squared distance.
-  double rms_distance = 0;
-  /// The mean distance.
-  double mean_distance = 0;
-  /// The largest distance.
-  double maximum_distance = 0;
-  /// The root of the mean squared angle between the normals.
-  double rms_normal_deviation = 0;
-  /// The mean angle between the normals.
-  double mean_normal_deviation = 0;
-  /// The largest angle between the normals.
-  double maximum_normal_deviation = 0;
-};
-
-/// \ingroup PkgSurfaceMeshCoarseningRef
-/// The distance between two meshes, the deviation of their normals, and the shape of the triangles of the second mesh. Lengths
-/// are in the unit of the meshes, angles in degrees. The members of the base class are the larger values of the two directions.
-struct Coarsening_quality : Surface_error
-{
-  /// The error at samples of the first mesh, with respect to the second.
-  Surface_error from_mesh;
-  /// The error at samples of the second mesh, with respect to the first.
-  Surface_error from_coarse;
-  /// The mean, over the triangles of the second mesh, of the smallest angle of a triangle.
-  double mean_smallest_angle = 0;
-  /// The smallest angle of all triangles of the second mesh.
-  double smallest_angle = 0;
-  /// The fraction of the triangles of the second mesh with an angle of less than 30 degrees.
-  double part_below_30_degrees = 0;
-  /// The number of pairs of faces of the second mesh that intersect.
-  std::size_t self_intersections = 0;
-  /// The root of the mean squared distance between the borders as curves, the larger value of the two directions; 0 without
-  /// borders, and infinity if one mesh has a border and the other has none.
-  double border_rms_distance = 0;
-  /// The mean distance between the borders, defined in the same way.
-  double border_mean_distance = 0;
-  /// The largest distance of a sample between the borders, defined in the same way.
-  double border_maximum_distance = 0;
-  /// The diagonal of the bounding box of the first mesh.
-  double diagonal = 0;
-};
-
-/// \cond SKIP_IN_MANUAL
-
-namespace internal {
-
 inline Surface_error surface_error(const Triangle_mesh& from, const Triangle_mesh& to, std::size_t samples)
 {
   Aabb_tree<Triangle_primitive> tree(to.faces().begin(), to.faces().end(), to);
@@ -266,16 +259,6 @@ inline Surface_error surface_error(const Triangle_mesh& from, const Triangle_mes
     angles.add(a, square(a));
   });
   return {distances.rms(), distances.mean(), distances.maximum, angles.rms(), angles.mean(), angles.maximum};
-}
-
-inline Surface_error larger_of(const Surface_error& a, const Surface_error& b)
-{
-  return {(std::max)(a.rms_distance, b.rms_distance),
-          (std::max)(a.mean_distance, b.mean_distance),
-          (std::max)(a.maximum_distance, b.maximum_distance),
-          (std::max)(a.rms_normal_deviation, b.rms_normal_deviation),
-          (std::max)(a.mean_normal_deviation, b.mean_normal_deviation),
-          (std::max)(a.maximum_normal_deviation, b.maximum_normal_deviation)};
 }
 
 inline void measure_borders(const Triangle_mesh& a, const Triangle_mesh& b, std::size_t samples, Coarsening_quality& quality)
@@ -341,7 +324,10 @@ Coarsening_quality measure_coarsening(const FaceGraph& mesh, const CoarseFaceGra
   quality.diagonal = internal::diagonal(a);
   quality.from_mesh = internal::surface_error(a, b, number_of_samples);
   quality.from_coarse = internal::surface_error(b, a, number_of_samples);
-  static_cast<Surface_error&>(quality) = internal::larger_of(quality.from_mesh, quality.from_coarse);
+  for (const auto value : {&Surface_error::rms_distance, &Surface_error::mean_distance, &Surface_error::maximum_distance,
+                           &Surface_error::rms_normal_deviation, &Surface_error::mean_normal_deviation,
+                           &Surface_error::maximum_normal_deviation})
+    quality.*value = (std::max)(quality.from_mesh.*value, quality.from_coarse.*value);
   internal::measure_borders(a, b, number_of_samples, quality);
   quality.smallest_angle = 180;
   for (const auto f : faces(b)) {
@@ -357,7 +343,6 @@ Coarsening_quality measure_coarsening(const FaceGraph& mesh, const CoarseFaceGra
   return quality;
 }
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_MEASURE_COARSENING_H

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -129,32 +128,28 @@ private:
     else
       transfer_.transfer_corner_property(from, to);
     if constexpr (std::is_same<Type, typename Kernel::Vector_3>::value)
-      if (policy == Transfer_policy::INTERPOLATED && are_unit_vectors<Element>(from))
-        scale_to_unit_length<Element>(to);
+      if (policy == Transfer_policy::INTERPOLATED)
+        keep_unit_length<Element>(from, to);
     return true;
   }
 
-  template <class Element, class Map>
-  bool are_unit_vectors(const Map& map) const
+  // Scales vectors to unit length if all vectors of the mesh have unit length. The mean of opposite vectors has no direction and
+  // stays 0.
+  template <class Element, class Map, class CoarseMap>
+  void keep_unit_length(const Map& from, CoarseMap& to)
   {
     constexpr double tolerance = 1e-4; // covers the precision of `float` and of text
-    const auto range = elements<Element>(mesh_);
-    return std::all_of(range.begin(), range.end(), [&](Element e) {
+    for (const Element e : elements<Element>(mesh_)) {
       if constexpr (std::is_same<Element, typename Mesh::Halfedge_index>::value)
         if (mesh_.is_border(e))
-          return true; // it has no value
-      return std::abs(CGAL::to_double(map[e].squared_length()) - 1) < tolerance;
-    });
-  }
-
-  // The mean of opposite vectors has no direction and stays 0.
-  template <class Element, class Map>
-  void scale_to_unit_length(Map& map)
-  {
+          continue; // it has no value
+      if (!(std::abs(CGAL::to_double(from[e].squared_length()) - 1) < tolerance))
+        return;
+    }
     for (const Element e : elements<Element>(coarse_)) {
-      const double length = std::sqrt(CGAL::to_double(map[e].squared_length()));
+      const double length = std::sqrt(CGAL::to_double(to[e].squared_length()));
       if (length > 0)
-        map[e] = map[e] / length;
+        to[e] = to[e] / length;
     }
   }
 

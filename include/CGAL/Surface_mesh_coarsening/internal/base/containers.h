@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_CONTAINERS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_BASE_CONTAINERS_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -11,20 +11,12 @@
 #include <boost/type_traits/has_less.hpp>
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <map>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_coarsening::internal {
-
-// The number of a face, corner, vertex or cluster in the arrays.
-typedef std::uint32_t Index;
-
-constexpr Index NONE = (std::numeric_limits<Index>::max)();
 
 typedef Iterator_range<boost::counting_iterator<Index> > Number_range;
 

@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_CLUSTERS_CLUSTERING_CHECK_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Numbering.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 #include <algorithm>
 #include <functional>

@@ -3,14 +3,11 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_DISTANCE_BOUND_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_DISTANCE_BOUND_H
 
-#include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
 #include <optional>
 #include <queue>
@@ -100,7 +97,7 @@ public:
         undecided.push(part);
     };
     // A few of the triangles, first, yield a distance below which the others need not be divided.
-    constexpr std::size_t step = 8;
+    constexpr std::size_t step = 8, max_cuts = 8;
     for (const Surface* from : {static_cast<const Surface*>(&surface_), &coarse})
       for (std::size_t first = 0; first < step; ++first)
         for (std::size_t t = first; t < from->number.size(); t += step)
@@ -121,7 +118,10 @@ public:
         break;
       const Part part = undecided.top();
       undecided.pop();
-      divide(part, part.is_coarse ? surface_ : coarse, measure);
+      // Where possible, a part is divided into what lies over its nearest triangle and what does not: over one triangle, the
+      // bound is exact. Repeated cuts of thin slices are followed by a halving.
+      if (part.cuts == max_cuts || !cut_at_edge(part, part.is_coarse ? surface_ : coarse, measure))
+        halve(part, measure);
     }
     measured.bound = undecided.empty() ? reached : (std::max)(reached, undecided.top().bound);
     if (measured.far.empty())
@@ -191,7 +191,7 @@ private:
     bool is_coarse; // whether it is a part of the coarse mesh
     double bound;
     Index nearest = NONE; // the triangle nearest to the center; at first, of the divided part
-    int cuts = 0;         // since it was halved
+    std::size_t cuts = 0; // since it was halved
   };
 
   Far_point far_point(const Part& part, const Nearest_point& near, const Surface& coarse) const
@@ -232,16 +232,6 @@ private:
       squared = (std::max)(squared, closest_on_triangle(p, triangle[0], triangle[1], triangle[2]).squared_distance);
     work_left_ -= (std::min)(part.corners.size(), work_left_);
     return std::sqrt(squared);
-  }
-
-  // Divides a part, where possible into what lies over its nearest triangle and what does not: over one triangle, the bound is
-  // exact. Repeated cuts of thin slices are followed by a halving.
-  template <class Visit>
-  static void divide(const Part& part, const Surface& to, const Visit& visit)
-  {
-    constexpr int max_cuts = 8;
-    if (part.cuts == max_cuts || !cut_at_edge(part, to, visit))
-      halve(part, visit);
   }
 
   // Cuts a part by the plane through an edge of its nearest triangle, upright on the triangle: the plane beyond which the part

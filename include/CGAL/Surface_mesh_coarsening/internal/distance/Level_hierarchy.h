@@ -6,7 +6,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 #include <CGAL/Surface_mesh_coarsening/internal/refinement/Merge_history.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_coarsening::internal {

@@ -3,13 +3,8 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_LEVEL_HIERARCHY_IMPL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_LEVEL_HIERARCHY_IMPL_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_bound.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 
 #include <algorithm>
@@ -34,6 +29,12 @@ public:
   double distance() const { return std::sqrt(from_coarse(to_coarse())); }
 
 private:
+  struct Part
+  {
+    Corner_points corners;
+    Triangle clusters; // the clusters in which the search begins
+  };
+
   double to_coarse() const
   {
     double largest = 0;
@@ -68,15 +69,11 @@ private:
   // Stops when the result can no longer change.
   void improve_around(const Vector& p, Index x, double largest, double& least) const
   {
-    for (const Index t : coarse_.around(x))
+    for (const Index t : coarse_.around(x)) {
+      const Triangle& c = coarse_.triangles()[t];
       if (least > largest)
-        least = (std::min)(least, squared_distance(p, t));
-  }
-
-  double squared_distance(const Vector& p, Index t) const
-  {
-    const Triangle& c = coarse_.triangles()[t];
-    return closest_on_triangle(p, positions_[c[0]], positions_[c[1]], positions_[c[2]]).squared_distance;
+        least = (std::min)(least, closest_on_triangle(p, positions_[c[0]], positions_[c[1]], positions_[c[2]]).squared_distance);
+    }
   }
 
   // Subdivides the parts of triangles whose distance may exceed the largest distance so far.
@@ -100,28 +97,17 @@ private:
         const Vector center = center_of(part.corners);
         const double rise = i < divisions ? steepness * radius_about(center, part.corners) : 0;
         const double low = (std::max)(std::sqrt(largest) - rise, 0.);
-        if (look_at(center, part.clusters[0], low * low) > low * low && i < divisions)
-          divide(part, far);
+        if (!(look_at(center, part.clusters[0], low * low) > low * low && i < divisions))
+          continue;
+        const auto& [c, x] = part;
+        const Corner_points middles{{0.5 * (c[1] + c[2]), 0.5 * (c[2] + c[0]), 0.5 * (c[0] + c[1])}};
+        far.push_back({middles, x});
+        for (int k = 0; k < 3; ++k)
+          far.push_back({{{c[k], middles[(k + 2) % 3], middles[(k + 1) % 3]}}, {{x[k], x[k], x[k]}}});
       }
       parts = std::move(far);
     }
     return largest;
-  }
-
-  struct Part
-  {
-    Corner_points corners;
-    Triangle clusters; // the clusters in which the search begins
-  };
-
-  static void divide(const Part& part, std::vector<Part>& parts)
-  {
-    const auto& c = part.corners;
-    const auto& x = part.clusters;
-    const Corner_points middles{{0.5 * (c[1] + c[2]), 0.5 * (c[2] + c[0]), 0.5 * (c[0] + c[1])}};
-    parts.push_back({middles, x});
-    for (int i = 0; i < 3; ++i)
-      parts.push_back({{{c[i], middles[(i + 2) % 3], middles[(i + 1) % 3]}}, {{x[i], x[i], x[i]}}});
   }
 
   static constexpr int divisions = 5;

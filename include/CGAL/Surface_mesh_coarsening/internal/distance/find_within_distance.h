@@ -3,7 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_FIND_WITHIN_DISTANCE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_FIND_WITHIN_DISTANCE_H
 
-#include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
 #include <cstddef>

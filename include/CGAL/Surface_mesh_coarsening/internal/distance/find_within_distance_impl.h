@@ -3,17 +3,13 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_FIND_WITHIN_DISTANCE_IMPL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_FIND_WITHIN_DISTANCE_IMPL_H
 
-#include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Distance_bound.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/place_and_exchange.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -64,7 +60,11 @@ public:
         first = middle + 1;
     }
     if (found) {
-      return_to(std::move(*found));
+      cluster(found->number);
+      dual_ = std::move(found->dual);
+      restore_clusters(state_, found->labels, dual_);
+      state_.report.exchanged_vertices = found->exchanged;
+      begin_bounds();
     } else if (!is_within_distance(numbers.back(), true) && numbers.back() < goal_.max_vertices) {
       throw Unreachable_distance("no result within a distance of " + number_text(goal_.distance) + " was found",
                                  state_.frame.length_to_mesh(rounded_up * nearest_));
@@ -134,15 +134,6 @@ private:
     grow(state_);
     minimize(state_, goal_.end);
     ++report_.clusterings;
-  }
-
-  void return_to(Result result)
-  {
-    cluster(result.number);
-    dual_ = std::move(result.dual);
-    restore_clusters(state_, result.labels, dual_);
-    state_.report.exchanged_vertices = result.exchanged;
-    begin_bounds();
   }
 
   // Computes the result for a number of vertices, as far as the answer needs it, or completely.

@@ -10,7 +10,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Record_bins.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/subdivision.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>

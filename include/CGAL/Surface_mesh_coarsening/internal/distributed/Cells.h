@@ -7,7 +7,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Patch.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Record_bins.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
 
 #include <algorithm>

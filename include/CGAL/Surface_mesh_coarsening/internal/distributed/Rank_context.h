@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_coarsening/defaults.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_record.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>

@@ -3,14 +3,12 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_COARSE_FEATURES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_COARSE_FEATURES_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Cluster_labels.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
 
 #include <CGAL/utility.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -108,8 +106,15 @@ public:
     labels_of_pieces_->recount();
     if (input.cells->has_features())
       features_.emplace(*input.cells, *labels_of_pieces_, clusters);
-    if (has_vertex_cells(input))
-      find_single_cells(*input.cells, clusters);
+    if (!has_vertex_cells(input))
+      return;
+    single_vertex_.assign(clusters, NONE);
+    std::vector<char> has_cell(clusters, false);
+    for (std::size_t polygon = 0; polygon < labels.labels().size(); ++polygon) {
+      const Index x = labels[Index(polygon)];
+      single_vertex_[x] = has_cell[x] ? NONE : input.cells->vertex(Index(polygon));
+      has_cell[x] = true;
+    }
   }
 
   const Clustering_input& input() const { return input_; }
@@ -126,17 +131,6 @@ public:
   std::size_t number_of_cells() const { return single_vertex_.empty() ? 0 : labels_.labels().size(); }
 
 private:
-  void find_single_cells(const Feature_cells& cells, std::size_t clusters)
-  {
-    single_vertex_.assign(clusters, NONE);
-    std::vector<char> has_cell(clusters, false);
-    for (std::size_t polygon = 0; polygon < labels_.labels().size(); ++polygon) {
-      const Index x = labels_[Index(polygon)];
-      single_vertex_[x] = has_cell[x] ? NONE : cells.vertex(Index(polygon));
-      has_cell[x] = true;
-    }
-  }
-
   const Clustering_input& input_;
   const Cluster_labels& labels_;
   std::optional<Cluster_labels> labels_of_pieces_;
@@ -165,9 +159,7 @@ inline std::size_t cluster_of_face(const Featured_input& input, const Cluster_la
     if (node != NONE && (cells->graph().is_corner(node) || cells->has_line_at(piece)))
       first_node = (std::min)(first_node, node);
   }
-  if (first_node != NONE)
-    return labels[cells->cell(first_node)];
-  return votes.value();
+  return first_node != NONE ? labels[cells->cell(first_node)] : votes.value();
 }
 
 } // namespace CGAL::Surface_mesh_coarsening::internal

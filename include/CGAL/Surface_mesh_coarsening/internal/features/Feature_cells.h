@@ -4,11 +4,9 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FEATURE_CELLS_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_graph.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/subdivision.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -36,8 +34,12 @@ public:
   {
     auto cells = std::make_shared<Feature_cells>(base, edges, extent);
     const std::vector<char> too_wide = cells->faces_at(&Feature_cells::has_bigon);
-    if (!too_wide.empty())
-      return cells->in_fans(too_wide, context);
+    if (!too_wide.empty()) {
+      Star_subdivision cutting(base.mesh, too_wide);
+      Flat_mesh triangles = cutting.run([&](Index f) { return mean_of_corners(base.mesh, f); }, context);
+      cells->keep_bounds(triangles);
+      return cells->cut(cutting, std::move(triangles), context);
+    }
     if (!cells->graph_.has_room())
       return cells->subdivided(std::vector<bool>(base.mesh.components.size(), true), context);
     Clustering_input items = cells->make(context);
@@ -146,15 +148,6 @@ private:
     return run(cut_input(base_, std::move(pieces), cutting.old_face(), context), edges, context, extent_);
   }
 
-  // The same after a star subdivision of chosen faces of the original mesh, which does not add room for clusters.
-  Featured_input in_fans(const std::vector<char>& is_cut, const Run_context& context) const
-  {
-    Star_subdivision cutting(base_.mesh, is_cut);
-    Flat_mesh triangles = cutting.run([this](Index f) { return mean_of_corners(base_.mesh, f); }, context);
-    keep_bounds(triangles);
-    return cut(cutting, std::move(triangles), context);
-  }
-
   Clustering_input make(const Run_context& context)
   {
     const std::vector<char> is_cut = faces_at(&Feature_cells::has_cell);
@@ -167,7 +160,16 @@ private:
     Clustering_input result;
     result.mesh = join_pieces(context);
     sum_up(result);
-    count_in_components(result.mesh);
+    keep_bounds(result.mesh);
+    const auto component_of = [&](Index node) -> Component& {
+      return result.mesh.components[result.mesh.component[cell_of_node_[node]]];
+    };
+    for (Index i = 0; i < graph_.number_of_corners(); ++i) {
+      ++component_of(i).feature_clusters;
+      ++component_of(i).feature_corners;
+    }
+    for (const Feature_line& line : graph_.lines())
+      component_of(line.nodes[0]).feature_clusters += line.is_loop ? line.min_crossings : line.min_crossings - 1;
     for (std::size_t f = 0; f < result.mesh.number_of_faces(); ++f) {
       const Number_range corners = result.mesh.corners(f);
       is_at_border_.push_back(
@@ -203,41 +205,38 @@ private:
     }
   }
 
+  // Joins the pieces around each vertex that has a cell. The corners of these pieces are the vertex, the midpoint of an edge, the
+  // center of the face, the midpoint of an edge.
   Flat_mesh join_pieces(const Run_context& context) const
   {
     const Flat_mesh& m = pieces_.mesh;
-    Flat_mesh_builder builder(m.points);
+    Flat_mesh result;
+    result.points = m.points;
+    result.first_corner.push_back(0);
     const auto push = [&](Index corner) {
       const Index across = m.face_across[corner];
-      builder.add_corner(m.corner_vertex[corner], across == NONE ? NONE : polygon_of_piece_[across]);
+      result.corner_vertex.push_back(m.corner_vertex[corner]);
+      result.face_across.push_back(across == NONE ? NONE : polygon_of_piece_[across]);
     };
     for (std::size_t polygon = 0; polygon < vertex_of_polygon_.size(); ++polygon) {
       const Index v = vertex_of_polygon_[polygon];
-      if (v == NONE)
+      if (v == NONE) {
         for (const Index c : m.corners(first_piece_[polygon]))
           push(c);
-      else
-        add_cell(v, push);
-      builder.end_face();
+      } else {
+        if (m.is_on_border(v))
+          push(m.first_corner[m.star[m.first_in_star[v]]]);
+        for (const Index piece : m.faces_around(v)) {
+          push(m.first_corner[piece] + 1);
+          push(m.first_corner[piece] + 2);
+        }
+        if (m.is_on_border(v))
+          push(m.first_corner[m.star[m.first_in_star[v + 1] - 1]] + 3);
+      }
+      result.first_corner.push_back(Index(result.corner_vertex.size()));
     }
-    return builder.finish(context);
-  }
-
-  // Walks around the pieces at `v`: their corners are the vertex, the midpoint of an edge, the center of the face, the
-  // midpoint of an edge.
-  template <class Push>
-  void add_cell(Index v, const Push& push) const
-  {
-    const Flat_mesh& m = pieces_.mesh;
-    const Index first = m.first_in_star[v], last = m.first_in_star[v + 1] - 1;
-    if (m.is_on_border(v))
-      push(m.first_corner[m.star[first]]);
-    for (Index k = first; k <= last; ++k) {
-      push(m.first_corner[m.star[k]] + 1);
-      push(m.first_corner[m.star[k]] + 2);
-    }
-    if (m.is_on_border(v))
-      push(m.first_corner[m.star[last]] + 3);
+    complete_topology(result, result.points.size(), context);
+    return result;
   }
 
   void sum_up(Clustering_input& result) const
@@ -266,19 +265,6 @@ private:
       result.item_faces.push_back(faces);
       result.parent.push_back(pieces_.parent[first_piece_[polygon]]);
     }
-  }
-
-  // Counts the clusters that the features of each component need, and the vertices of the original mesh.
-  void count_in_components(Flat_mesh& m) const
-  {
-    const auto component_of = [&](Index node) -> Component& { return m.components[m.component[cell_of_node_[node]]]; };
-    for (Index i = 0; i < graph_.number_of_corners(); ++i) {
-      ++component_of(i).feature_clusters;
-      ++component_of(i).feature_corners;
-    }
-    for (const Feature_line& line : graph_.lines())
-      component_of(line.nodes[0]).feature_clusters += line.is_loop ? line.min_crossings : line.min_crossings - 1;
-    keep_bounds(m);
   }
 
   // New vertices do not permit more clusters.

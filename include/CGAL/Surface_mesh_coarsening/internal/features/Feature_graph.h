@@ -8,7 +8,6 @@
 #include <CGAL/utility.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -90,9 +89,12 @@ public:
     beside_corner_.resize(number_of_corners_);
     const Feature_edges::Neighbors neighbors = edges.neighbors(m);
     for (Index i = 0; i < number_of_corners_; ++i)
-      for (const Index next : neighbors[vertex(i)])
-        if (is_first_end(vertex(i), next))
+      for (const Index next : neighbors[vertex(i)]) {
+        // Each line is traced from one end only; an edge between two corners is traced from the smaller corner.
+        const Index node = node_of_vertex_[next];
+        if (node == NONE || (is_corner(node) && next >= vertex(i)))
           trace(vertex(i), next, neighbors);
+      }
     for (std::size_t v = 0; v < neighbors.size(); ++v)
       if (!neighbors[v].empty() && node_of_vertex_[v] == NONE)
         trace(Index(v), neighbors[v][0], neighbors);
@@ -132,13 +134,6 @@ private:
   {
     nodes_.push_back({v, line, NONE, NONE});
     return node_of_vertex_[v] = Index(nodes_.size() - 1);
-  }
-
-  // Each line is traced from one end only; an edge between two corners is traced from the smaller corner.
-  bool is_first_end(Index corner, Index next) const
-  {
-    const Index node = node_of_vertex_[next];
-    return node == NONE || (is_corner(node) && next >= corner);
   }
 
   // Traces a line from a corner, or a loop from any vertex.

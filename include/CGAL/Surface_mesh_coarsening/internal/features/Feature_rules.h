@@ -59,8 +59,10 @@ public:
     for (std::size_t l = 0; l < crossings_.size(); ++l) {
       const Feature_line& line = graph.lines()[l];
       crossings_[l] = 0;
-      for (std::size_t i = 0; i < line.number_of_edges(); ++i)
-        crossings_[l] += is_crossing(line.node(i), line.node(i + 1));
+      for (std::size_t i = 0; i < line.number_of_edges(); ++i) {
+        const Index x = labels_[cells_.cell(line.node(i))], y = labels_[cells_.cell(line.node(i + 1))];
+        crossings_[l] += x != y || x == NONE;
+      }
     }
   }
 
@@ -113,12 +115,6 @@ private:
 
   bool is_on_line(Index node) const { return node != NONE && !cells_.graph().is_corner(node); }
 
-  bool is_crossing(Index node, Index next) const
-  {
-    const Index x = labels_[cells_.cell(node)], y = labels_[cells_.cell(next)];
-    return x != y || x == NONE;
-  }
-
   // Counts the nodes adjacent to `node` on its line that belong to cluster `x`.
   int nodes_beside(Index node, Index x) const
   {
@@ -167,8 +163,14 @@ public:
       if (labels.mesh().component[cell(0)] != component)
         continue;
       spare_[l] = -long(line.min_crossings);
-      for (std::size_t i = 0; i < line.number_of_edges(); ++i)
-        add_edge(labels[cell(i)], labels[cell(i + 1)], Index(l));
+      for (std::size_t i = 0; i < line.number_of_edges(); ++i) {
+        const Index x = labels[cell(i)], y = labels[cell(i + 1)];
+        if (x == y)
+          continue;
+        ++spare_[l];
+        crossings_[x].push_back({y, Index(l)});
+        crossings_[y].push_back({x, Index(l)});
+      }
     }
   }
 
@@ -219,15 +221,6 @@ private:
   {
     Index other, line;
   };
-
-  void add_edge(Index x, Index y, Index line)
-  {
-    if (x == y)
-      return;
-    ++spare_[line];
-    crossings_[x].push_back({y, line});
-    crossings_[y].push_back({x, line});
-  }
 
   std::vector<Feature_rules::Cluster> clusters_;
   std::vector<std::vector<Crossing> > crossings_; // per cluster

@@ -3,13 +3,9 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FIND_FEATURES_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FIND_FEATURES_H
 
-#include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <memory>
 #include <vector>
 

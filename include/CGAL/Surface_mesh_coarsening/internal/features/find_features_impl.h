@@ -3,7 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FIND_FEATURES_IMPL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_FEATURES_FIND_FEATURES_IMPL_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/find_features.h>
 
@@ -11,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -119,8 +117,15 @@ private:
     constexpr double tiny = 1e-6; // the height in units of the longest edge: slivers of rounded coordinates have no normal
     constexpr int max_faces = 8;
     for (int i = 0; i < max_faces; ++i) {
-      const Index next = m_.next_corner(f, c), longest = longest_edge(f);
-      const double square = squared_length(f, longest), bound = tiny * tiny * square * square;
+      const Index next = m_.next_corner(f, c);
+      Index longest = NONE; // the corner before the longest edge
+      double square = -1;
+      for (const Index corner : m_.corners(f))
+        if (const double s = squared_length(m_.edge_vector(f, corner)); s > square) {
+          longest = corner;
+          square = s;
+        }
+      const double bound = tiny * tiny * square * square;
       const Vector n = cross(m_.edge_vector(f, c), m_.point_at(m_.next_corner(f, next)) - m_.point_at(c));
       if (dot(n, n) > bound)
         return n;
@@ -134,20 +139,6 @@ private:
       f = across;
     }
     return {{0, 0, 0}};
-  }
-
-  double squared_length(Index f, Index c) const
-  {
-    const Vector d = m_.edge_vector(f, c);
-    return dot(d, d);
-  }
-
-  // Returns the corner before the longest edge of a face.
-  Index longest_edge(Index f) const
-  {
-    const Number_range corners = m_.corners(f);
-    return *std::max_element(corners.begin(), corners.end(),
-                             [&](Index c, Index d) { return squared_length(f, c) < squared_length(f, d); });
   }
 
   // Returns whether each face around is inclined against the mean normal by at least the angle.

@@ -5,7 +5,6 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,10 +43,7 @@ inline Vector mean_of_corners(const Flat_mesh& m, Index f)
   return (1. / m.degree(f)) * sum;
 }
 
-inline double face_area(const Flat_mesh& m, Index f)
-{
-  return length(vector_area(m, f));
-}
+inline double face_area(const Flat_mesh& m, Index f) { return length(vector_area(m, f)); }
 
 inline Bbox_3 face_box(const Flat_mesh& m, Index f)
 {
@@ -105,18 +101,6 @@ inline Face_geometry face_geometry(const Flat_mesh& m, Index f)
   return {area, centroid_of_star(m, f)};
 }
 
-// Computes the unit normal of each face; zero for faces without area.
-inline std::vector<Vector> unit_normals(const Flat_mesh& m, const Run_context& context = Run_context())
-{
-  std::vector<Vector> normals(m.number_of_faces());
-  for_each_number(context, normals.size(), [&](Index f) {
-    const Vector n = vector_area(m, f);
-    const double size = length(n);
-    normals[f] = size > 0 ? (1 / size) * n : Vector{{0, 0, 0}};
-  });
-  return normals;
-}
-
 // Computes the deviation of section 5.2 before the mapping: for each face, the mean length of the difference between its normal
 // and the normals of the faces around its vertices. A pair of faces counts once for each common vertex. Faces without a
 // normal have no deviation. At a vertex of very high degree, each face is compared with a fixed number of evenly spread
@@ -127,7 +111,12 @@ inline std::vector<double> mean_normal_deviations(const Flat_mesh& m, const Run_
   constexpr Index max_compared = 256;
   //! [valence]
   constexpr Vector none{{0, 0, 0}};
-  const std::vector<Vector> normals = unit_normals(m, context);
+  std::vector<Vector> normals(m.number_of_faces(), none); // of unit length
+  for_each_number(context, normals.size(), [&](Index f) {
+    const Vector n = vector_area(m, f);
+    if (const double size = length(n); size > 0)
+      normals[f] = (1 / size) * n;
+  });
   std::vector<double> deviations(m.number_of_faces(), 0);
   for_each_number(context, deviations.size(), [&](Index f) {
     if (normals[f] == none)
@@ -191,6 +180,22 @@ struct Clustering_input
   Index parent_of(Index f) const { return parent.empty() ? f : parent[f]; }
 };
 
+// Computes the stars, components and loops of a mesh from its faces; throws if these do not form a 2-manifold.
+void complete_topology(Flat_mesh& mesh, std::size_t number_of_vertices, const Run_context& context);
+
+// The same without components, which are not known of a part of a mesh.
+void complete_stars(Flat_mesh& mesh, std::size_t number_of_vertices, const Run_context& context);
+
+// Computes the densities of section 5.2, raised near borders on request.
+std::vector<double> compute_densities(const Flat_mesh& mesh, double maximum, bool at_borders, const Run_context& context);
+
+// Computes the areas of the faces, and their centroids where these are stored.
+void compute_areas_and_centroids(Clustering_input& input, const Run_context& context = Run_context());
+
+// Returns the input for pieces of the polygons of `whole`. Densities and parents are inherited.
+Clustering_input cut_input(const Clustering_input& whole, Flat_mesh pieces, const std::vector<Index>& whole_face,
+                           const Run_context& context = Run_context());
+
 class Feature_cells;
 
 // The input of the clustering and, if features are kept, the cells that were built from its faces.
@@ -201,5 +206,9 @@ struct Featured_input
 };
 
 } // namespace CGAL::Surface_mesh_coarsening::internal
+
+#ifndef CGAL_SURFACE_MESH_COARSENING_COMPILED_CORE
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input_impl.h>
+#endif
 
 #endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_CLUSTERING_INPUT_H

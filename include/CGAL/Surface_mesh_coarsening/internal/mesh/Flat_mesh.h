@@ -3,16 +3,12 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_FLAT_MESH_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_FLAT_MESH_H
 
-#include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 
 #include <CGAL/Iterator_range.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -161,6 +157,29 @@ void flood_fill(const Flat_mesh& m, Index seed, std::vector<Index>& reached, con
         reached.push_back(g);
     }
   }
+}
+
+// Numbers the connected parts of `faces` in the order of their first faces. A part continues across the edge after corner `c` to
+// face `g` if `may_enter(c, g)`. `part` holds NONE for each face that has no part yet. Returns the number of parts.
+template <class Faces, class May_enter>
+Index number_parts(const Flat_mesh& m, const Faces& faces, std::vector<Index>& part, const Run_context& context,
+                   const May_enter& may_enter)
+{
+  Index parts = 0;
+  std::vector<Index> reached;
+  for (const Index seed : faces) {
+    if (part[seed] != NONE)
+      continue;
+    part[seed] = parts;
+    flood_fill(m, seed, reached, context, [&](Index c, Index g) {
+      const bool is_new = part[g] == NONE && may_enter(c, g);
+      if (is_new)
+        part[g] = parts;
+      return is_new;
+    });
+    ++parts;
+  }
+  return parts;
 }
 
 // Calls `visit(loop)` for the vertices of each border loop, from the smallest along the border.

@@ -3,8 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_VECTOR_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_VECTOR_H
 
-#include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
 #include <CGAL/Bbox_3.h>
@@ -12,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -30,6 +27,7 @@ inline Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0],
 inline Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 inline Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
 inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline double squared_length(const Vector& a) { return dot(a, a); }
 inline double length(const Vector& a) { return std::sqrt(dot(a, a)); }
 inline Vector cross(const Vector& a, const Vector& b)
 {
@@ -41,11 +39,7 @@ inline Bbox_3 box_of_point(const Vector& p) { return Bbox_3(p[0], p[1], p[2], p[
 inline Vector low_corner(const Bbox_3& box) { return {{box.xmin(), box.ymin(), box.zmin()}}; }
 inline Vector high_corner(const Bbox_3& box) { return {{box.xmax(), box.ymax(), box.zmax()}}; }
 
-inline double squared_diagonal(const Bbox_3& box)
-{
-  const Vector d = high_corner(box) - low_corner(box);
-  return dot(d, d);
-}
+inline double squared_diagonal(const Bbox_3& box) { return squared_length(high_corner(box) - low_corner(box)); }
 
 inline Vector closest_in_box(const Vector& p, const Bbox_3& box)
 {
@@ -57,11 +51,7 @@ inline Vector closest_in_box(const Vector& p, const Bbox_3& box)
 }
 
 // Returns zero for points inside the box.
-inline double squared_distance_from_box(const Vector& p, const Bbox_3& box)
-{
-  const Vector d = p - closest_in_box(p, box);
-  return dot(d, d);
-}
+inline double squared_distance_from_box(const Vector& p, const Bbox_3& box) { return squared_length(p - closest_in_box(p, box)); }
 
 // Returns the box with all sides moved outwards by `width`.
 inline Bbox_3 grown(const Bbox_3& box, double width)
@@ -144,7 +134,7 @@ struct Local_frame
 // origin. If sixth powers of the size and of much smaller details would not all be within the range of double, the points are
 // scaled to a size of about 1 by a power of two, which causes no rounding.
 inline Local_frame to_local_frame(std::vector<Vector>& points, const std::vector<Index>& first_in_star,
-                            const Run_context& context)
+                                  const Run_context& context)
 {
   Local_frame frame;
   Bbox_3 box;

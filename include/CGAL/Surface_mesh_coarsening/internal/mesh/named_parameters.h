@@ -4,19 +4,22 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_NAMED_PARAMETERS_H
 
 #include <CGAL/Surface_mesh_coarsening/defaults.h>
-#include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Numbering.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/parameters.h>
 
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/property_map.h>
 
-#include <cstddef>
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/transform_iterator.hpp>
+
+#include <algorithm>
 #include <iterator>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_coarsening::internal {
@@ -146,6 +149,136 @@ constexpr bool fits_maps_of_clusters()
   return fits_map<internal_np::vertex_boundary_count_t, Vertex, std::size_t, NamedParameters>() && fits_faces;
 }
 
+template <class FaceGraph>
+struct Is_surface_mesh : std::false_type
+{};
+template <class Point>
+struct Is_surface_mesh<CGAL::Surface_mesh<Point> > : std::true_type
+{};
+
+// The faces or vertices of a face graph in the order of their numbers, and these numbers. Elements of a `Surface_mesh` without
+// removed elements already have consecutive numbers, so nothing is stored for them.
+template <class FaceGraph, class Descriptor, class Number_property>
+class Numbered_elements
+{
+  static constexpr bool is_indexed = Is_surface_mesh<FaceGraph>::value;
+  typedef typename boost::property_map<FaceGraph, Number_property>::const_type Number_map;
+
+  auto iterator(std::size_t i) const
+  {
+    return boost::make_transform_iterator(boost::counting_iterator<std::size_t>(i), [this](std::size_t k) { return (*this)[k]; });
+  }
+
+public:
+  // `what` names the elements in an error message.
+  template <class Range>
+  void assign(const FaceGraph& mesh, const Range& elements, const char* what, const Run_context& context)
+  {
+    size_ = std::size_t(std::distance(elements.begin(), elements.end()));
+    check_countable(size_, what);
+    if constexpr (is_indexed)
+      if (std::size_t i = 0; std::all_of(elements.begin(), elements.end(), [&](Descriptor x) { return std::size_t(x) == i++; }))
+        return;
+    list_.assign(elements.begin(), elements.end());
+    if constexpr (is_indexed)
+      number_.assign(std::size_t(*std::max_element(list_.begin(), list_.end())) + 1, NONE);
+    else
+      number_ = get(Number_property(), mesh);
+    for (std::size_t i = 0; i < size_; ++i) {
+      context.poll();
+      if constexpr (is_indexed)
+        number_[list_[i]] = Index(i);
+      else
+        put(number_, list_[i], Index(i));
+    }
+  }
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  auto begin() const { return iterator(0); }
+  auto end() const { return iterator(size_); }
+
+  Descriptor operator[](std::size_t i) const
+  {
+    if constexpr (is_indexed)
+      return list_.empty() ? Descriptor(typename Descriptor::size_type(i)) : list_[i];
+    else
+      return list_[i];
+  }
+  Index number_of(Descriptor element) const
+  {
+    if constexpr (is_indexed)
+      return list_.empty() ? Index(element) : number_[element];
+    else
+      return get(number_, element);
+  }
+
+private:
+  std::vector<Descriptor> list_;
+  std::size_t size_ = 0;
+  std::conditional_t<is_indexed, std::vector<Index>, Number_map> number_;
+};
+
+// The numbers of the faces and vertices of a face graph in the arrays. Vertices are numbered in the order of iteration, and
+// faces in the order of iteration or by the caller's face index map.
+template <class FaceGraph>
+struct Numbering
+{
+  typedef typename boost::graph_traits<FaceGraph>::face_descriptor face_descriptor;
+  typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor vertex_descriptor;
+
+  Numbered_elements<FaceGraph, face_descriptor, dynamic_face_property_t<Index> > faces;
+  Numbered_elements<FaceGraph, vertex_descriptor, dynamic_vertex_property_t<Index> > vertices;
+
+  Index number_of(face_descriptor f) const { return faces.number_of(f); }
+  Index number_of(vertex_descriptor v) const { return vertices.number_of(v); }
+};
+
+// Returns the mesh in arrays, without points. Each face begins with its vertex of smallest number, so that the arrays do not
+// depend on the halfedge that the face graph stores for a face.
+template <class FaceGraph>
+Flat_mesh flat_connectivity(const FaceGraph& mesh, const Numbering<FaceGraph>& n, const Run_context& context = Run_context())
+{
+  struct Face_list
+  {
+    std::vector<Index> degree, corner_vertex, face_across;
+  };
+  const auto list_faces = [&](Face_list& list, std::size_t begin, std::size_t end) {
+    list.degree.clear();
+    list.corner_vertex.clear();
+    list.face_across.clear();
+    for (std::size_t f = begin; f != end; ++f) {
+      const std::size_t first = list.corner_vertex.size();
+      for (const auto h : halfedges_around_face(halfedge(n.faces[f], mesh), mesh)) {
+        const auto beyond = face(opposite(h, mesh), mesh);
+        list.corner_vertex.push_back(n.number_of(source(h, mesh)));
+        list.face_across.push_back(beyond == boost::graph_traits<FaceGraph>::null_face() ? NONE : n.number_of(beyond));
+      }
+      const auto corner = list.corner_vertex.begin() + std::ptrdiff_t(first),
+                 across = list.face_across.begin() + std::ptrdiff_t(first);
+      const std::ptrdiff_t shift = std::min_element(corner, list.corner_vertex.end()) - corner;
+      std::rotate(corner, corner + shift, list.corner_vertex.end());
+      std::rotate(across, across + shift, list.face_across.end());
+      list.degree.push_back(Index(list.corner_vertex.size() - first));
+    }
+  };
+  Flat_mesh m;
+  m.first_corner.reserve(n.faces.size() + 1);
+  m.first_corner.push_back(0);
+  m.corner_vertex.reserve(3 * n.faces.size());
+  m.face_across.reserve(3 * n.faces.size());
+  for_each_part<Face_list>(context, n.faces.size(), 1024, list_faces, [&](const Face_list& list) {
+    std::size_t corners = m.corner_vertex.size();
+    m.corner_vertex.insert(m.corner_vertex.end(), list.corner_vertex.begin(), list.corner_vertex.end());
+    m.face_across.insert(m.face_across.end(), list.face_across.begin(), list.face_across.end());
+    for (const Index degree : list.degree)
+      m.first_corner.push_back(Index(corners += degree));
+  });
+  check_countable(m.corner_vertex.size(), "face corners");
+  complete_topology(m, n.vertices.size(), context);
+  return m;
+}
+
 template <class Face, class FaceIndexMap>
 void sort_by_map(std::vector<Face>& faces, const FaceIndexMap& index, const Run_context& context)
 {
@@ -167,32 +300,16 @@ template <class FaceGraph, class NamedParameters>
 Numbering<FaceGraph> numbering(const FaceGraph& mesh, [[maybe_unused]] const NamedParameters& np,
                                const Run_context& context = Run_context())
 {
-  constexpr bool has_index = has_parameter<CGAL::internal_np::face_index_t, NamedParameters>;
-  const auto all_faces = faces(mesh);
-  const auto all_vertices = vertices(mesh);
-  const std::size_t number_of_faces = std::size_t(std::distance(all_faces.begin(), all_faces.end())),
-                    number_of_vertices = std::size_t(std::distance(all_vertices.begin(), all_vertices.end()));
-  check_countable(number_of_faces, "faces");
-  check_countable(number_of_vertices, "vertices");
-  bool has_face_numbers = false, has_vertex_numbers = false;
-  if constexpr (Is_surface_mesh<FaceGraph>::value) {
-    has_face_numbers = !has_index && mesh.number_of_removed_faces() == 0;
-    has_vertex_numbers = mesh.number_of_removed_vertices() == 0;
-  }
-  typedef Numbering<FaceGraph> Elements;
-  Elements n;
-  if (has_face_numbers) {
-    n.faces.assign_numbered(number_of_faces);
+  Numbering<FaceGraph> n;
+  const auto all = faces(mesh);
+  if constexpr (has_parameter<CGAL::internal_np::face_index_t, NamedParameters>) {
+    std::vector<typename Numbering<FaceGraph>::face_descriptor> list(all.begin(), all.end());
+    sort_by_map(list, get_parameter(np, CGAL::internal_np::face_index), context);
+    n.faces.assign(mesh, list, "faces", context);
   } else {
-    std::vector<typename Elements::face_descriptor> list(all_faces.begin(), all_faces.end());
-    if constexpr (has_index)
-      sort_by_map(list, get_parameter(np, CGAL::internal_np::face_index), context);
-    n.faces.assign(mesh, std::move(list), context);
+    n.faces.assign(mesh, all, "faces", context);
   }
-  if (has_vertex_numbers)
-    n.vertices.assign_numbered(number_of_vertices);
-  else
-    n.vertices.assign(mesh, std::vector<typename Elements::vertex_descriptor>(all_vertices.begin(), all_vertices.end()), context);
+  n.vertices.assign(mesh, vertices(mesh), "vertices", context);
   return n;
 }
 

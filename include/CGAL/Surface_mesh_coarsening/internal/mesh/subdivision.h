@@ -3,21 +3,19 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_SUBDIVISION_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_SUBDIVISION_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_coarsening::internal {
 
 // Replaces the faces of a mesh by pieces, which are added face by face. New vertices may lie on edges of the mesh, and divide
 // them into parts. Vertices keep their numbers, and new vertices follow.
-class Face_cutting : public Flat_mesh_builder
+class Face_cutting
 {
 public:
   // The original face of each new face, and the original corner before the edge that contains the edge after each new corner;
@@ -38,12 +36,17 @@ protected:
     Part part;
   };
 
-  explicit Face_cutting(const Flat_mesh& m)
-    : Flat_mesh_builder(m.points), m_(m), middle_(m.corner_vertex.size(), NONE), piece_(m.corner_vertex.size()) {}
+  explicit Face_cutting(const Flat_mesh& m) : m_(m), middle_(m.corner_vertex.size(), NONE), piece_(m.corner_vertex.size())
+  {
+    mesh_.points = m.points;
+    mesh_.first_corner.push_back(0);
+  }
 
   void reserve(std::size_t pieces, std::size_t corners)
   {
-    Flat_mesh_builder::reserve(pieces, corners);
+    mesh_.first_corner.reserve(pieces + 1);
+    mesh_.corner_vertex.reserve(corners);
+    mesh_.face_across.reserve(corners);
     old_face_.reserve(pieces);
     old_corner_.reserve(corners);
     part_.reserve(corners);
@@ -52,25 +55,32 @@ protected:
   // The number of the piece that is being added.
   Index number() const { return Index(old_face_.size()); }
 
+  Index add_point(const Vector& p)
+  {
+    mesh_.points.push_back(p);
+    return Index(mesh_.points.size() - 1);
+  }
+
   void add_outer_corner(const Place& place)
   {
-    add_corner(place.vertex, NONE); // build() finds the piece across the edge
-    old_corner_.push_back(place.corner);
-    part_.push_back(place.part);
     piece_[place.corner][place.part] = number();
+    add_corner(place, NONE); // build() finds the piece across the edge
   }
 
   // Adds a corner before an edge inside the original face.
-  void add_inner_corner(Index vertex, Index piece_across)
+  void add_inner_corner(Index vertex, Index piece_across) { add_corner({vertex, NONE, WHOLE}, piece_across); }
+
+  void add_corner(const Place& place, Index face_across)
   {
-    add_corner(vertex, piece_across);
-    old_corner_.push_back(NONE);
-    part_.push_back(WHOLE);
+    mesh_.corner_vertex.push_back(place.vertex);
+    mesh_.face_across.push_back(face_across);
+    old_corner_.push_back(place.corner);
+    part_.push_back(place.part);
   }
 
   void end_piece(Index f)
   {
-    end_face();
+    mesh_.first_corner.push_back(Index(mesh_.corner_vertex.size()));
     old_face_.push_back(f);
   }
 
@@ -96,7 +106,9 @@ protected:
           const Index opposite = m_.opposite_corner(old_face_[piece], old_corner_[corner]);
           mesh_.face_across[corner] = opposite == NONE ? NONE : piece_[opposite][AT_TARGET - part_[corner]];
         }
-    return finish(context);
+    check_countable(mesh_.corner_vertex.size(), "face corners after faces were cut");
+    complete_topology(mesh_, mesh_.points.size(), context);
+    return std::move(mesh_);
   }
 
   std::vector<Place> boundary(Index f) const
@@ -137,6 +149,7 @@ protected:
   }
 
   const Flat_mesh& m_;
+  Flat_mesh mesh_; // of the pieces
   std::vector<Index> middle_;
   std::vector<std::array<Index, 3> > piece_; // at each part of the edge after each corner
   std::vector<Index> old_face_, old_corner_;
@@ -188,7 +201,19 @@ public:
   Flat_mesh run(const Run_context& context)
   {
     add_points(context);
-    return build(context, [this](Index f) { is_cut_[f] ? cut(f) : copy(f); });
+    return build(context, [this](Index f) {
+      if (!is_cut_[f])
+        return copy(f);
+      const Index first = number() - m_.first_corner[f];
+      for (const Index c : m_.corners(f)) {
+        const Index previous = m_.previous_corner(f, c);
+        add_outer_corner({m_.corner_vertex[c], c, AT_SOURCE});
+        add_inner_corner(middle_[c], first + m_.next_corner(f, c));
+        add_inner_corner(center_[f], first + previous);
+        add_outer_corner({middle_[previous], previous, AT_TARGET});
+        end_piece(f);
+      }
+    });
   }
 
   // Returns the piece of a subdivided face `f` at its vertex `v`.
@@ -215,19 +240,6 @@ private:
     reserve(pieces, corners);
   }
 
-  void cut(Index f)
-  {
-    const Index first = number() - m_.first_corner[f];
-    for (const Index c : m_.corners(f)) {
-      const Index previous = m_.previous_corner(f, c);
-      add_outer_corner({m_.corner_vertex[c], c, AT_SOURCE});
-      add_inner_corner(middle_[c], first + m_.next_corner(f, c));
-      add_inner_corner(center_[f], first + previous);
-      add_outer_corner({middle_[previous], previous, AT_TARGET});
-      end_piece(f);
-    }
-  }
-
   const std::vector<char>& is_cut_; // per face
   std::vector<Index> center_;
 };
@@ -241,11 +253,9 @@ public:
   Long_edge_cutting(const Flat_mesh& m, double max_squared_length) : Face_cutting(m)
   {
     for (Index f = 0; f < m.number_of_faces(); ++f)
-      for (const Index c : m.corners(f)) {
-        const Vector side = m.edge_vector(f, c);
-        if (middle_[c] == NONE && dot(side, side) > max_squared_length)
+      for (const Index c : m.corners(f))
+        if (middle_[c] == NONE && squared_length(m.edge_vector(f, c)) > max_squared_length)
           halve(f, c);
-      }
   }
 
   bool has_cut() const { return mesh_.points.size() > m_.points.size(); }
@@ -253,27 +263,18 @@ public:
   Flat_mesh run(const Run_context& context)
   {
     return build(context, [this](Index f) {
-      const std::vector<std::size_t> ends = ends_of_cuts(f);
+      const std::vector<Place> places = boundary(f);
+      std::vector<std::size_t> ends; // where pieces meet
+      for (std::size_t i = 0; i < places.size(); ++i)
+        if (places[i].part == AT_TARGET)
+          ends.push_back(i);
       if (ends.empty())
-        copy(f);
-      else
-        add_sectors(f, ends, ends.size() > 2 ? add_point(mean_of_corners(m_, f)) : NONE);
+        return copy(f);
+      if (ends.size() == 1)
+        ends.push_back((ends[0] + places.size() / 2) % places.size());
+      std::sort(ends.begin(), ends.end());
+      add_sectors(f, ends, ends.size() > 2 ? add_point(mean_of_corners(m_, f)) : NONE);
     });
-  }
-
-private:
-  // Returns the places where pieces meet: none if the face stays whole.
-  std::vector<std::size_t> ends_of_cuts(Index f) const
-  {
-    const std::vector<Place> places = boundary(f);
-    std::vector<std::size_t> ends;
-    for (std::size_t i = 0; i < places.size(); ++i)
-      if (places[i].part == AT_TARGET)
-        ends.push_back(i);
-    if (ends.size() == 1)
-      ends.push_back((ends[0] + places.size() / 2) % places.size());
-    std::sort(ends.begin(), ends.end());
-    return ends;
   }
 };
 
@@ -294,9 +295,15 @@ public:
     return build(Run_context(), [this](Index f) {
       const Index rest = number();
       add_rest(f);
-      for (const Index c : m_.corners(f))
-        if (is_cut_[c])
-          add_triangle(f, c, rest);
+      for (const Index c : m_.corners(f)) {
+        if (!is_cut_[c])
+          continue;
+        const Index previous = m_.previous_corner(f, c);
+        add_outer_corner({m_.corner_vertex[c], c, AT_SOURCE});
+        add_inner_corner(near_source_[c], rest);
+        add_outer_corner({near_target_[previous], previous, AT_TARGET});
+        end_piece(f);
+      }
     });
   }
 
@@ -330,15 +337,6 @@ private:
       if (near_target_[c] != NONE && !is_cut_[m_.next_corner(f, c)])
         add_outer_corner({near_target_[c], c, AT_TARGET});
     }
-    end_piece(f);
-  }
-
-  void add_triangle(Index f, Index c, Index rest)
-  {
-    const Index previous = m_.previous_corner(f, c);
-    add_outer_corner({m_.corner_vertex[c], c, AT_SOURCE});
-    add_inner_corner(near_source_[c], rest);
-    add_outer_corner({near_target_[previous], previous, AT_TARGET});
     end_piece(f);
   }
 

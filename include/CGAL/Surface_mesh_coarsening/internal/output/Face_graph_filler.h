@@ -10,7 +10,6 @@
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -51,55 +50,37 @@ struct Halfedges
   std::vector<Index> of_vertex, of_face; // a halfedge that ends in the vertex, on the border if possible
 
   Halfedges(const std::vector<Triangle>& triangles, std::size_t vertices, const Run_context& context)
-    : of_vertex(vertices, NONE),
-      of_face(triangles.size())
+    : of_vertex(vertices, NONE), of_face(triangles.size())
   {
-    std::vector<Index> side_halfedge(3 * triangles.size(), NONE);
-    pair_sides(triangles, side_halfedge, context);
-    next.assign(target.size(), NONE);
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      of_face[t] = side_halfedge[3 * t];
-      for (std::size_t i = 0; i < 3; ++i)
-        next[side_halfedge[3 * t + i]] = side_halfedge[3 * t + (i + 1) % 3];
-    }
-    close_borders();
-  }
-
-private:
-  void pair_sides(const std::vector<Triangle>& triangles, std::vector<Index>& side_halfedge, const Run_context& context)
-  {
-    const std::vector<Index> twin =
-      opposite_sides(triangles.size(), of_vertex.size(), [&](Index s) { return triangles[s / 3][s % 3]; });
+    const std::vector<Index> twin = opposite_sides(triangles.size(), vertices, [&](Index s) { return triangles[s / 3][s % 3]; });
+    std::vector<Index> of_side(twin.size(), NONE);
     for (Index s = 0; s < Index(twin.size()); ++s) {
       context.poll();
-      if (side_halfedge[s] != NONE)
+      if (of_side[s] != NONE)
         continue;
       const Index h = Index(target.size()), t = s / 3;
-      const Index a = triangles[t][s % 3], b = triangles[t][(s + 1) % 3];
-      side_halfedge[s] = h;
+      of_side[s] = h;
       if (twin[s] != NONE)
-        side_halfedge[twin[s]] = h + 1;
-      target.push_back(b);
-      target.push_back(a);
-      face.push_back(t);
-      face.push_back(twin[s] == NONE ? NONE : twin[s] / 3);
+        of_side[twin[s]] = h + 1;
+      target.insert(target.end(), {triangles[t][(s + 1) % 3], triangles[t][s % 3]});
+      face.insert(face.end(), {t, twin[s] == NONE ? NONE : twin[s] / 3});
     }
-  }
-
-  // The predecessor of a border halfedge is the last halfedge around its source.
-  void close_borders()
-  {
+    next.assign(target.size(), NONE);
+    for (Index t = 0; t < Index(triangles.size()); ++t) {
+      of_face[t] = of_side[3 * t];
+      for (Index i = 0; i < 3; ++i)
+        next[of_side[3 * t + i]] = of_side[3 * t + (i + 1) % 3];
+    }
     for (Index h = 0; h < Index(target.size()); ++h)
       if (face[h] == NONE || of_vertex[target[h]] == NONE)
         of_vertex[target[h]] = h;
-    for (Index h = 0; h < Index(target.size()); ++h) {
-      if (face[h] != NONE)
-        continue;
-      Index arriving = h ^ 1;
-      while (face[arriving] != NONE)
-        arriving = next[arriving] ^ 1;
-      next[arriving] = h;
-    }
+    for (Index h = 0; h < Index(target.size()); ++h)
+      if (face[h] == NONE) { // its predecessor is the last halfedge around its source
+        Index arriving = h ^ 1;
+        while (face[arriving] != NONE)
+          arriving = next[arriving] ^ 1;
+        next[arriving] = h;
+      }
   }
 };
 

@@ -4,44 +4,17 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_OUTPUT_MAPS_H
 
 #include <CGAL/Surface_mesh_coarsening/Surface_location.h>
-#include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Coarse_features.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Numbering.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <map>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_coarsening::internal {
-
-// Returns the region between feature lines of each face; regions are numbered from 0 in the order of the faces.
-inline std::vector<long long> regions(const Flat_mesh& m, const Feature_edges& edges)
-{
-  std::vector<long long> region(m.number_of_faces(), -1);
-  std::vector<Index> reached;
-  long long number = 0;
-  for (std::size_t seed = 0; seed < region.size(); ++seed) {
-    if (region[seed] >= 0)
-      continue;
-    region[seed] = number;
-    flood_fill(m, Index(seed), reached, Run_context(), [&](Index c, Index g) {
-      if (edges.is_feature[c] || region[g] >= 0)
-        return false;
-      region[g] = number;
-      return true;
-    });
-    ++number;
-  }
-  return region;
-}
 
 // Calls `visit(x, arc)` for the edges of feature lines: `arc` is the arc of the line in the cluster after cluster `x`.
 template <class Visit>
@@ -66,101 +39,76 @@ struct Featured_output
   const std::vector<long long>& patches; // of the faces of the caller's mesh; if empty, regions are numbered instead
 };
 
-// The patches of the triangles of a coarse mesh, whose edges may have been flipped and whose vertices may have been exchanged.
-// Lines separate patches. A triangle at a line belongs to the patch on the same side of the line in the input. The other
-// triangles belong to the patch of their neighbors.
-class Triangle_patches : Featured_output
+// Returns the face on the left of an edge; NONE on the border.
+inline Index face_left_of(const Flat_mesh& m, Index source, Index target)
 {
-public:
-  Triangle_patches(const Featured_output& output, std::size_t clusters)
-    : Featured_output(output), clusters_(clusters), pieces_(input.cells ? input.cells->pieces() : input.items)
-  {
-    if (patches.empty() && input.cells)
-      regions_ = regions(input.cells->base().mesh, input.cells->edges());
-  }
+  for (const Index f : m.faces_around(source))
+    if (m.corner_vertex[m.next_corner(f, m.corner_of(f, source))] == target)
+      return f;
+  return NONE;
+}
 
-  std::vector<long long> run() const
-  {
-    std::vector<Index> face = faces_at_lines();
-    spread(face);
-    const std::vector<Index> some = some_faces();
-    std::vector<long long> result;
-    for (std::size_t t = 0; t < face.size(); ++t)
-      result.push_back(patch_of(face[t] == NONE ? some[triangles[t][0]] : face[t])); // without face, the component has no lines
-    return result;
-  }
-
-private:
-  // NONE on the border.
-  Index face_left_of(Index source, Index target) const
-  {
-    const Flat_mesh& m = pieces_.mesh;
-    for (const Index f : m.faces_around(source))
-      if (m.corner_vertex[m.next_corner(f, m.corner_of(f, source))] == target)
-        return f;
-    return NONE;
-  }
-
-  // Finds the faces on both sides of each edge of a line, at the point where the line enters the next cluster.
-  std::vector<Index> faces_at_lines() const
-  {
-    std::map<std::pair<Index, Index>, Index> face_at_side; // of a triangle, from one cluster to the next
-    for_each_line_edge(features, [&](Index previous, const Coarse_features::Arc& arc) {
-      face_at_side[{previous, arc.cluster}] = face_left_of(arc.vertices[0], arc.vertices[1]);
-      face_at_side[{arc.cluster, previous}] = face_left_of(arc.vertices[1], arc.vertices[0]);
-    });
-    std::vector<Index> face(triangles.size(), NONE);
-    for (std::size_t t = 0; t < face.size(); ++t)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto found = face_at_side.find({triangles[t][i], triangles[t][(i + 1) % 3]});
-        if (found != face_at_side.end())
-          face[t] = found->second;
-      }
-    return face;
-  }
-
-  // Gives triangles the faces of their neighbors.
-  void spread(std::vector<Index>& face) const
-  {
-    std::vector<Index> reached;
-    for (std::size_t t = 0; t < face.size(); ++t)
-      if (face[t] != NONE)
-        reached.push_back(Index(t));
-    const auto source = [this](Index side) { return triangles[side / 3][side % 3]; };
-    const std::vector<Index> opposite = opposite_sides(triangles.size(), clusters_, source);
-    for (std::size_t k = 0; k < reached.size(); ++k)
-      for (Index side = 3 * reached[k]; side < 3 * reached[k] + 3; ++side) {
-        const Index t = opposite[side] == NONE ? NONE : opposite[side] / 3;
-        if (t == NONE || face[t] != NONE)
-          continue;
-        face[t] = face[reached[k]];
-        reached.push_back(t);
-      }
-  }
-
-  // Returns a face of each cluster.
-  std::vector<Index> some_faces() const
-  {
-    std::vector<Index> some(clusters_, NONE);
-    for (std::size_t f = 0; f < pieces_.mesh.number_of_faces(); ++f) {
-      const Index label = labels[input.cells ? input.cells->polygon(Index(f)) : Index(f)];
-      if (label < some.size())
-        some[label] = Index(f);
+// Returns a face for each triangle of a coarse mesh, whose edges may have been flipped and whose vertices may have been exchanged.
+// The face of a triangle at a line is on the same side of the line. The other triangles have the face of their neighbor, or NONE if
+// their component has no lines.
+inline std::vector<Index> faces_of_triangles(const Featured_output& coarse, const Flat_mesh& pieces, std::size_t clusters)
+{
+  const std::vector<Triangle>& triangles = coarse.triangles;
+  std::map<std::pair<Index, Index>, Index> face_at_side; // of a triangle, from one cluster to the next
+  for_each_line_edge(coarse.features, [&](Index previous, const Coarse_features::Arc& arc) {
+    // The line enters the next cluster here.
+    face_at_side[{previous, arc.cluster}] = face_left_of(pieces, arc.vertices[0], arc.vertices[1]);
+    face_at_side[{arc.cluster, previous}] = face_left_of(pieces, arc.vertices[1], arc.vertices[0]);
+  });
+  std::vector<Index> face(triangles.size(), NONE), reached;
+  for (std::size_t t = 0; t < face.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto found = face_at_side.find({triangles[t][i], triangles[t][(i + 1) % 3]});
+      if (found != face_at_side.end())
+        face[t] = found->second;
     }
-    return some;
+    if (face[t] != NONE)
+      reached.push_back(Index(t));
   }
+  const auto source = [&](Index side) { return triangles[side / 3][side % 3]; };
+  const std::vector<Index> opposite = opposite_sides(triangles.size(), clusters, source);
+  for (std::size_t k = 0; k < reached.size(); ++k)
+    for (Index side = 3 * reached[k]; side < 3 * reached[k] + 3; ++side) {
+      const Index t = opposite[side] == NONE ? NONE : opposite[side] / 3;
+      if (t == NONE || face[t] != NONE)
+        continue;
+      face[t] = face[reached[k]];
+      reached.push_back(t);
+    }
+  return face;
+}
 
-  long long patch_of(Index face) const
-  {
-    if (!patches.empty())
-      return patches[pieces_.parent_of(face)];
-    return regions_.empty() ? pieces_.mesh.component[face] : regions_[input.cells->base_face(face)];
+// Returns the patches of the triangles of a coarse mesh: the patches of their faces. Lines separate patches.
+inline std::vector<long long> patches_of_triangles(const Featured_output& coarse, std::size_t clusters)
+{
+  const Feature_cells* const cells = coarse.input.cells.get();
+  const Clustering_input& pieces = cells ? cells->pieces() : coarse.input.items;
+  std::vector<Index> face_of_cluster(clusters, NONE), regions; // regions between lines are the patches if none are given
+  for (Index f = 0; f < pieces.mesh.number_of_faces(); ++f) {
+    const Index label = coarse.labels[cells ? cells->polygon(f) : f];
+    if (label < clusters)
+      face_of_cluster[label] = f;
   }
-
-  const std::size_t clusters_;
-  const Clustering_input& pieces_;
-  std::vector<long long> regions_;
-};
+  if (coarse.patches.empty() && cells) {
+    regions.assign(cells->base().mesh.number_of_faces(), NONE);
+    number_parts(cells->base().mesh, numbers_below(Index(regions.size())), regions, Run_context(),
+                 [&](Index c, Index) { return !cells->edges().is_feature[c]; });
+  }
+  const std::vector<Index> faces = faces_of_triangles(coarse, pieces.mesh, clusters);
+  std::vector<long long> result;
+  for (std::size_t t = 0; t < faces.size(); ++t) {
+    const Index f = faces[t] == NONE ? face_of_cluster[coarse.triangles[t][0]] : faces[t];
+    result.push_back(!coarse.patches.empty() ? coarse.patches[pieces.parent_of(f)]
+                     : cells                 ? regions[cells->base_face(f)]
+                                             : pieces.mesh.component[f]);
+  }
+  return result;
+}
 
 // Writes the maps that the parameters of the output request.
 template <class Output, class NamedParameters>
@@ -172,7 +120,7 @@ void write_features(const Output& output, const NamedParameters& np, const Featu
   if constexpr (has_parameter<CGAL::internal_np::face_patch_t, NamedParameters>) {
     auto map = get_parameter(np, CGAL::internal_np::face_patch);
     typedef typename boost::property_traits<decltype(map)>::value_type Value;
-    const std::vector<long long> patch = Triangle_patches(coarse, v.size()).run();
+    const std::vector<long long> patch = patches_of_triangles(coarse, v.size());
     for (std::size_t t = 0; t < patch.size(); ++t)
       put(map, face(halfedge_between(coarse.triangles[t][0], coarse.triangles[t][1]), output), static_cast<Value>(patch[t]));
   }
@@ -191,42 +139,33 @@ void write_features(const Output& output, const NamedParameters& np, const Featu
   }
 }
 
-// Returns the cluster of each vertex of a mesh: among the clusters of the incident faces, the cluster of largest area there, and
-// of equal areas the smallest number. Vertices without faces get `clusters`.
-inline std::vector<Index> clusters_of_vertices(const Flat_mesh& m, const std::vector<double>& area,
-                                               const std::vector<Index>& cluster_of_face, Index clusters)
-{
-  std::vector<Index> result(m.number_of_vertices(), clusters);
-  std::vector<std::pair<Index, double> > around;
-  for (std::size_t v = 0; v < result.size(); ++v) {
-    around.clear();
-    for (const Index f : m.faces_around(v))
-      around.emplace_back(cluster_of_face[f], area[f]);
-    std::sort(around.begin(), around.end());
-    double largest = -1;
-    for (std::size_t i = 0; i < around.size();) {
-      const Index x = around[i].first;
-      double sum = 0;
-      for (; i < around.size() && around[i].first == x; ++i)
-        sum += around[i].second;
-      if (sum > largest) {
-        largest = sum;
-        result[v] = x;
-      }
-    }
-  }
-  return result;
-}
-
-// Writes the clusters of the vertices of the input.
+// Writes the cluster of each vertex of the input: among the clusters of the incident faces, the cluster of largest area there, and
+// of equal areas the smallest number. Vertices without faces get `number`, the number of clusters.
 template <class FaceGraph, class Map>
 void write_vertex_clusters(const Numbering<FaceGraph>& numbering, const Clustering_input& input,
                            const std::vector<Index>& clusters, std::size_t number, const Map& map)
 {
   if constexpr (is_given<Map>) {
-    const std::vector<Index> of_vertex = clusters_of_vertices(input.mesh, input.area, clusters, Index(number));
-    for (std::size_t v = 0; v < numbering.vertices.size(); ++v)
-      put(map, numbering.vertices[v], typename boost::property_traits<Map>::value_type(of_vertex[v]));
+    std::vector<std::pair<Index, double> > around;
+    for (std::size_t v = 0; v < numbering.vertices.size(); ++v) {
+      around.clear();
+      for (const Index f : input.mesh.faces_around(v))
+        around.emplace_back(clusters[f], input.area[f]);
+      std::sort(around.begin(), around.end());
+      Index selected = Index(number);
+      double largest = -1;
+      for (std::size_t i = 0; i < around.size();) {
+        const Index x = around[i].first;
+        double sum = 0;
+        for (; i < around.size() && around[i].first == x; ++i)
+          sum += around[i].second;
+        if (sum > largest) {
+          largest = sum;
+          selected = x;
+        }
+      }
+      put(map, numbering.vertices[v], typename boost::property_traits<Map>::value_type(selected));
+    }
   }
 }
 

@@ -3,7 +3,7 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_PLACE_AND_EXCHANGE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_PLACE_AND_EXCHANGE_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>

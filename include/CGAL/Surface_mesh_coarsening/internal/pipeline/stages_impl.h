@@ -4,7 +4,6 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_STAGES_IMPL_H
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization_state.h>

@@ -4,7 +4,6 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PIPELINE_VERTEX_NUMBERS_IMPL_H
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_state.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>

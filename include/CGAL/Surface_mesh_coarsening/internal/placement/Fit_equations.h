@@ -3,7 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_EQUATIONS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FIT_EQUATIONS_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/Run_context.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>

@@ -5,7 +5,6 @@
 
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Quadric_placement.h>
 #include <CGAL/Surface_mesh_coarsening/defaults.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Angle_improvement.h>

@@ -3,7 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_QUADRIC_POSITION_IMPL_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_QUADRIC_POSITION_IMPL_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/quadric_position.h>
 

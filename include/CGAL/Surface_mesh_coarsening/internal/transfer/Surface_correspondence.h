@@ -3,22 +3,125 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_TRANSFER_SURFACE_CORRESPONDENCE_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_TRANSFER_SURFACE_CORRESPONDENCE_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
+
+#include <CGAL/IO/Color.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
+#include <limits>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_coarsening::internal {
+
+template <class Number>
+Number to_number(double x)
+{
+  if constexpr (std::is_integral<Number>::value) {
+    // The ends of a range of 64 bits are not doubles; values beyond them must not be converted.
+    if (!(x > double((std::numeric_limits<Number>::min)())))
+      return (std::numeric_limits<Number>::min)();
+    if (x >= double((std::numeric_limits<Number>::max)()))
+      return (std::numeric_limits<Number>::max)();
+    return Number(std::nearbyint(x));
+  } else {
+    return Number(x);
+  }
+}
+
+template <class Value>
+constexpr bool is_number = std::is_arithmetic<Value>::value && !std::is_same<Value, bool>::value;
+
+// The numbers of a value, if its type has means.
+template <class Value, class = void>
+struct Value_components
+{
+  static constexpr std::size_t size = 0;
+};
+
+template <class Value>
+struct Value_components<Value, std::enable_if_t<is_number<Value> > >
+{
+  static constexpr std::size_t size = 1;
+  static double get(const Value& value, std::size_t) { return double(value); }
+  static Value make(const std::array<double, 1>& x) { return to_number<Value>(x[0]); }
+};
+
+template <>
+struct Value_components<CGAL::IO::Color>
+{
+  static constexpr std::size_t size = 4;
+  static double get(const CGAL::IO::Color& c, std::size_t i) { return double(c[i]); }
+  static CGAL::IO::Color make(const std::array<double, 4>& x)
+  {
+    return CGAL::IO::Color(to_number<unsigned char>(x[0]), to_number<unsigned char>(x[1]),
+                           to_number<unsigned char>(x[2]), to_number<unsigned char>(x[3]));
+  }
+};
+
+template <class Number, std::size_t n>
+struct Value_components<std::array<Number, n>, std::enable_if_t<is_number<Number> > >
+{
+  static constexpr std::size_t size = n;
+  static double get(const std::array<Number, n>& value, std::size_t i) { return double(value[i]); }
+  static std::array<Number, n> make(const std::array<double, n>& x)
+  {
+    std::array<Number, n> value;
+    std::transform(x.begin(), x.end(), value.begin(), to_number<Number>);
+    return value;
+  }
+};
+
+// Points and vectors of a kernel.
+template <class Value>
+struct Value_components<Value, std::void_t<typename Value::R, decltype(std::declval<const Value&>().cartesian(0)),
+                                           typename Value::Ambient_dimension> >
+{
+  static constexpr std::size_t size = Value::Ambient_dimension::value;
+  typedef typename Value::R::FT FT;
+
+  static double get(const Value& value, std::size_t i) { return CGAL::to_double(value.cartesian(int(i))); }
+  static Value make(const std::array<double, size>& x)
+  {
+    if constexpr (size == 2)
+      return Value(FT(x[0]), FT(x[1]));
+    else
+      return Value(FT(x[0]), FT(x[1]), FT(x[2]));
+  }
+};
+
+template <class Value>
+constexpr bool has_means = Value_components<Value>::size != 0;
+
+// A weighted sum of values.
+template <class Value>
+class Weighted_sum
+{
+  typedef Value_components<Value> Components;
+
+public:
+  void add(double weight, const Value& value)
+  {
+    for (std::size_t i = 0; i < sum_.size(); ++i)
+      sum_[i] += weight * Components::get(value, i);
+  }
+  void add(double weight, const Weighted_sum& other)
+  {
+    for (std::size_t i = 0; i < sum_.size(); ++i)
+      sum_[i] += weight * other.sum_[i];
+  }
+  Value value() const { return Components::make(sum_); }
+
+private:
+  std::array<double, Components::size> sum_{};
+};
 
 struct Clustered_arrays
 {
@@ -53,42 +156,6 @@ Clustered_arrays clustered_arrays(const FaceGraph& mesh, const NamedParameters& 
   return result;
 }
 
-// Returns the corners of the faces of a triangle mesh, in the order of the numbering.
-template <class FaceGraph>
-std::vector<Triangle> numbered_triangles(const FaceGraph& mesh, const Numbering<FaceGraph>& n)
-{
-  std::vector<Triangle> triangles;
-  for (const auto f : n.faces) {
-    std::vector<Index> corners;
-    for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
-      corners.push_back(n.number_of(source(h, mesh)));
-    if (corners.size() != 3)
-      throw Invalid_input("face " + std::to_string(triangles.size()) + " of the coarse mesh has " +
-                          std::to_string(corners.size()) + " sides");
-    triangles.push_back({{corners[0], corners[1], corners[2]}});
-  }
-  return triangles;
-}
-
-// Returns the points of a mesh in the frame of another mesh.
-template <class FaceGraph, class NamedParameters>
-std::vector<Vector> points_in_frame(const FaceGraph& mesh, const NamedParameters& np, const Numbering<FaceGraph>& n,
-                                    const Local_frame& frame)
-{
-  const auto coordinates = vertex_coordinates(mesh, np);
-  std::vector<Vector> positions;
-  positions.reserve(n.vertices.size());
-  for (const auto v : n.vertices) {
-    const Vector q = coordinates(v);
-    for (std::size_t i = 0; i < 3; ++i)
-      if (!std::isfinite(q[i]))
-        throw Invalid_input("coordinate " + std::to_string(i) + " of vertex " + std::to_string(positions.size()) +
-                            " of the coarse mesh is " + std::to_string(q[i]));
-    positions.push_back(frame.to_local(q));
-  }
-  return positions;
-}
-
 // A clustered mesh and its coarse mesh in arrays, and the correspondence between their elements.
 class Surface_correspondence : public Clustered_arrays
 {
@@ -96,16 +163,32 @@ public:
   template <class CoarseFaceGraph, class NamedParameters>
   Surface_correspondence(Clustered_arrays clustered, const CoarseFaceGraph& coarse, const Numbering<CoarseFaceGraph>& n,
                          const NamedParameters& np)
-    : Clustered_arrays(std::move(clustered)), position_(points_in_frame(coarse, np, n, frame)),
-      triangles_(numbered_triangles(coarse, n)), around_(position_.size()), dual_area_(position_.size(), 0),
-      faces_(numbers_below(Index(cluster.size())), position_.size(), [this](Index f) { return cluster[f]; }),
+    : Clustered_arrays(std::move(clustered)), around_(n.vertices.size()), dual_area_(n.vertices.size(), 0),
+      faces_(numbers_below(Index(cluster.size())), n.vertices.size(), [this](Index f) { return cluster[f]; }),
       search_(mesh, faces_)
   {
-    for (std::size_t t = 0; t < triangles_.size(); ++t)
-      for (const Index x : triangles_[t]) {
+    const auto coordinates = vertex_coordinates(coarse, np);
+    for (const auto v : n.vertices) {
+      const Vector p = coordinates(v);
+      for (std::size_t i = 0; i < 3; ++i)
+        if (!std::isfinite(p[i]))
+          throw Invalid_input("coordinate " + std::to_string(i) + " of vertex " + std::to_string(position_.size()) +
+                              " of the coarse mesh is " + std::to_string(p[i]));
+      position_.push_back(frame.to_local(p));
+    }
+    for (const auto f : n.faces) {
+      std::vector<Index> corners;
+      for (const auto h : halfedges_around_face(halfedge(f, coarse), coarse))
+        corners.push_back(n.number_of(source(h, coarse)));
+      const std::size_t t = triangles_.size();
+      if (corners.size() != 3)
+        throw Invalid_input("face " + std::to_string(t) + " of the coarse mesh has " + std::to_string(corners.size()) + " sides");
+      triangles_.push_back({{corners[0], corners[1], corners[2]}});
+      for (const Index x : corners) {
         around_[x].push_back(Index(t));
         dual_area_[x] += 0.5 * length(normal_of(position_, triangles_[t])) / 3;
       }
+    }
   }
 
   Surface_correspondence(const Surface_correspondence&) = delete; // its members refer to each other
@@ -230,8 +313,23 @@ public:
   template <class Visit>
   void for_each_corner_at(Index x, const Visit& visit)
   {
-    collect(x);
-    const bool is_cut = number_sectors(x);
+    std::vector<Index> clusters(1, x); // and the adjacent clusters
+    for (const Index t : surfaces_.around(x))
+      clusters.insert(clusters.end(), surfaces_.triangles()[t].begin(), surfaces_.triangles()[t].end());
+    sort_unique(clusters);
+    faces_.clear();
+    for (const Index y : clusters)
+      for (const Index f : surfaces_.faces(y)) {
+        faces_.push_back(f);
+        stamp_[f] = x;
+        sector_[f] = NONE;
+      }
+    bool is_cut = false;
+    for (const Index f : faces_)
+      for (const Index c : mesh_.corners(f))
+        is_cut = is_cut || (is_seam_[c] && mesh_.face_across[c] != NONE && stamp_[mesh_.face_across[c]] == x);
+    if (is_cut)
+      number_parts(mesh_, faces_, sector_, Run_context(), [&](Index c, Index g) { return !is_seam_[c] && stamp_[g] == x; });
     std::map<Index, Nearest_point> nearest_in_sector;
     for (const Index t : surfaces_.around(x)) {
       const Index face = surfaces_.triangle_sources()[t].face;
@@ -244,47 +342,6 @@ public:
   }
 
 private:
-  // Collects the faces of the cluster and of its neighbors.
-  void collect(Index x)
-  {
-    std::vector<Index> clusters(1, x);
-    for (const Index t : surfaces_.around(x))
-      clusters.insert(clusters.end(), surfaces_.triangles()[t].begin(), surfaces_.triangles()[t].end());
-    sort_unique(clusters);
-    faces_.clear();
-    for (const Index y : clusters)
-      for (const Index f : surfaces_.faces(y)) {
-        faces_.push_back(f);
-        stamp_[f] = x;
-        sector_[f] = NONE;
-      }
-  }
-
-  // Returns whether there is a seam.
-  bool number_sectors(Index x)
-  {
-    bool is_cut = false;
-    for (const Index f : faces_)
-      for (const Index c : mesh_.corners(f))
-        is_cut = is_cut || (is_seam_[c] && mesh_.face_across[c] != NONE && stamp_[mesh_.face_across[c]] == x);
-    if (!is_cut)
-      return false;
-    Index sectors = 0;
-    for (const Index first : faces_) {
-      if (sector_[first] != NONE)
-        continue;
-      sector_[first] = sectors;
-      flood_fill(mesh_, first, reached_, Run_context(), [&](Index c, Index g) {
-        const bool is_new = !is_seam_[c] && stamp_[g] == x && sector_[g] == NONE;
-        if (is_new)
-          sector_[g] = sectors;
-        return is_new;
-      });
-      ++sectors;
-    }
-    return true;
-  }
-
   // Searches all faces if the sector is NONE.
   Nearest_point nearest_in(Index x, Index sector) const
   {
@@ -299,7 +356,7 @@ private:
   const Flat_mesh& mesh_;
   const std::vector<bool>& is_seam_;
   std::vector<Index> stamp_, sector_; // per face
-  std::vector<Index> faces_, reached_;
+  std::vector<Index> faces_;
 };
 
 } // namespace CGAL::Surface_mesh_coarsening::internal

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_COMPLETE_MESH_IMPL_H
-#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_COMPLETE_MESH_IMPL_H
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_CLUSTERING_INPUT_IMPL_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_CLUSTERING_INPUT_IMPL_H
 
-#include <CGAL/Surface_mesh_coarsening/exceptions.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/inline.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/complete_mesh.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -22,12 +17,13 @@
 
 namespace CGAL::Surface_mesh_coarsening::internal {
 
-class Flat_mesh_topology
+// Computes the faces around each vertex and the border loops.
+class Star_completion
 {
 public:
-  Flat_mesh_topology(Flat_mesh& m, const Run_context& context) : m_(m), context_(context) {}
+  Star_completion(Flat_mesh& m, const Run_context& context) : m_(m), context_(context) {}
 
-  void complete_stars(std::size_t number_of_vertices)
+  void run(std::size_t number_of_vertices)
   {
     const std::size_t wrong_face = first_of(context_, m_.number_of_faces(), [&](Index f) { return !fault_of(f).empty(); });
     if (wrong_face < m_.number_of_faces())
@@ -48,36 +44,6 @@ public:
         m_.loop[v] = loops;
       ++loops;
     });
-  }
-
-  void number_components()
-  {
-    std::vector<Index> number(m_.number_of_faces(), NONE), reached;
-    m_.components.clear();
-    for (std::size_t seed = 0; seed < m_.number_of_faces(); ++seed) {
-      if (number[seed] != NONE)
-        continue;
-      const Index id = Index(m_.components.size());
-      number[seed] = id;
-      flood_fill(m_, Index(seed), reached, context_, [&](Index, Index g) {
-        const bool is_new = number[g] == NONE;
-        number[g] = id;
-        return is_new;
-      });
-      m_.components.push_back(component_of(reached));
-    }
-    m_.component.set(std::move(number), m_.components.size());
-    Index loops = 0; // they are numbered in the order of their first vertices
-    for (std::size_t v = 0; v < m_.number_of_vertices(); ++v) {
-      if (m_.valence(v) == 0)
-        continue;
-      Component& component = m_.components[m_.component[m_.star[m_.first_in_star[v]]]];
-      ++component.vertices;
-      if (m_.loop[v] == loops) {
-        ++component.loops;
-        ++loops;
-      }
-    }
   }
 
 private:
@@ -145,18 +111,6 @@ private:
     } while (f != NONE && f != first && i != end);
     const bool closed = m_.loop[v] == NONE;
     return i == end && (closed ? f == first : f == NONE);
-  }
-
-  Component component_of(const std::vector<Index>& faces) const
-  {
-    Component component;
-    component.faces = faces.size();
-    std::size_t sides = 0;
-    for (const Index f : faces)
-      for (const Index c : m_.corners(f))
-        sides += m_.face_across[c] == NONE ? 2 : 1;
-    component.edges = sides / 2;
-    return component;
   }
 
   Flat_mesh& m_;
@@ -246,28 +200,21 @@ private:
       if (entry.first > radius_[v])
         continue;
       context_.poll(mesh_.valence(v));
-      for (const Index f : mesh_.faces_around(v))
-        for_each_neighbor(f, v, [&](Index w) {
+      for (const Index f : mesh_.faces_around(v)) {
+        // These are all other vertices of a triangle or quadrilateral. Of a larger face, only the two adjacent vertices are
+        // visited, which keeps the time linear.
+        const Index c = mesh_.corner_of(f, v), before = mesh_.previous_corner(f, c), after = mesh_.next_corner(f, c);
+        for (const Index corner : {before, after, mesh_.degree(f) == 4 ? mesh_.next_corner(f, after) : after}) {
+          const Index w = mesh_.corner_vertex[corner];
           const double radius = entry.first + distance(v, w);
           if (radius <= reach_[v] && radius < radius_[w]) {
             radius_[w] = radius;
             reach_[w] = reach_[v];
             queue.push({radius, w});
           }
-        });
+        }
+      }
     }
-  }
-
-  // Visits all vertices of a triangle or quadrilateral. Of a larger face, visits only the two adjacent vertices, which keeps the
-  // time linear.
-  template <class Visit>
-  void for_each_neighbor(Index f, Index v, const Visit& visit) const
-  {
-    const Index c = mesh_.corner_of(f, v), before = mesh_.previous_corner(f, c), after = mesh_.next_corner(f, c);
-    visit(mesh_.corner_vertex[before]);
-    visit(mesh_.corner_vertex[after]);
-    if (mesh_.degree(f) == 4)
-      visit(mesh_.corner_vertex[mesh_.next_corner(f, after)]);
   }
 
   double distance(Index v, Index w) const { return length(mesh_.points[w] - mesh_.points[v]); }
@@ -278,18 +225,37 @@ private:
   std::vector<double> radius_, reach_; // per vertex; the largest radius to propagate
 };
 
-CGAL_SURFACE_MESH_COARSENING_INLINE void complete_topology(Flat_mesh& mesh, std::size_t number_of_vertices,
-                                                           const Run_context& context)
-{
-  Flat_mesh_topology topology(mesh, context);
-  topology.complete_stars(number_of_vertices);
-  topology.number_components();
-}
-
 CGAL_SURFACE_MESH_COARSENING_INLINE void complete_stars(Flat_mesh& mesh, std::size_t number_of_vertices,
                                                         const Run_context& context)
 {
-  Flat_mesh_topology(mesh, context).complete_stars(number_of_vertices);
+  Star_completion(mesh, context).run(number_of_vertices);
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE void complete_topology(Flat_mesh& mesh, std::size_t number_of_vertices,
+                                                           const Run_context& context)
+{
+  complete_stars(mesh, number_of_vertices, context);
+  std::vector<Index> number(mesh.number_of_faces(), NONE);
+  const auto all = numbers_below(Index(number.size()));
+  mesh.components.assign(number_parts(mesh, all, number, context, [](Index, Index) { return true; }), Component());
+  for (const Index f : all) {
+    Component& component = mesh.components[number[f]];
+    ++component.faces;
+    for (const Index c : mesh.corners(f))
+      component.edges += mesh.face_across[c] == NONE || f < mesh.face_across[c];
+  }
+  mesh.component.set(std::move(number), mesh.components.size());
+  Index loops = 0; // they are numbered in the order of their first vertices
+  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
+    if (mesh.valence(v) == 0)
+      continue;
+    Component& component = mesh.components[mesh.component[mesh.star[mesh.first_in_star[v]]]];
+    ++component.vertices;
+    if (mesh.loop[v] == loops) {
+      ++component.loops;
+      ++loops;
+    }
+  }
 }
 
 CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<double> compute_densities(const Flat_mesh& mesh, double maximum, bool at_borders,
@@ -338,4 +304,4 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Clustering_input cut_input(const Clustering_
 
 } // namespace CGAL::Surface_mesh_coarsening::internal
 
-#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_COMPLETE_MESH_IMPL_H
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_MESH_CLUSTERING_INPUT_IMPL_H
