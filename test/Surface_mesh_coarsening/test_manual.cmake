@@ -181,7 +181,7 @@ set(manual Surface_mesh_coarsening.txt)
 set(theory Theory_and_proofs.txt)
 check_constant(${manual} "more than one pair for ([0-9]+) vertices remains" internal/pipeline/place_and_exchange.h
   "([0-9]+) \\* dual.number_left\\(\\) > state.number_of_clusters")
-check_constant(${manual} "reclusters the mesh, up to ([0-9]+) times" internal/pipeline/place_and_exchange.h "max_repetitions = ([0-9]+)")
+check_constant(${manual} "reclusters the mesh, up to ([0-9]+) times" internal/pipeline/stages_impl.h "max_repetitions = ([0-9]+)")
 check_constant(${manual} "near curved borders, up to ([0-9]+) times" internal/mesh/Clustering_input_impl.h "max_raised = ([0-9]+)")
 check_constant(${manual} "at most ([0-9]+) % larger than the number before" internal/distance/find_within_distance_impl.h
   "max_ratio = 1\\.0([0-9]+)")
@@ -215,7 +215,7 @@ check_phrase(${manual} "or turns by more than 60 degrees" internal/features/find
 check_phrase(${theory} "uses the seeds of the largest level that gives twice this number" internal/seeding/Component_plan.h
   "seeds_per_cluster = 2;")
 check_phrase(${theory} "the largest level that gives five times the number" internal/seeding/Component_plan.h "seeds_for_quadrics = 5;")
-check_phrase(Robustness.txt "The mesh is clustered at most four times" internal/pipeline/place_and_exchange.h "max_repetitions = 2;")
+check_phrase(Robustness.txt "The mesh is clustered at most four times" internal/pipeline/stages_impl.h "max_repetitions = 2;")
 
 # The numbers of seeds in the text are the numbers of table 1.
 check_constant(Following_the_paper.txt "Bunny lies in between: it gives ([0-9]+) seeds" doc/Surface_mesh_coarsening/tables/paper.md

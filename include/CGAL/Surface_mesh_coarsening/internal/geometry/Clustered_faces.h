@@ -93,6 +93,7 @@ public:
   bool is_approximate() const { return is_approximate_; }
   std::size_t number_of_clusters() const { return faces_.size(); }
   Range faces(std::size_t cluster) const { return faces_[cluster]; }
+  const Bucketed_items<std::uint32_t>& faces() const { return faces_; }
   // The vertices around a face, counterclockwise.
   Range vertices(std::size_t face) const
   {

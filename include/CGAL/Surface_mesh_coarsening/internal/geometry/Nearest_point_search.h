@@ -67,13 +67,16 @@ public:
     const std::size_t groups = faces.size();
     std::vector<Index> all;
     std::vector<Bbox_3> boxes(groups);
+    std::size_t nodes = groups;
     for (std::size_t x = 0; x < groups; ++x) {
+      nodes += max_nodes(faces[x].size());
       for (const Index f : faces[x])
         boxes[x] += face_box(mesh_, f);
       if (!faces[x].empty())
         all.push_back(Index(x));
     }
     order_.reserve(faces.items().size());
+    node_.reserve(nodes);
     if (!all.empty())
       build(all, boxes, 0, all.size(), 1,
             [&](std::size_t begin, std::size_t) { return root_of_[all[begin]] = build_group(faces[all[begin]]); });
@@ -129,6 +132,15 @@ private:
   };
 
   typedef std::pair<Index, double> Waiting_node; // with the squared distance from its box
+
+  // Returns a bound on the number of nodes for so many faces.
+  static std::size_t max_nodes(std::size_t faces)
+  {
+    std::size_t leaves = 1;
+    while (leaves * max_faces < faces)
+      leaves *= 2;
+    return 2 * leaves - 1;
+  }
 
   // A box with axes that follow the faces of a node. The bounding boxes of long triangles around a vertex overlap each other, but
   // their turned boxes do not.

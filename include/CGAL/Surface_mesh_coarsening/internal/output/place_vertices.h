@@ -13,6 +13,18 @@
 
 namespace CGAL::Surface_mesh_coarsening::internal {
 
+// Returns the centroid if the position of a placement is not finite, for example with coordinates of very different magnitude.
+inline Vector checked_position(const Clustered_faces& surface, std::size_t cluster, const Vector& p)
+{
+  const Vector inside = surface.within_bounds(cluster, p);
+  const bool is_finite = std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  if (is_finite && inside != p)
+    throw Invalid_input("the placement puts the vertex of cluster " + std::to_string(cluster) + " at (" + std::to_string(p[0]) +
+                        ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
+                        "), outside of the bounding box of the cluster grown by half its diagonal");
+  return inside;
+}
+
 struct Placement_input
 {
   const Clustered_faces& surface;
@@ -43,15 +55,8 @@ inline std::vector<Vector> place_vertices(const Placement_input& input, std::vec
   } else {
     input.placement.global(surface, input.border, triangles, positions);
   }
-  for (std::size_t x = 0; x < positions.size(); ++x) {
-    const Vector p = positions[x];
-    // This is the centroid if `p` is not finite, for example with coordinates of very different magnitude.
-    positions[x] = surface.within_bounds(x, p);
-    if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]) && positions[x] != p)
-      throw Invalid_input("the placement puts the vertex of cluster " + std::to_string(x) + " at (" + std::to_string(p[0]) +
-                          ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
-                          "), outside of the bounding box of the cluster grown by half its diagonal");
-  }
+  for (std::size_t x = 0; x < positions.size(); ++x)
+    positions[x] = checked_position(surface, x, positions[x]);
   context.stage_ends(Coarsening_stage::PLACEMENT);
   return positions;
 }

@@ -353,6 +353,58 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place(const Clustering_state& st
   return place(state, placement, output_coordinates, budget);
 }
 
+// If pairs of intersecting triangles remain after the repair, the mesh is reclustered with other densities, without quadrics, which
+// do not depend on densities. Vertices are not exchanged in these clusterings, because the exchange takes longer and the number of
+// pairs decides among the results; they are exchanged in the end if few pairs remain.
+CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state& state, const Placement_model& placement,
+                                                               const Output_coordinates& output_coordinates)
+{
+  // Four times leave more pairs, because each spends a part of the budget.
+  constexpr std::size_t max_repetitions = 2;
+  // With more pairs, the exchange rarely leaves as few pairs, and its repair takes long.
+  constexpr std::size_t clusters_of_pair = 100;
+  Repair_budget budget = repair_budget(state);
+  Placed_dual first = place_and_exchange(state, placement, output_coordinates, budget);
+  if (!is_worth_reclustering(state, first, budget))
+    return first;
+  const std::vector<Index> first_labels = labels(state).labels();
+  const std::size_t exchanged = state.report.exchanged_vertices;
+  const Seeding first_seeding = state.seeding;
+  Seeding seeding = first_seeding;
+  seeding.may_use_quadrics = false;
+  std::size_t clusterings = 1, fewest = first.number_left();
+  const std::vector<double> first_densities = state.base_input().density;
+  std::vector<double> densities = first_densities, best_densities = densities;
+  Placed_dual dual;
+  do {
+    raise_at_intersections(densities, state, clusterings == 1 ? first : dual);
+    recluster(state, seeding, densities);
+    budget.spend(placement_tests * first.triangles.size());
+    dual = place(state, placement, output_coordinates, budget);
+    ++clusterings;
+    if (dual.number_left() < fewest) {
+      fewest = dual.number_left();
+      best_densities = densities;
+    }
+  } while (clusterings <= max_repetitions && is_worth_reclustering(state, dual, budget));
+  if (fewest == first.number_left()) {
+    dual = return_to_first(state, first_seeding, first_densities, first_labels, std::move(first));
+    state.report.exchanged_vertices = exchanged;
+    ++clusterings;
+  } else {
+    budget = repair_budget(state, 2); // the selected result must not be worse than before
+    if (dual.number_left() > fewest) {
+      recluster(state, seeding, best_densities);
+      ++clusterings;
+      dual = place(state, placement, output_coordinates, budget);
+    }
+    if (clusters_of_pair * dual.number_left() <= state.number_of_clusters() && may_exchange_vertices(state, placement))
+      dual = place_with_exchange(state, placement, output_coordinates, budget, &dual);
+  }
+  dual.clusterings = clusterings;
+  return dual;
+}
+
 CGAL_SURFACE_MESH_COARSENING_INLINE void
 report_placement(Coarsening_report& report, const std::vector<Triangle>& triangles, const std::vector<Vector>& positions,
                  const Repair_counts& counts, std::size_t clusterings)

@@ -49,7 +49,8 @@ public:
   // Returns the nearest admissible position of a vertex.
   Vector within_bounds(Index v, const Vector& p) const
   {
-    return clusters_ ? clusters_->within_bounds(surface_, v, p) : surface_.within_bounds(v, p);
+    return clusters_ && clusters_->has_changed(v) ? closest_in_box(p, clusters_->vertex_bounds(v))
+                                                  : surface_.within_bounds(v, p);
   }
 
   // Returns the contribution of some triangles to the squared distance in both directions.

@@ -6,7 +6,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
 
 #include <algorithm>
@@ -227,11 +226,6 @@ public:
   bool has_changed(Index x) const { return bounds_[x].has_value(); }
   // Returns the bounds of the vertex of a changed cluster. Many threads may call this function, so the faces are visited earlier.
   const Bbox_3& vertex_bounds(Index x) const { return *bounds_[x]; }
-  // Returns the admissible position of the vertex of a cluster that is nearest to `p`. `surface` has the clusters before relocations.
-  Vector within_bounds(const Clustered_faces& surface, Index x, const Vector& p) const
-  {
-    return has_changed(x) ? closest_in_box(p, vertex_bounds(x)) : surface.within_bounds(x, p);
-  }
 
   // Merges cluster `x` into a neighbor, if possible into `into`, and forms a new cluster `x` around one of some faces of the
   // input, the first possible one, from the cluster of this face, or around a piece of a face if features are kept. The vertices

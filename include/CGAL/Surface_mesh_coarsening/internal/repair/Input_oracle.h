@@ -30,7 +30,7 @@ class Input_oracle
 {
 public:
   Input_oracle(const Clustered_faces& surface, Repair_budget& budget)
-    : surface_(surface), faces_(surface.input().mesh, surface.labels().labels(), surface.number_of_clusters()),
+    : surface_(surface), faces_(surface.input().mesh, surface.faces()),
       normals_(surface.number_of_clusters()), budget_(budget)
   {
     const Run_context context = surface.context().uninterrupted();
