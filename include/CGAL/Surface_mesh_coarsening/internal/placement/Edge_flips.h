@@ -65,22 +65,14 @@ public:
     const double mean = measure_triangles();
     if (!(mean > 0))
       return;
-    const double last = worth_.rate > 0 ? worth_.rate * narrow_factor_ / worth_.narrow_rate : 1;
+    const double last = worth_.rate > 0 ? worth_.rate / worth_.narrow_rate : 1;
     const double change = (only_goal_matters ? largest_gain : gain) * missing;
     const double wanted = (only_goal_matters ? last : (std::min)(last, high_rate)) *
                           std::exp((std::min)((std::max)(change, -max_change), max_change)) * mean * narrow_part;
-    worth_ = {(std::min)((std::max)(wanted, rate(lowest_exponent_, mean)), rate(0, mean)), narrow_factor_ * narrow_part * mean};
+    worth_ = {(std::min)((std::max)(wanted, rate(lowest_exponent_, mean)), rate(0, mean)), narrow_part * mean};
     std::vector<Flip> flips = promising_flips();
     apply(flips);
   }
-
-  // From now on, narrow triangles count so many times.
-  void weigh_narrowness(double factor)
-  {
-    worth_.narrow_rate *= factor / narrow_factor_;
-    narrow_factor_ = factor;
-  }
-  double narrow_factor() const { return narrow_factor_; }
 
   // The exchange rate of the last run.
   const Angle_worth& worth() const { return worth_; }
@@ -260,7 +252,6 @@ private:
   const double lowest_exponent_;
   const double sharpest_allowed_ = std::cos(mesh_.may_relocate() ? min_angle : min_angle_otherwise);
   Angle_worth worth_;
-  double narrow_factor_ = 1;
   std::vector<Measures> measures_; // of each triangle
 };
 

@@ -64,14 +64,6 @@ public:
     flips_.bound_rate();
   }
 
-  // From now on, no vertices are exchanged. Narrow triangles count more, because flips avoid them with less loss of distance than
-  // movements do when the fit settles. Of 1 to 20, the models of compare_quality are closest with this factor (by 0.7 %).
-  void end_exchanges()
-  {
-    constexpr double narrow_factor = 8;
-    flips_.weigh_narrowness(narrow_factor);
-  }
-
   // From now on, the mean angle matters more than the distance.
   void correct_angles() { only_angles_matter_ = true; }
 
@@ -96,7 +88,7 @@ public:
     if (keeps_vertices_)
       return;
     Angle_worth worth = flips_.worth();
-    worth.narrow_rate *= final_factor() / flips_.narrow_factor();
+    worth.narrow_rate *= final_factor();
     angles_.run(worth);
     planes_.run(flips_.worth());
     has_feet_ = false;
@@ -303,7 +295,6 @@ inline bool improves_by_exchanges(Vertex_fit& fit, const Fitted_mesh& plain, con
     errors.push_back(fit.error());
     context.step_done(Coarsening_stage::FEEDBACK, i + 1, choice.exchange_rounds + last_rounds);
   }
-  fit.end_exchanges();
   for (std::size_t i = 0; i < last_rounds; ++i) {
     fit.advance(false);
     if (i + 1 < last_rounds)
