@@ -311,6 +311,7 @@ private:
       for (Index i = first_on_[t]; i != NONE; i = next_on_[i])
         samples.push_back(i);
       first_on_[t] = NONE;
+      squares_[t] = 0;
     }
     return samples;
   }

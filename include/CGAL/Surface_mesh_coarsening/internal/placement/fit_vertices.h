@@ -26,11 +26,10 @@ struct Fit_choice
   Cluster_relocation* clusters = nullptr; // these follow exchanged vertices
 };
 
-// A coarse mesh, its mean squared distance from the input in the direction in which it is larger, and the mean of its smallest
-// angles.
+// The positions of a coarse mesh, its mean squared distance from the input in the direction in which it is larger, and the mean of
+// its smallest angles.
 struct Fitted_mesh
 {
-  std::vector<Triangle> triangles;
   std::vector<Vector> positions;
   double error = 0, mean_angle = 0;
 

@@ -100,7 +100,7 @@ public:
   // Returns the current mesh. The feet of the samples must be up to date.
   Fitted_mesh mesh() const
   {
-    return {mesh_.triangles(), mesh_.positions(), error(), current_angle()};
+    return {mesh_.positions(), error(), current_angle()};
   }
 
 private:
