@@ -188,9 +188,10 @@ private:
     }
     for (Index i = n.first; i < n.second; ++i) {
       Nearest_point point;
+      point.squared_distance = limit; // farther triangles are rejected early
       improve(mesh_, p, order_[i], point);
       compared += mesh_.degree(order_[i]) - 2;
-      if (point.squared_distance <= limit)
+      if (point.face != NONE)
         visit(order_[i]);
     }
   }

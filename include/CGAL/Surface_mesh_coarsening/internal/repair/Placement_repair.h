@@ -125,14 +125,14 @@ private:
     const std::vector<Index> vertices = corners_of(faulty);
     faults_.look_around(vertices);
     last_altered_.clear();
-    distance_.measure_around(vertices);
+    is_measured_ = false;
     Placement_change best;
     Effect least;
     const Repair_proposals proposals(surface_, border_, coarse_, reference_, positions_, at_input_vertices_);
     for (const Placement_change& change : proposals.at(faulty, vertices, tries_faces_)) {
       if (budget_.is_spent_for_repair())
         break;
-      const Effect effect = effect_of(change, least);
+      const Effect effect = effect_of(change, vertices, least);
       if (is_better(effect, least)) {
         least = effect;
         best = change;
@@ -221,36 +221,48 @@ private:
     return altered;
   }
 
-  // Stops the computation when the effect is known to be no better than `other`.
-  Effect effect_of(const Placement_change& change, const Effect& other)
+  // Stops the computation when the effect is known to be no better than `other`. The distance around the vertices is measured when
+  // a change reduces the number of faults: at many faults, no change does.
+  Effect effect_of(const Placement_change& change, const std::vector<Index>& vertices, const Effect& other)
   {
     const std::vector<Index> altered = altered_by(change);
     Effect effect;
     const long before = faults_before(altered);
     if (before == 0)
       return effect;
-    const auto measure = [&] {
-      const long least_gain = prefers_gain_ ? (std::max)(1l, other.gain) : 1;
+    const long least_gain = prefers_gain_ ? (std::max)(1l, other.gain) : 1;
+    during(change, [&] {
       effect.gain = (std::max)(0l, before - faults_.number_after_change(altered, before - least_gain + 1));
-      if (effect.gain > 0)
-        effect.harm = distance_.changed(altered, distance_.current() + max_harm(effect.gain, other)) - distance_.current() +
-                      harm_of_narrowing(altered);
-    };
+    });
+    if (effect.gain == 0)
+      return effect;
+    if (!std::exchange(is_measured_, true))
+      distance_.measure_around(vertices);
+    during(change, [&] {
+      effect.harm = distance_.changed(altered, distance_.current() + max_harm(effect.gain, other)) - distance_.current() +
+                    harm_of_narrowing(altered);
+    });
+    return effect;
+  }
+
+  // Makes a change, calls `visit`, and undoes the change.
+  template <class Visit>
+  void during(const Placement_change& change, const Visit& visit)
+  {
     if (change.flipped == NONE) {
       std::vector<Vertex_move> back;
       for (const Vertex_move& m : change.moves)
         back.push_back({m.vertex, positions_[m.vertex]});
       make(change);
-      measure();
+      visit();
       make({back, NONE, 0});
     } else {
       const Index t = change.flipped, u = coarse_.across(t, change.corner);
       const Triangle old_t = coarse_.triangles()[t], old_u = coarse_.triangles()[u];
       make(change);
-      measure();
+      visit();
       coarse_.undo_flip(t, old_t, u, old_u);
     }
-    return effect;
   }
 
   // Harm limit for pruning: with this gain, an effect of larger harm is not better than `other`.
@@ -351,6 +363,7 @@ private:
   std::vector<Index> last_altered_; // the triangles whose faults were counted last before a change
   long last_faults_ = 0;
   double last_narrowness_ = 0;
+  bool is_measured_ = false; // the distance around the current fault
   bool prefers_gain_ = false, tries_faces_ = false, at_input_vertices_ = false;
 };
 

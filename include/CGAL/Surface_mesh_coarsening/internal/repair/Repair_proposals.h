@@ -139,7 +139,8 @@ private:
         for (const Index v : vertices)
           if (!border_.is_on_border(v) && (chosen == faulty.size() || coarse_.corner(faulty[chosen], v) >= 0))
             change.moves.push_back({v, positions_[v] + part * size_around(coarse_, positions_, v) * reference_.normal(v)});
-        changes.push_back(change);
+        if (!change.moves.empty())
+          changes.push_back(change);
       }
   }
 
