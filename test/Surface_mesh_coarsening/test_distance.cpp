@@ -288,6 +288,22 @@ BOOST_AUTO_TEST_CASE(a_surface_without_area_is_refused)
   BOOST_CHECK_EQUAL(output.number_of_vertices(), 4u);
 }
 
+// With the default limits, clusters are merged by quadrics instead, and no round is needed.
+BOOST_AUTO_TEST_CASE(other_limits_request_a_minimization)
+{
+  const Mesh mesh = test::to_mesh(generated::triangle_sphere(5));
+  const auto rounds = [&](const auto& np) {
+    Mesh output;
+    const SMC::Distance_report report = SMC::coarsen_mesh_to_distance(mesh, 0.04, output, np);
+    BOOST_CHECK(report.is_within_distance);
+    BOOST_CHECK_LE(report.distance_bound, 0.04);
+    return report.clustering.rounds;
+  };
+  BOOST_CHECK_EQUAL(rounds(SMC::parameters::default_values()), 0u);
+  BOOST_CHECK_EQUAL(rounds(SMC::parameters::number_of_iterations(2)), 2u);
+  BOOST_CHECK_GT(rounds(SMC::parameters::convergence_tolerance(0)), 2u);
+}
+
 BOOST_AUTO_TEST_CASE(a_torus_needs_what_its_topology_needs)
 {
   const Mesh mesh = test::to_mesh(generated::triangulated(generated::torus(9, 9)));

@@ -236,8 +236,9 @@ Coarsening_result coarsen_with(const SMC::Any_cluster_energy& energy, const Mesh
     return result;
   }
   Clustering clustering(input, np);
-  const bool minimizes = rounds != Defaults::number_of_iterations || options.convergence_tolerance != Defaults::convergence_tolerance;
-  with_placement(options, [&](const auto& placement) { clustering.choose_items_for(placement, minimizes); });
+  with_placement(options, [&](const auto& placement) {
+    clustering.choose_items_for(placement, rounds, options.convergence_tolerance);
+  });
   if (options.vertices && options.neighborhood_level)
     clustering.seed_from_level(*options.neighborhood_level, *options.vertices);
   else if (options.vertices)

@@ -145,8 +145,9 @@ std::vector<Coarsening> coarsen_to_numbers(const Mesh& input, const Options& opt
   typedef SMC::Mwcvd_clustering<Mesh, SMC::Any_cluster_energy, CGAL::Parallel_if_available_tag> Clustering;
   Clustering clustering(input, np);
   const std::size_t rounds = options.iterations.value_or(Defaults::number_of_iterations);
-  const bool minimizes = rounds != Defaults::number_of_iterations || options.convergence_tolerance != Defaults::convergence_tolerance;
-  with_placement(options, [&](const auto& placement) { clustering.choose_items_for(placement, minimizes); });
+  with_placement(options, [&](const auto& placement) {
+    clustering.choose_items_for(placement, rounds, options.convergence_tolerance);
+  });
   make_clusters(clustering, options, fields);
   clustering.minimize(rounds, options.convergence_tolerance);
   std::vector<Coarsening> results((std::max)(options.vertices.size(), std::size_t(1)));

@@ -9,7 +9,6 @@
 #include <CGAL/Surface_mesh_coarsening/defaults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Typed_energy_model.h>
-#include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_state.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
 #include <cstddef>
@@ -97,14 +96,14 @@ public:
   std::size_t seed(std::size_t number_of_clusters) { return seed_as({internal::Seeding::FOR_NUMBER, number_of_clusters}); }
 
   /// lets later calls of `seed_faces_or_cells()`, `seed_from_ratio()` and `seed_from_number_of_faces()` choose the items and the
-  /// method for a placement. With other placements than `Fitted_placement`, or if the clusters are to be minimized, they do the same
-  /// as `seed()`. `coarsen_mesh()` calls this function, and minimizes if `number_of_iterations` or `convergence_tolerance` is not
-  /// the default.
+  /// method for a placement, and for the limits that are passed to `minimize()`. With other placements than `Fitted_placement`, or
+  /// with other limits than the defaults, they do the same as `seed()`. `coarsen_mesh()` calls this function.
   /// \tparam Placement a model of `VertexPlacement` or `GlobalVertexPlacement`
   template <class Placement>
-  void choose_items_for(const Placement& placement, bool minimizes = false)
+  void choose_items_for(const Placement& placement, std::size_t max_rounds = Coarsening_defaults::number_of_iterations,
+                        double tolerance = Coarsening_defaults::convergence_tolerance)
   {
-    internal::choose_items_for(placement, minimizes, state_);
+    internal::choose_items_for(placement, {max_rounds, tolerance}, state_);
   }
 
   /// finds seeds from which `grow()` merges clusters by the residuals of their quadrics (see `Quadric_energy`), as suits

@@ -30,7 +30,7 @@ Distance_report coarsen_to_goal(const FaceGraph& input, Distance_goal goal, Outp
   Distance_report report;
   Clustering clustering(typename Clustering::Accepted(), input, np_in);
   const Placement placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
-  clustering.choose_items_for(placement);
+  clustering.choose_items_for(placement, goal.end.max_rounds, goal.end.tolerance);
   Clustering_state& state = clustering.state();
   const Placed_dual dual =
     find_within_distance(state, placement_model(placement), output_coordinates<Traits>(state.frame), goal, report);
@@ -62,7 +62,7 @@ Distance_report coarsen_to_goal(const FaceGraph& input, Distance_goal goal, Outp
 /// input.
 ///
 /// With the number of all vertices, `coarsen_mesh()` returns the surface of the input. Hence the function finds a result within
-/// every distance above rounding errors, unless faces must be clustered (see `Mwcvd_clustering::seed_faces_or_cells()`), or the
+/// every distance above rounding errors, unless faces must be clustered (see `Mwcvd_clustering::choose_items_for()`), or the
 /// placement is not `Fitted_placement`.
 ///
 /// The distance is measured between surfaces: polygons of the input are triangulated as fans around the corner with the smallest

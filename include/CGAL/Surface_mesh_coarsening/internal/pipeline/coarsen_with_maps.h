@@ -35,8 +35,7 @@ Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& outp
   Clustering clustering(typename Clustering::Accepted(), input, np_in);
   const Placement placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
   const Minimization_end end = chosen_minimization_end(np_in);
-  clustering.choose_items_for(placement, end.max_rounds != Coarsening_defaults::number_of_iterations ||
-                                           end.tolerance != Coarsening_defaults::convergence_tolerance);
+  clustering.choose_items_for(placement, end.max_rounds, end.tolerance);
   seed(clustering);
   clustering.grow();
   clustering.minimize(end.max_rounds, end.tolerance);

@@ -7,7 +7,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Clustering_check.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_cells.h>
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Minimization_state.h>
-#include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_state.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/place_and_exchange.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/vertex_numbers_impl.h>

@@ -5,7 +5,6 @@
 
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
-#include <CGAL/Surface_mesh_coarsening/internal/pipeline/Clustering_state.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Initial_clustering.h>
 
