@@ -62,7 +62,7 @@ Distance_report coarsen_to_goal(const FaceGraph& input, Distance_goal goal, Outp
 /// input.
 ///
 /// With the number of all vertices, `coarsen_mesh()` returns the surface of the input. Hence the function finds a result within
-/// every distance above rounding errors, unless faces must be clustered (see `Mwcvd_clustering::choose_items_for()`), or the
+/// every distance above rounding errors, unless faces must be clustered (see `Mwcvd_clustering::seed_faces_or_cells()`), or the
 /// placement is not `Fitted_placement`.
 ///
 /// The distance is measured between surfaces: polygons of the input are triangulated as fans around the corner with the smallest
