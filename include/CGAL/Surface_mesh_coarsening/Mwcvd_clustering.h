@@ -97,7 +97,8 @@ public:
 
   /// lets later calls of `seed_faces_or_cells()`, `seed_from_ratio()` and `seed_from_number_of_faces()` choose the items and the
   /// method for a placement, and for the limits that are passed to `minimize()`. With other placements than `Fitted_placement`, or
-  /// with other limits than the defaults, they do the same as `seed()`. `coarsen_mesh()` calls this function.
+  /// with other limits than the defaults, they do the same as `seed()`. `coarsen_mesh()` and `coarsen_mesh_to_distance()` call this
+  /// function.
   /// \tparam Placement a model of `VertexPlacement` or `GlobalVertexPlacement`
   template <class Placement>
   void choose_items_for(const Placement& placement, std::size_t max_rounds = Coarsening_defaults::number_of_iterations,

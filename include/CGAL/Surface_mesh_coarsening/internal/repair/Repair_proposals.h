@@ -121,26 +121,27 @@ private:
     return places;
   }
 
-  // Adds changes that move several vertices: all vertices towards their centroids; the vertices of two triangles apart or towards
-  // each other, each along the normals of its own surface.
-  void add_common_moves(const std::vector<Index>& faulty, const std::vector<Index>& vertices,
-                        std::vector<Placement_change>& changes) const
+  // Adds changes that move several vertices that are not on borders: all towards their centroids; the vertices of two triangles apart
+  // or towards each other, each along the normals of its own surface.
+  void add_common_moves(const std::vector<Index>& faulty, std::vector<Index> vertices, std::vector<Placement_change>& changes) const
   {
+    const auto is_on_border = [this](Index v) { return border_.is_on_border(v); };
+    vertices.erase(std::remove_if(vertices.begin(), vertices.end(), is_on_border), vertices.end());
+    if (vertices.empty())
+      return;
     for (const double part : {0.1, 0.3, 0.6, 1.}) {
       Placement_change change;
       for (const Index v : vertices)
-        if (!border_.is_on_border(v))
-          change.moves.push_back({v, positions_[v] + part * (surface_.cluster_centroid(v) - positions_[v])});
+        change.moves.push_back({v, positions_[v] + part * (surface_.cluster_centroid(v) - positions_[v])});
       changes.push_back(change);
     }
     for (const double part : {0.01, -0.01, 0.03, -0.03, 0.1, -0.1, 0.25, -0.25})
       for (std::size_t chosen = 0; chosen <= faulty.size(); ++chosen) { // one of the triangles, or all
         Placement_change change;
         for (const Index v : vertices)
-          if (!border_.is_on_border(v) && (chosen == faulty.size() || coarse_.corner(faulty[chosen], v) >= 0))
+          if (chosen == faulty.size() || coarse_.corner(faulty[chosen], v) >= 0)
             change.moves.push_back({v, positions_[v] + part * size_around(coarse_, positions_, v) * reference_.normal(v)});
-        if (!change.moves.empty())
-          changes.push_back(change);
+        changes.push_back(change);
       }
   }
 
