@@ -22,6 +22,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <numeric>
 #include <set>
@@ -413,6 +414,48 @@ BOOST_AUTO_TEST_CASE(intersecting_faces_are_named)
   BOOST_TEST(!pairs.empty());
   BOOST_TEST((named == pairs));
   BOOST_TEST(outcome.report.intersections_left == pairs.size());
+}
+
+// Counts rounds of feedback that follow a repair.
+struct Repair_visitor : SMC::Coarsening_visitor_base
+{
+  std::size_t seedings = 0, relocations = 0;
+  bool has_repaired = false;
+
+  void stage_begins(SMC::Coarsening_stage stage)
+  {
+    seedings += stage == SMC::Coarsening_stage::SEEDING;
+    relocations += stage == SMC::Coarsening_stage::FEEDBACK && has_repaired;
+  }
+  void stage_ends(SMC::Coarsening_stage stage)
+  {
+    has_repaired = stage == SMC::Coarsening_stage::REPAIR || (has_repaired && stage != SMC::Coarsening_stage::SEEDING);
+  }
+};
+
+// Vertices are relocated to triangles that still intersect after the repair, at most four times. The clusters remain valid, and
+// the report counts the pairs of the result. No triangle intersects any more in at least one case.
+BOOST_AUTO_TEST_CASE(vertices_move_to_intersections)
+{
+  std::size_t solved = 0;
+  const std::pair<std::string, std::size_t> cases[] = {
+    {"anchor_dense.off", 37}, {"anchor.off", 20}, {"P.off", 7}, {"elephant.off", 277}};
+  for (const auto& [name, vertices] : cases)
+    BOOST_TEST_CONTEXT(name)
+    {
+      const Mesh input = data_mesh(name);
+      Repair_visitor visitor;
+      const Outcome outcome = coarsened(input, vertices, parameters(12).visitor(std::ref(visitor)));
+      check_kept(input, outcome, vertices);
+      std::vector<std::pair<Mesh::Face_index, Mesh::Face_index> > pairs;
+      CGAL::Polygon_mesh_processing::self_intersections(outcome.mesh, std::back_inserter(pairs));
+      BOOST_TEST(outcome.report.intersections_left == pairs.size());
+      BOOST_TEST(outcome.report.intersections_left <= outcome.report.intersections_found);
+      BOOST_TEST(visitor.relocations <= 4 * visitor.seedings);
+      BOOST_TEST((visitor.relocations == 0 || outcome.report.intersections_found > 0));
+      solved += visitor.seedings == 1 && visitor.relocations > 0 && pairs.empty();
+    }
+  BOOST_TEST(solved > 0);
 }
 
 // Given or frozen clusters do not change.

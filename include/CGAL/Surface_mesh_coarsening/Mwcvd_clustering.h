@@ -322,9 +322,9 @@ public:
                    output, np, [](const auto&) {});
   }
 
-  /// replaces `output` by the dual triangulation, as `extract_dual_mesh()` does. If triangles still intersect after the repair,
-  /// the function raises the densities in their clusters by a factor of four and reclusters the mesh, which gives more clusters
-  /// there and fewer elsewhere. It selects the result with the fewest intersections, or the first if no other has fewer, or no
+  /// replaces `output` by the dual triangulation, as `extract_dual_mesh()` does. If more than one pair of triangles for 100
+  /// vertices still intersects after the repair, the function raises the densities in the clusters of these triangles by a factor
+  /// of four and reclusters the mesh, which gives more clusters there and fewer elsewhere. It selects the result with the fewest intersections, or the first if no other has fewer, or no
   /// other has half as few after clusters were merged by quadrics.
   ///
   /// Seeding, growth and minimization are repeated at most twice, and once more to restore the selected result. They are

@@ -121,8 +121,8 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
 ///                           hardly lower the distance to regions where the distance is large. The rounds end earlier when they
 ///                           hardly lower the distance any more. The clusters are relocated too, and keep their number. The
 ///                           relocation is undone unless the result is closer to the input than the fit without these rounds, and
-///                           its mean smallest angle reaches the goal or is no smaller. With 0, the densities alone distribute the
-///                           vertices.}
+///                           its mean smallest angle reaches the goal or is no smaller. Further vertices are relocated to pairs of
+///                           triangles that intersect after the repair. With 0, the densities alone distribute the vertices.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{`Coarsening_defaults::error_feedback`, which is `12`; `0` if `face_density_map` is given}
 ///     \cgalParamExtra{not used with other placements, with 0 rounds of the minimization, or if clusters are given, edited or

@@ -149,22 +149,23 @@ private:
       return false;
     }
     Repair_budget budget = repair_budget(state_, parts_per_trial * trials_);
+    const Placement_request request{placement_, output_coordinates_, budget};
     work_left_ = work_of_trial();
     if (may_exchange_vertices(state_, placement_)) {
-      dual_ = place(state_, placement_, output_coordinates_, budget);
-      if (approach(largest_gain, budget))
+      dual_ = place(state_, request);
+      if (approach(largest_gain, request))
         return true;
       if (!is_last && nearest_ > largest_gain * local_distance_)
         return false;
     }
-    dual_ = place_and_exchange(state_, placement_, output_coordinates_, budget);
-    return approach(max_ratio_of_step[0], budget);
+    dual_ = place_and_exchange(state_, request);
+    return approach(max_ratio_of_step[0], request);
   }
 
   // Returns whether the result is within the distance. Where it is too far, moves vertices: the fit minimizes the mean of the
   // squared distances, and a few places determine the maximum. Steps end where the distance is too large for the steps that are
   // left, and where it is large and has not fallen. The first bound is computed up to `first_ratio` of the requested distance.
-  bool approach(double first_ratio, Repair_budget& budget)
+  bool approach(double first_ratio, const Placement_request& request)
   {
     constexpr double max_ratio_without_gain = 1.25;
     begin_bounds();
@@ -185,7 +186,7 @@ private:
       if (!surface)
         surface = bordered_surface(state_, dual_);
       approach_far_points(measured, *surface);
-      dual_.counts = repair_exchanged(state_, *surface, placement_, output_coordinates_, dual_, budget);
+      repair_exchanged(state_, *surface, request, dual_);
       if (dual_.number_left() > left)
         step = max_ratio_of_step.size() - 2; // one more look
     }

@@ -5,6 +5,8 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/output/place_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Vertex_exchange.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
 #include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
 
@@ -53,46 +55,43 @@ inline Repair_budget repair_budget(const Clustering_state& state, std::size_t pa
   return Repair_budget(state.base_input().mesh.number_of_faces(), parts);
 }
 
-// Returns whether more than one pair of triangles for a thousand clusters intersect. Fewer do not justify another clustering of
-// the whole mesh.
+// Returns whether more than one pair of triangles for a hundred clusters intersect. Fewer do not justify another clustering of the
+// whole mesh, and an exchange rarely leaves as few if there are more.
 inline bool has_many_intersections(const Clustering_state& state, const Placed_dual& dual)
 {
-  return 1000 * dual.number_left() > state.number_of_clusters();
+  return 100 * dual.number_left() > state.number_of_clusters();
 }
 
+// What places and repairs vertices.
+struct Placement_request
+{
+  const Placement_model& placement;
+  const Output_coordinates& output_coordinates;
+  Repair_budget& budget;
+};
+
 // Repairs a placement if the output is to be repaired.
-inline Repair_counts repaired(const Clustering_state& state, const Bordered_surface& surface, const Placement_model& placement,
-                              const Output_coordinates& output_coordinates, Placed_dual& dual, Repair_budget& budget)
+inline Repair_counts repaired(const Clustering_state& state, const Bordered_surface& surface, const Placement_request& request,
+                              Placed_dual& dual)
 {
   if (!state.repairs_output)
     return Repair_counts();
-  return repair_placement({surface.faces, surface.border, placement}, output_coordinates, dual.triangles, dual.positions,
-                          budget);
+  return repair_placement({surface.faces, surface.border, request.placement}, request.output_coordinates, dual.triangles,
+                          dual.positions, request.budget);
 }
 
 // Places the vertices and repairs the placement.
-inline Placed_dual place(const Clustering_state& state, const Placement_model& placement,
-                         const Output_coordinates& output_coordinates, Repair_budget& budget)
+inline Placed_dual place(const Clustering_state& state, const Placement_request& request)
 {
   state.context.stage_begins(Coarsening_stage::TRIANGULATION);
   Placed_dual dual;
   const std::unique_ptr<Bordered_surface> surface = bordered_surface(state, dual);
   dual.triangles = dual_triangles(labels(state), state.context);
   state.context.stage_ends(Coarsening_stage::TRIANGULATION);
-  dual.positions = place_vertices({surface->faces, surface->border, placement}, dual.triangles);
-  dual.counts = repaired(state, *surface, placement, output_coordinates, dual, budget);
+  dual.positions = place_vertices({surface->faces, surface->border, request.placement}, dual.triangles);
+  dual.counts = repaired(state, *surface, request, dual);
   state.context.throw_if_cancelled();
   return dual;
-}
-
-// Moves the vertices into their bounds and repairs the placement.
-inline Repair_counts repair_exchanged(const Clustering_state& state, const Bordered_surface& surface,
-                                      const Placement_model& placement, const Output_coordinates& output_coordinates,
-                                      Placed_dual& dual, Repair_budget& budget)
-{
-  for (std::size_t x = 0; x < dual.positions.size(); ++x)
-    dual.positions[x] = surface.faces.within_bounds(x, dual.positions[x]);
-  return repaired(state, surface, placement, output_coordinates, dual, budget);
 }
 
 // Returns whether each triangle joins clusters of one component, so that a vertex lies on the component of its cluster.
@@ -104,11 +103,71 @@ inline bool stay_on_components(const Clustered_faces& surface, const std::vector
   });
 }
 
+// Moves the vertices into the bounds of their clusters and repairs the placement.
+inline void repair_exchanged(const Clustering_state& state, const Bordered_surface& surface, const Placement_request& request,
+                             Placed_dual& dual)
+{
+  CGAL_assertion(stay_on_components(surface.faces, dual.triangles));
+  for (std::size_t x = 0; x < dual.positions.size(); ++x)
+    dual.positions[x] = surface.faces.within_bounds(x, dual.positions[x]);
+  dual.counts = repaired(state, surface, request, dual);
+  state.context.throw_if_cancelled();
+}
+
+// Exchanges vertices, so that vertices are inserted at triangles that intersect after a repair.
+inline void exchange_at_intersections(const Bordered_surface& surface, Cluster_relocation& clusters, Placed_dual& dual)
+{
+  // The worth of one radian, and of a triangle without intersection, relative to the mean cost of a triangle.
+  constexpr double rate = 2, worth_of_fault = 200;
+  const Run_context& context = surface.faces.context();
+  context.stage_begins(Coarsening_stage::FEEDBACK);
+  Coarse_mesh mesh(surface.faces, surface.border, dual.triangles, dual.positions, &clusters);
+  mesh.samples().find_feet_everywhere();
+  const Angle_worth worth = mesh.worth_of_angles(rate);
+  std::vector<double> bonus(dual.triangles.size(), 0);
+  for (const auto& pair : dual.counts.intersections_left)
+    for (const Index t : {pair.first, pair.second})
+      bonus[t] = worth_of_fault / narrow_part * worth.narrow_rate;
+  Vertex_exchange(mesh).run(worth, bonus);
+  dual.triangles = mesh.triangles();
+  context.stage_ends(Coarsening_stage::FEEDBACK);
+}
+
+// Exchanges vertices where triangles intersect, and repairs again, while this reduces the number of pairs. A second attempt begins
+// with the result of the first. Returns the number of relocated clusters.
+inline std::size_t remove_intersections(const Clustering_state& state, const Placement_request& request,
+                                        Cluster_relocation& clusters, Placed_dual& best)
+{
+  constexpr int max_passes = 4, max_passes_without_gain = 2;
+  std::size_t relocated = clusters.number();
+  std::vector<Index> best_labels = labels(state).labels();
+  Placed_dual dual{nullptr, best.triangles, best.positions, best.counts};
+  int without_gain = 0;
+  for (int i = 0; i < max_passes && without_gain < max_passes_without_gain && dual.number_left() > 0; ++i) {
+    if (request.budget.is_spent())
+      break;
+    exchange_at_intersections(*bordered_surface(state, dual), clusters, dual);
+    repair_exchanged(state, *bordered_surface(state, dual), request, dual);
+    ++without_gain;
+    if (dual.number_left() < best.number_left()) {
+      without_gain = 0;
+      relocated = clusters.number();
+      best_labels = labels(state).labels();
+      best.triangles = dual.triangles;
+      best.positions = dual.positions;
+      best.counts.intersections_left = dual.counts.intersections_left;
+      best.counts.reversals_left = dual.counts.reversals_left;
+    }
+  }
+  state.labels->move_all(best_labels);
+  best.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
+  return relocated;
+}
+
 // Places the vertices, exchanges some of them together with their clusters, and repairs the placement. If this fails, nothing
 // changes. `plain` may be the repaired placement of these clusters without exchanges: it is the result if exchanges are undone or
 // leave more pairs of intersecting triangles.
-inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_model& placement,
-                                       const Output_coordinates& output_coordinates, Repair_budget& budget, Placed_dual* plain)
+inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_request& request, Placed_dual* plain)
 {
   const Run_context& context = state.context;
   Cluster_relocation clusters(state.featured_input(), *state.labels, Index(state.number_of_clusters()));
@@ -121,17 +180,19 @@ inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_
     context.stage_begins(Coarsening_stage::PLACEMENT);
     dual.positions.resize(state.number_of_clusters());
     surface->border.place(dual.positions);
-    Fit_choice choice = *placement.fitted;
+    Fit_choice choice = *request.placement.fitted;
     choice.exchange_rounds = state.exchange_rounds;
     choice.clusters = &clusters;
     fit_vertices(surface->faces, surface->border, choice, dual.triangles, dual.positions);
     context.stage_ends(Coarsening_stage::FEEDBACK);
     if (clusters.number() > 0)
       surface = bordered_surface(state, dual);
-    CGAL_assertion(stay_on_components(surface->faces, dual.triangles));
     if (!plain || !clusters.is_undone())
-      dual.counts = repair_exchanged(state, *surface, placement, output_coordinates, dual, budget);
-    context.throw_if_cancelled();
+      repair_exchanged(state, *surface, request, dual);
+    surface.reset();
+    std::size_t relocated = clusters.number();
+    if (!plain && !clusters.is_undone() && dual.number_left() > 0)
+      relocated = remove_intersections(state, request, clusters, dual);
     if (plain && (clusters.is_undone() || dual.number_left() > plain->number_left())) {
       clusters.undo();
       state.report.exchanged_vertices = 0;
@@ -141,7 +202,7 @@ inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_
       state.minimization.reset();
       state.editing.reset();
     }
-    state.report.exchanged_vertices = clusters.number();
+    state.report.exchanged_vertices = relocated;
     return dual;
   } catch (...) {
     clusters.undo();
@@ -163,11 +224,9 @@ inline bool may_exchange_vertices(const Clustering_state& state, const Placement
 }
 
 // Places the vertices, with exchanges if possible, and repairs the placement.
-inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_model& placement,
-                                      const Output_coordinates& output_coordinates, Repair_budget& budget)
+inline Placed_dual place_and_exchange(Clustering_state& state, const Placement_request& request)
 {
-  return may_exchange_vertices(state, placement) ? place_with_exchange(state, placement, output_coordinates, budget, nullptr)
-                                                 : place(state, placement, output_coordinates, budget);
+  return may_exchange_vertices(state, request.placement) ? place_with_exchange(state, request, nullptr) : place(state, request);
 }
 
 // Seeds, grows and minimizes as before, with other densities.

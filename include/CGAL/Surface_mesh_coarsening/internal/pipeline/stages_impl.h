@@ -349,7 +349,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place(const Clustering_state& st
                                                       const Output_coordinates& output_coordinates)
 {
   Repair_budget budget = repair_budget(state);
-  return place(state, placement, output_coordinates, budget);
+  return place(state, {placement, output_coordinates, budget});
 }
 
 // If pairs of intersecting triangles remain after the repair, the mesh is reclustered with other densities, without quadrics, which
@@ -360,10 +360,9 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
 {
   // Four times leave more pairs, because each spends a part of the budget.
   constexpr std::size_t max_repetitions = 2;
-  // With more pairs, the exchange rarely leaves as few pairs, and its repair takes long.
-  constexpr std::size_t clusters_of_pair = 100;
   Repair_budget budget = repair_budget(state);
-  Placed_dual first = place_and_exchange(state, placement, output_coordinates, budget);
+  const Placement_request request{placement, output_coordinates, budget};
+  Placed_dual first = place_and_exchange(state, request);
   if (!is_worth_reclustering(state, first, budget))
     return first;
   const std::vector<Index> first_labels = labels(state).labels();
@@ -382,7 +381,7 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
     raise_at_intersections(densities, state, clusterings == 1 ? first : dual);
     recluster(state, seeding, densities);
     budget.spend(placement_tests * first.triangles.size());
-    dual = place(state, placement, output_coordinates, budget);
+    dual = place(state, request);
     ++clusterings;
     if (dual.number_left() < fewest) {
       fewest = dual.number_left();
@@ -398,10 +397,10 @@ CGAL_SURFACE_MESH_COARSENING_INLINE Placed_dual place_embedded(Clustering_state&
     if (dual.number_left() > fewest) {
       recluster(state, seeding, best_densities);
       ++clusterings;
-      dual = place(state, placement, output_coordinates, budget);
+      dual = place(state, request);
     }
-    if (clusters_of_pair * dual.number_left() <= state.number_of_clusters() && may_exchange_vertices(state, placement))
-      dual = place_with_exchange(state, placement, output_coordinates, budget, &dual);
+    if (!has_many_intersections(state, dual) && may_exchange_vertices(state, placement))
+      dual = place_with_exchange(state, request, &dual);
   }
   dual.clusterings = clusterings;
   return dual;

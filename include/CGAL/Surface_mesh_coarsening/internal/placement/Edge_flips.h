@@ -242,8 +242,6 @@ private:
     constexpr double small_angle = 30;
     return mean_angle < small_angle ? -8 : -6;
   }
-  // The worth of one radian of narrowness, relative to the mean cost of a triangle.
-  static constexpr double narrow_part = 2;
   static constexpr std::size_t steps_of_flip = 64, triangles_of_part = 16;
   // A flip for better angles that increases the distance by a larger factor is evaluated exactly only if the smallest rate pays it.
   static constexpr double max_growth = 1.2;

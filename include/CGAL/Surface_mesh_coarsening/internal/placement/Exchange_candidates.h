@@ -64,10 +64,11 @@ class Exchange_candidates
 public:
   explicit Exchange_candidates(const Coarse_mesh& mesh) : mesh_(mesh) {}
 
-  // Measures the current triangles.
-  void measure_triangles(const Angle_worth& worth)
+  // Measures the current triangles. An insertion into a triangle gains its bonus, too, if there is one.
+  void measure_triangles(const Angle_worth& worth, const std::vector<double>& bonus)
   {
     worth_ = worth;
+    bonus_ = bonus;
     const std::size_t n = mesh_.triangles().size();
     cost_.resize(n);
     angle_.resize(n);
@@ -116,7 +117,7 @@ public:
   Vertex_insertion insertion_at(Index t, int i) const
   {
     const Index u = mesh_.across(t, i), a = mesh_.triangle(t)[i], b = mesh_.triangle(t)[(i + 1) % 3];
-    return {{insertion_part * (cost_[t] + cost_[u])}, t, u, {a, b, mesh_.opposite(t, i), mesh_.opposite(u, mesh_.corner(u, b))}};
+    return {{insertion_part * (cost_[t] + cost_[u]) + bonus(t, u)}, t, u, {a, b, mesh_.opposite(t, i), mesh_.opposite(u, mesh_.corner(u, b))}};
   }
 
   // Measures some removals, or some insertions.
@@ -180,7 +181,7 @@ private:
     const double least = (std::min)({min_angle, angle_[x.t], angle_[x.u]});
     const Place best = best_place(fan, middle, max_steps, least, std::numeric_limits<double>::infinity());
     x.place = best.position;
-    x.measured = cost_[x.t] + cost_[x.u] - worth_(angle_[x.t]) - worth_(angle_[x.u]) - best.cost;
+    x.measured = cost_[x.t] + cost_[x.u] - worth_(angle_[x.t]) - worth_(angle_[x.u]) - best.cost + bonus(x.t, x.u);
   }
 
   // Factors of the estimates. The removal of the apex of a pyramid increases the squared distance by the first factor times the
@@ -190,6 +191,8 @@ private:
   static constexpr std::size_t max_valence = 32;
   static constexpr std::size_t vertices_of_part = 16, steps_of_removal = 32;
   static constexpr int max_steps = 3;
+
+  double bonus(Index t, Index u) const { return bonus_.empty() ? 0 : (std::max)(bonus_[t], bonus_[u]); }
 
   // The squared distance in both directions is estimated as twice the distance of the samples of the input.
   double sample_weight() const { return 2 * mesh_.samples().weight(); }
@@ -294,7 +297,7 @@ private:
 
   const Coarse_mesh& mesh_;
   Angle_worth worth_;
-  std::vector<double> cost_, angle_; // of each triangle
+  std::vector<double> cost_, angle_, bonus_; // of each triangle; or no bonus
 };
 
 } // namespace CGAL::Surface_mesh_coarsening::internal

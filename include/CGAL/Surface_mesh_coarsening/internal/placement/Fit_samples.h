@@ -58,35 +58,10 @@ public:
   double weight() const { return weight_; }
 
   // Uses every `step`-th sample of the input.
-  void find_feet(std::size_t step)
-  {
-    use_every(step);
-    const std::vector<Triangle>& triangles = coarse_.triangles();
-    const Run_context& context = surface_.context();
-    for_each_number(context, triangles.size(), [&](Index t) { prepared_[t] = Prepared_triangle(positions_, triangles[t]); });
-    for_each_chunk(context, number_of_used(), 64, [this](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        find_foot(samples_[i * step_]);
-    });
-    correct_feet_at_hubs();
-    if (surface_.has_cells())
-      correct_far_feet();
-    first_on_.assign(triangles.size(), NONE);
-    for (std::size_t i = number_of_used(); i-- > 0;)
-      link(Index(i * step_));
-    constexpr std::size_t at_a_time = 1024, steps_of_triangle = 16;
-    for (std::size_t first = 0; first < back_.size(); first += at_a_time) {
-      context.poll(steps_of_triangle * at_a_time);
-      for_each_chunk(context.uninterrupted(), (std::min)(at_a_time, back_.size() - first), 16,
-                     [&](std::size_t, std::size_t begin, std::size_t end) {
-                       for (Index t = Index(first + begin); t < first + end; ++t) {
-                         set_back(t, back_search_.again(triangles[t], back_[t], [&]() { return starts_around(t); }));
-                         add_up_squares(t);
-                       }
-                     });
-    }
-  }
+  void find_feet(std::size_t step) { find_feet(step, false); }
 
+  // Finds the feet among all triangles. After a repair, a descent from the vertex of a cluster may end far from the nearest point.
+  void find_feet_everywhere() { find_feet(1, true); }
   // Calls `visit(sample)` for each sample of the input whose foot lies on a triangle.
   template <class Visit>
   void for_each_on(Index t, const Visit& visit) const
@@ -212,6 +187,45 @@ private:
   static constexpr int max_steps = 64; // of a search on the coarse mesh
   // If more triangles surround a vertex, not all are tested.
   static constexpr std::size_t max_around = 16;
+
+  void find_feet(std::size_t step, bool everywhere)
+  {
+    use_every(step);
+    const std::vector<Triangle>& triangles = coarse_.triangles();
+    const Run_context& context = surface_.context();
+    for_each_number(context, triangles.size(), [&](Index t) { prepared_[t] = Prepared_triangle(positions_, triangles[t]); });
+    for_each_chunk(context, number_of_used(), 64, [this](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        find_foot(samples_[i * step_]);
+    });
+    correct_feet_at_hubs();
+    if (everywhere)
+      search_all_triangles(used_samples(), Coarse_mesh_search(triangles, positions_));
+    else if (surface_.has_cells())
+      correct_far_feet();
+    first_on_.assign(triangles.size(), NONE);
+    for (std::size_t i = number_of_used(); i-- > 0;)
+      link(Index(i * step_));
+    constexpr std::size_t at_a_time = 1024, steps_of_triangle = 16;
+    for (std::size_t first = 0; first < back_.size(); first += at_a_time) {
+      context.poll(steps_of_triangle * at_a_time);
+      for_each_chunk(context.uninterrupted(), (std::min)(at_a_time, back_.size() - first), 16,
+                     [&](std::size_t, std::size_t begin, std::size_t end) {
+                       for (Index t = Index(first + begin); t < first + end; ++t) {
+                         set_back(t, back_search_.again(triangles[t], back_[t], [&]() { return starts_around(t); }));
+                         add_up_squares(t);
+                       }
+                     });
+    }
+  }
+
+  std::vector<Index> used_samples() const
+  {
+    std::vector<Index> used;
+    for (std::size_t i = 0; i < samples_.size(); i += step_)
+      used.push_back(Index(i));
+    return used;
+  }
 
   // A descent around a vertex of many triangles does not test all of them.
   void correct_feet_at_hubs()

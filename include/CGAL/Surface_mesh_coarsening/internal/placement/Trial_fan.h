@@ -46,6 +46,9 @@ struct Angle_worth
   double operator()(double angle) const { return rate * angle - narrow_rate * narrowness(angle); }
 };
 
+// The worth of one radian of narrowness, relative to the mean cost of a triangle.
+constexpr double narrow_part = 2;
+
 // Returns the triangles with an angle below `min_angle`.
 inline std::vector<std::size_t> narrowest_triangles(const std::vector<Vector>& positions, const std::vector<Triangle>& triangles)
 {

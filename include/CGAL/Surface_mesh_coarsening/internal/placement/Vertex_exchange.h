@@ -25,13 +25,13 @@ public:
   explicit Vertex_exchange(Coarse_mesh& mesh) : mesh_(mesh), candidates_(mesh) {}
 
   // Exchanges vertices as long as an exchange between two untouched regions is profitable, and while this does not take long.
-  // Returns the number of exchanged vertices.
-  std::size_t run(const Angle_worth& worth)
+  // Returns the number of exchanged vertices. `bonus` may have an additional gain for each triangle that receives a vertex.
+  std::size_t run(const Angle_worth& worth, const std::vector<double>& bonus = {})
   {
     worth_ = worth;
     compared_ = 0;
     is_touched_.assign(mesh_.positions().size(), false);
-    candidates_.measure_triangles(worth);
+    candidates_.measure_triangles(worth, bonus);
     removals_ = std::priority_queue<Vertex_removal>();
     insertions_ = std::priority_queue<Vertex_insertion>();
     candidates_.for_each_removal([this](const Vertex_removal& r) { removals_.push(r); });
