@@ -115,11 +115,11 @@ void carry_properties(const Mesh& input, const std::vector<std::size_t>& labels,
   keep_normals_normal(input, result);
 }
 
-// Patches to be kept, one for all faces if there are none.
+// Patches to be kept, of each face; none if all faces belong to one.
 std::vector<std::int64_t> wanted_patches(const Mesh& input, const Options& options)
 {
   if (options.patches.empty())
-    return std::vector<std::int64_t>(input.number_of_faces(), 0);
+    return {};
   auto result = patches(input, options.patches);
   if (!result)
     throw Failure(options.input, "has no " +
@@ -227,7 +227,8 @@ Coarsening_result coarsen_with(const SMC::Any_cluster_energy& energy, const Mesh
                     .repair_output(!options.paper)
                     .error_feedback(options.error_feedback)
                     .feature_angle(options.features.value_or(Defaults::feature_angle))
-                    .face_patch_map(boost::make_function_property_map<Face>([&](Face f) { return patch_of[f]; }))
+                    .face_patch_map(boost::make_function_property_map<Face>(
+                      [&](Face f) { return patch_of.empty() ? std::int64_t(0) : patch_of[f]; }))
                     .vertex_is_constrained_map(boost::make_function_property_map<Vertex>([&](Vertex v) { return is_kept[v] != 0; }))
                     .visitor(std::ref(visitor));
   if (options.maximum_distance) {

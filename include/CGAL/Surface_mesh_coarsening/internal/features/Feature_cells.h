@@ -156,7 +156,7 @@ private:
     pieces_ = cut_input(base_, std::move(cut_mesh), cutting.old_face());
     face_of_piece_ = cutting.old_face();
     middle_ = cutting.middle();
-    number_polygons(cutting);
+    number_polygons(is_cut);
     Clustering_input result;
     result.mesh = join_pieces(context);
     sum_up(result);
@@ -179,14 +179,15 @@ private:
   }
 
   // Numbers polygons in the order of their pieces, which preserves the order of components.
-  void number_polygons(const Quad_subdivision& cutting)
+  void number_polygons(const std::vector<char>& is_cut)
   {
     const Flat_mesh& m = base_.mesh;
     std::vector<Index> vertex_of_piece(pieces_.mesh.number_of_faces(), NONE), cell_of_vertex(m.number_of_vertices(), NONE);
-    for (Index v = 0; v < m.number_of_vertices(); ++v)
-      if (has_cell(v))
-        for (const Index f : m.faces_around(v))
-          vertex_of_piece[cutting.piece_at(f, v)] = v;
+    for (std::size_t p = 0; p < vertex_of_piece.size(); ++p) {
+      const Index v = pieces_.mesh.corner_vertex[pieces_.mesh.first_corner[p]]; // of a piece of a subdivided face
+      if (is_cut[face_of_piece_[p]] && has_cell(v))
+        vertex_of_piece[p] = v;
+    }
     cell_of_node_.assign(graph_.number_of_nodes(), NONE);
     for (std::size_t p = 0; p < vertex_of_piece.size(); ++p) {
       const Index v = vertex_of_piece[p], node = v == NONE ? NONE : graph_.node_of_vertex(v);

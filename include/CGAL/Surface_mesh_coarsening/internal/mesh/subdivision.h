@@ -107,6 +107,9 @@ protected:
           mesh_.face_across[corner] = opposite == NONE ? NONE : piece_[opposite][AT_TARGET - part_[corner]];
         }
     check_countable(mesh_.corner_vertex.size(), "face corners after faces were cut");
+    // Otherwise, these arrays would determine the largest memory.
+    std::vector<std::array<Index, 3> >().swap(piece_);
+    std::vector<Part>().swap(part_);
     complete_topology(mesh_, mesh_.points.size(), context);
     return std::move(mesh_);
   }
@@ -215,9 +218,6 @@ public:
       }
     });
   }
-
-  // Returns the piece of a subdivided face `f` at its vertex `v`.
-  Index piece_at(Index f, Index v) const { return piece_[m_.corner_of(f, v)][AT_SOURCE]; }
 
 private:
   void add_points(const Run_context& context)

@@ -36,7 +36,7 @@ struct Featured_output
   const Coarse_features* features;        // null without features
   const Featured_input& input;
   const Cluster_labels& labels;          // of the clustered mesh
-  const std::vector<long long>& patches; // of the faces of the caller's mesh; if empty, regions are numbered instead
+  const std::vector<long long>& patches; // of the faces of the caller's mesh, or of all; if empty, regions are numbered instead
 };
 
 // Returns the face on the left of an edge; NONE on the border.
@@ -103,7 +103,7 @@ inline std::vector<long long> patches_of_triangles(const Featured_output& coarse
   std::vector<long long> result;
   for (std::size_t t = 0; t < faces.size(); ++t) {
     const Index f = faces[t] == NONE ? face_of_cluster[coarse.triangles[t][0]] : faces[t];
-    result.push_back(!coarse.patches.empty() ? coarse.patches[pieces.parent_of(f)]
+    result.push_back(!coarse.patches.empty() ? coarse.patches[coarse.patches.size() == 1 ? 0 : pieces.parent_of(f)]
                      : cells                 ? regions[cells->base_face(f)]
                                              : pieces.mesh.component[f]);
   }

@@ -134,13 +134,12 @@ inline void exchange_at_intersections(const Bordered_surface& surface, Cluster_r
 }
 
 // Exchanges vertices where triangles intersect, and repairs again, while this reduces the number of pairs. A second attempt begins
-// with the result of the first. Returns the number of relocated clusters.
-inline std::size_t remove_intersections(const Clustering_state& state, const Placement_request& request,
-                                        Cluster_relocation& clusters, Placed_dual& best)
+// with the result of the first.
+inline void remove_intersections(const Clustering_state& state, const Placement_request& request, Cluster_relocation& clusters,
+                                 Placed_dual& best)
 {
   constexpr int max_passes = 4, max_passes_without_gain = 2;
   std::size_t relocated = clusters.number();
-  std::vector<Index> best_labels = labels(state).labels();
   Placed_dual dual{nullptr, best.triangles, best.positions, best.counts};
   int without_gain = 0;
   for (int i = 0; i < max_passes && without_gain < max_passes_without_gain && dual.number_left() > 0; ++i) {
@@ -152,16 +151,14 @@ inline std::size_t remove_intersections(const Clustering_state& state, const Pla
     if (dual.number_left() < best.number_left()) {
       without_gain = 0;
       relocated = clusters.number();
-      best_labels = labels(state).labels();
       best.triangles = dual.triangles;
       best.positions = dual.positions;
       best.counts.intersections_left = dual.counts.intersections_left;
       best.counts.reversals_left = dual.counts.reversals_left;
     }
   }
-  state.labels->move_all(best_labels);
+  clusters.undo_all_after(relocated);
   best.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
-  return relocated;
 }
 
 // Places the vertices, exchanges some of them together with their clusters, and repairs the placement. If this fails, nothing
@@ -190,9 +187,8 @@ inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_
     if (!plain || !clusters.is_undone())
       repair_exchanged(state, *surface, request, dual);
     surface.reset();
-    std::size_t relocated = clusters.number();
     if (!plain && !clusters.is_undone() && dual.number_left() > 0)
-      relocated = remove_intersections(state, request, clusters, dual);
+      remove_intersections(state, request, clusters, dual);
     if (plain && (clusters.is_undone() || dual.number_left() > plain->number_left())) {
       clusters.undo();
       state.report.exchanged_vertices = 0;
@@ -202,7 +198,7 @@ inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_
       state.minimization.reset();
       state.editing.reset();
     }
-    state.report.exchanged_vertices = relocated;
+    state.report.exchanged_vertices = clusters.number();
     return dual;
   } catch (...) {
     clusters.undo();

@@ -18,7 +18,9 @@
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Placement_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_budget.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -65,7 +67,7 @@ struct Clustering_state
   std::size_t exchange_rounds = 0; // the number of rounds that relocate vertices to regions of large error
   Local_frame frame;
   Featured_input input;
-  std::vector<long long> patches; // per face of the caller's mesh, if given
+  std::vector<long long> patches; // per face of the caller's mesh, if given; only one if all are equal
   std::shared_ptr<const Energy_model> energy;
 
   // Set by seeding and growth:
@@ -220,6 +222,9 @@ void prepare(const FaceGraph& mesh, const NamedParameters& np, Numbering<FaceGra
   if (!corners.empty())
     state.frame.exact = exact_points(mesh, np, elements, corners, state.input.items.mesh);
   state.patches = std::move(features.patches);
+  if (std::adjacent_find(state.patches.begin(), state.patches.end(), std::not_equal_to<>()) == state.patches.end() &&
+      !state.patches.empty())
+    state.patches = std::vector<long long>{state.patches[0]};
   state.context.stage_ends(Coarsening_stage::PREPARATION);
 }
 

@@ -213,7 +213,7 @@ class Cluster_relocation : private Cluster_editing
 {
 public:
   Cluster_relocation(const Featured_input& input, Cluster_labels& labels, Index clusters)
-    : Cluster_editing(input, labels, clusters), old_labels_(labels.labels()), bounds_(clusters),
+    : Cluster_editing(input, labels, clusters), bounds_(clusters),
       clusters_of_component_(mesh_.components.size(), 0)
   {
     for (Index x = 0; x < clusters; ++x)
@@ -221,7 +221,7 @@ public:
   }
 
   // The number of relocated clusters.
-  std::size_t number() const { return number_; }
+  std::size_t number() const { return end_of_relocation_.size(); }
   bool is_undone() const { return is_undone_; }
   bool has_changed(Index x) const { return bounds_[x].has_value(); }
   // Returns the bounds of the vertex of a changed cluster. Many threads may call this function, so the faces are visited earlier.
@@ -255,7 +255,11 @@ public:
       if (y != NONE) {
         for (const Index changed : {x, y, heir})
           bounds_[changed] = bounds(changed);
-        ++number_;
+        for (const Index f : faces)
+          moved_.push_back({f, x});
+        for (const Index f : outward(face_of_[x]))
+          moved_.push_back({f, y});
+        end_of_relocation_.push_back(moved_.size());
         --clusters_of_component_[from];
         ++clusters_of_component_[component_of(x)];
         return Relocation::DONE;
@@ -271,12 +275,26 @@ public:
   void undo()
   {
     bounds_.assign(bounds_.size(), std::nullopt);
-    labels_.move_all(old_labels_);
-    number_ = 0;
+    undo_all_after(0);
     is_undone_ = true;
   }
 
+  // Restores the labels after the first `number` relocations; afterwards, nothing can be relocated.
+  void undo_all_after(std::size_t number)
+  {
+    const std::size_t left = number == 0 ? 0 : end_of_relocation_[number - 1];
+    for (; moved_.size() > left; moved_.pop_back())
+      labels_.move(moved_.back().face, moved_.back().from);
+    end_of_relocation_.resize(number);
+  }
+
 private:
+  // A face and its cluster before a relocation.
+  struct Moved_face
+  {
+    Index face, from;
+  };
+
   Index component_of(Index x) const { return mesh_.component[face_of_[x]]; }
   Bbox_3 bounds(Index x) { return internal::vertex_bounds(mesh_, outward(face_of_[x])); }
 
@@ -334,9 +352,9 @@ private:
     return try_split(y, x, faces, {nearest}, f) || try_split(y, x, faces, {faces.back()}, f) || split_anyhow(y, x, faces);
   }
 
-  const std::vector<Index> old_labels_;
   std::vector<std::optional<Bbox_3> > bounds_; // of the vertices of changed clusters
-  std::size_t number_ = 0;
+  std::vector<Moved_face> moved_;
+  std::vector<std::size_t> end_of_relocation_; // in `moved_`
   bool is_undone_ = false;
   std::vector<std::size_t> clusters_of_component_;
 };
