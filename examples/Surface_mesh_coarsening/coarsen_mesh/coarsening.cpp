@@ -131,6 +131,11 @@ std::vector<std::int64_t> wanted_patches(const Mesh& input, const Options& optio
   return std::move(*result);
 }
 
+auto patch_map(const std::vector<std::int64_t>& patch_of)
+{
+  return boost::make_function_property_map<Face>([&](Face f) { return patch_of.empty() ? std::int64_t(0) : patch_of[f]; });
+}
+
 // Calls `use` with the placement and the parameters of the result, whose mesh, labels and report it fills. Then carries the
 // properties over.
 template <class Use>
@@ -227,8 +232,7 @@ Coarsening_result coarsen_with(const SMC::Any_cluster_energy& energy, const Mesh
                     .repair_output(!options.paper)
                     .error_feedback(options.error_feedback)
                     .feature_angle(options.features.value_or(Defaults::feature_angle))
-                    .face_patch_map(boost::make_function_property_map<Face>(
-                      [&](Face f) { return patch_of.empty() ? std::int64_t(0) : patch_of[f]; }))
+                    .face_patch_map(patch_map(patch_of))
                     .vertex_is_constrained_map(boost::make_function_property_map<Vertex>([&](Vertex v) { return is_kept[v] != 0; }))
                     .visitor(std::ref(visitor));
   if (options.maximum_distance) {
@@ -335,7 +339,7 @@ SMC::Vertex_number_range range_of(const Mesh& input, const Options& options, Too
 {
   const std::vector<std::int64_t> patch_of = wanted_patches(input, options);
   const std::vector<char> is_kept = kept_vertices(input, options);
-  const auto patches = boost::make_function_property_map<Face>([&](Face f) { return patch_of[f]; });
+  const auto patches = patch_map(patch_of);
   const auto kept = boost::make_function_property_map<Vertex>([&](Vertex v) { return is_kept[v] != 0; });
   return SMC::vertex_number_range(input, SMC::parameters::subdivide_input(options.subdivide)
                                            .feature_angle(options.features.value_or(Defaults::feature_angle))
