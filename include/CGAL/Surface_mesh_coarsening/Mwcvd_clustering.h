@@ -324,8 +324,8 @@ public:
 
   /// replaces `output` by the dual triangulation, as `extract_dual_mesh()` does. If more than one pair of triangles for 100
   /// vertices still intersects after the repair, the function raises the densities in the clusters of these triangles by a factor
-  /// of four and reclusters the mesh, which gives more clusters there and fewer elsewhere. It selects the result with the fewest intersections, or the first if no other has fewer, or no
-  /// other has half as few after clusters were merged by quadrics.
+  /// of four and reclusters the mesh, which gives more clusters there and fewer elsewhere. It selects the result with the fewest
+  /// intersections, or the first if no other has fewer, or no other has half as few after clusters were merged by quadrics.
   ///
   /// Seeding, growth and minimization are repeated at most twice, and once more to restore the selected result. They are
   /// not repeated if the weight is `Uniform_weight`, which does not depend on densities, if parameter `repair_output` is

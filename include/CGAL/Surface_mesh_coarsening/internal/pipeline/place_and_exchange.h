@@ -123,12 +123,12 @@ inline void exchange_at_intersections(const Bordered_surface& surface, Cluster_r
   context.stage_begins(Coarsening_stage::FEEDBACK);
   Coarse_mesh mesh(surface.faces, surface.border, dual.triangles, dual.positions, &clusters);
   mesh.samples().find_feet_everywhere();
-  const Angle_worth worth = mesh.worth_of_angles(rate);
+  const double mean_cost = mesh.mean_cost();
   std::vector<double> bonus(dual.triangles.size(), 0);
   for (const auto& pair : dual.counts.intersections_left)
     for (const Index t : {pair.first, pair.second})
-      bonus[t] = worth_of_fault / narrow_part * worth.narrow_rate;
-  Vertex_exchange(mesh).run(worth, bonus);
+      bonus[t] = worth_of_fault * mean_cost;
+  Vertex_exchange(mesh).run({rate * mean_cost, narrow_part * mean_cost}, bonus);
   dual.triangles = mesh.triangles();
   context.stage_ends(Coarsening_stage::FEEDBACK);
 }

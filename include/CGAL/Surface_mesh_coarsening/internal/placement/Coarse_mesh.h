@@ -74,15 +74,13 @@ public:
     return sum;
   }
 
-  // Returns the worth of angles for changes between rounds, where no rate follows the missing angle. `rate` is the worth of one radian,
-  // relative to the mean cost of a triangle.
-  Angle_worth worth_of_angles(double rate) const
+  // Returns the mean cost of a triangle.
+  double mean_cost() const
   {
     double total = 0;
     for (std::size_t t = 0; t < triangles().size(); ++t)
       total += samples_.cost(Index(t));
-    const double mean = total / (std::max)(double(triangles().size()), 1.);
-    return {rate * mean, narrow_part * mean};
+    return total / (std::max)(double(triangles().size()), 1.);
   }
 
   // Moves a vertex and finds the feet around it again. Returns whether `is_better()` holds then; otherwise undoes the movement.

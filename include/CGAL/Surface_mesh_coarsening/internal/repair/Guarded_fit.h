@@ -41,7 +41,8 @@ public:
     mesh_.samples().find_feet_everywhere();
     for (int i = 0; i < rounds; ++i) {
       fit.find_feet(1);
-      worth_ = mesh_.worth_of_angles(rate);
+      mean_cost_ = mesh_.mean_cost();
+      worth_ = {rate * mean_cost_, narrow_part * mean_cost_};
       const std::vector<Vector> before = positions;
       fit.move_vertices(tolerance);
       move_towards(std::exchange(positions, before));
@@ -69,7 +70,7 @@ private:
     sort_unique(altered);
     faults_.look_around({v});
     const long faults = faults_.number_of(altered);
-    const double limit = mesh_.cost_of(altered, worth_) - least_gain / narrow_part * worth_.narrow_rate;
+    const double limit = mesh_.cost_of(altered, worth_) - least_gain * mean_cost_;
     const double angle = least_angle(altered);
     const Vector from = mesh_.point(v);
     const auto is_better = [&]() {
@@ -98,6 +99,7 @@ private:
   Coarse_mesh& mesh_;
   Input_oracle reference_;
   Placement_faults faults_;
+  double mean_cost_ = 0; // of a triangle, in this round
   Angle_worth worth_;
 };
 
