@@ -3,6 +3,7 @@
 // Tests the common parts of the programs: the check of a soup, the counts of the certificate, the colors of clusters,
 // the renderer.
 
+#include "Stowed_halfedges.h"
 #include "check/certificate.h"
 #include "check/soup_fault.h"
 #include "io/read_soup.h"
@@ -151,6 +152,25 @@ BOOST_AUTO_TEST_CASE(mesh_of_a_soup)
   check_same_as_cgal(generated::plate_with_windows(2));
   check_same_as_cgal(generated::with_holes(generated::triangle_sphere(4), 5));
   check_same_as_cgal(generated::partly_triangulated(generated::tube(12, 4)));
+}
+
+// With border, several components and an isolated vertex.
+BOOST_AUTO_TEST_CASE(stowed_halfedges)
+{
+  Mesh mesh = mesh_of(generated::cube_grid(3));
+  mesh.join(mesh_of(generated::grid(4, 4)));
+  mesh.add_vertex(Point(7, 7, 7));
+  const Mesh before = mesh;
+  {
+    coarsen_mesh_tool::Stowed_halfedges stowed(mesh);
+    stowed.stow();
+    BOOST_TEST(mesh.number_of_halfedges() == 0u);
+    BOOST_TEST(mesh.number_of_faces() == before.number_of_faces());
+  }
+  BOOST_TEST(mesh.is_valid());
+  BOOST_TEST(mesh.number_of_halfedges() == before.number_of_halfedges());
+  for (const Halfedge h : before.halfedges())
+    BOOST_TEST((mesh.next(h) == before.next(h) && mesh.face(h) == before.face(h) && mesh.target(h) == before.target(h)));
 }
 
 // In linear time, or nearly: this would take minutes face by face.

@@ -4,6 +4,7 @@
 
 #include "io/Failure.h"
 #include "io/Number_property.h"
+#include "Stowed_halfedges.h"
 #include "kept_vertices.h"
 #include "named_energies.h"
 #include "patches.h"
@@ -98,12 +99,17 @@ void keep_normals_normal(const Mesh& input, Mesh& result)
     });
 }
 
+bool has_properties(const Mesh& mesh)
+{
+  static const Mesh plain;
+  return mesh.properties<Vertex>() != plain.properties<Vertex>() || mesh.properties<Face>() != plain.properties<Face>() ||
+         mesh.properties<Halfedge>() != plain.properties<Halfedge>();
+}
+
 // Colors are means, as numbers with fractions are; other whole numbers are labels.
 void carry_properties(const Mesh& input, const std::vector<std::size_t>& labels, Mesh& result)
 {
-  static const Mesh plain;
-  if (input.properties<Vertex>() == plain.properties<Vertex>() && input.properties<Face>() == plain.properties<Face>() &&
-      input.properties<Halfedge>() == plain.properties<Halfedge>())
+  if (!has_properties(input))
     return;
   std::map<std::string, SMC::Transfer_policy> policies;
   for (const char* name : {"red", "green", "blue", "alpha", "diffuse_red", "diffuse_green", "diffuse_blue"})
@@ -134,6 +140,11 @@ std::vector<std::int64_t> wanted_patches(const Mesh& input, const Options& optio
 auto patch_map(const std::vector<std::int64_t>& patch_of)
 {
   return boost::make_function_property_map<Face>([&](Face f) { return patch_of.empty() ? std::int64_t(0) : patch_of[f]; });
+}
+
+auto kept_map(const std::vector<char>& is_kept)
+{
+  return boost::make_function_property_map<Vertex>([&](Vertex v) { return !is_kept.empty() && is_kept[v]; });
 }
 
 // Calls `use` with the placement and the parameters of the result, whose mesh, labels and report it fills. Then carries the
@@ -217,8 +228,7 @@ void make_levels(const Mesh& input, const Options& options, const Clustering& cl
   }
 }
 
-Coarsening_result coarsen_with(const SMC::Any_cluster_energy& energy, const Mesh& input, const Options& options,
-                               Tool_visitor& visitor)
+Coarsening_result coarsen_with(const SMC::Any_cluster_energy& energy, Mesh& input, const Options& options, Tool_visitor& visitor)
 {
   Coarsening_result result;
   typedef SMC::Mwcvd_clustering<Mesh, SMC::Any_cluster_energy, CGAL::Parallel_if_available_tag> Clustering;
@@ -233,14 +243,17 @@ Coarsening_result coarsen_with(const SMC::Any_cluster_energy& energy, const Mesh
                     .error_feedback(options.error_feedback)
                     .feature_angle(options.features.value_or(Defaults::feature_angle))
                     .face_patch_map(patch_map(patch_of))
-                    .vertex_is_constrained_map(boost::make_function_property_map<Vertex>([&](Vertex v) { return is_kept[v] != 0; }))
+                    .vertex_is_constrained_map(kept_map(is_kept))
                     .visitor(std::ref(visitor));
   if (options.maximum_distance) {
     coarsen_to_distance(input, options, patch_of,
                         np.number_of_iterations(rounds).convergence_tolerance(options.convergence_tolerance), result);
     return result;
   }
+  Stowed_halfedges stowed(input); // restored after the clustering has freed its memory
   Clustering clustering(input, np);
+  if (!has_properties(input)) // which are read at halfedges
+    stowed.stow();
   with_placement(options, [&](const auto& placement) {
     clustering.choose_items_for(placement, rounds, options.convergence_tolerance);
   });
@@ -340,7 +353,7 @@ SMC::Vertex_number_range range_of(const Mesh& input, const Options& options, Too
   const std::vector<std::int64_t> patch_of = wanted_patches(input, options);
   const std::vector<char> is_kept = kept_vertices(input, options);
   const auto patches = patch_map(patch_of);
-  const auto kept = boost::make_function_property_map<Vertex>([&](Vertex v) { return is_kept[v] != 0; });
+  const auto kept = kept_map(is_kept);
   return SMC::vertex_number_range(input, SMC::parameters::subdivide_input(options.subdivide)
                                            .feature_angle(options.features.value_or(Defaults::feature_angle))
                                            .face_patch_map(patches)
@@ -358,7 +371,7 @@ std::vector<double> face_densities(const Mesh& input, const Options& options)
   return densities;
 }
 
-Coarsening_result coarsen(const Mesh& input, const Options& options, Tool_visitor& visitor)
+Coarsening_result coarsen(Mesh& input, const Options& options, Tool_visitor& visitor)
 {
   return coarsen_with(energy_of(options), input, options, visitor);
 }

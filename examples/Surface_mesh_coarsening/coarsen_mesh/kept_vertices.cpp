@@ -9,6 +9,8 @@ namespace coarsen_mesh_tool {
 
 std::vector<char> kept_vertices(const Mesh& input, const Options& options)
 {
+  if (!options.keep_borders && options.keep.empty())
+    return {};
   std::vector<char> result(input.number_of_vertices(), false);
   if (options.keep_borders)
     for (const Halfedge h : input.halfedges())

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,18 +51,23 @@ private:
   bool is_listed_ = false;
 };
 
-// The component of each face. Stores nothing if there is only one.
+// The component of each face. Stores nothing if there is only one, and 16 bits if there are few.
 class Component_numbers
 {
 public:
-  Index operator[](std::size_t f) const { return numbers_.empty() ? 0 : numbers_[f]; }
+  Index operator[](std::size_t f) const { return !short_.empty() ? short_[f] : long_.empty() ? 0 : long_[f]; }
   void set(std::vector<Index> numbers, std::size_t components)
   {
-    numbers_ = components < 2 ? std::vector<Index>() : std::move(numbers);
+    *this = Component_numbers();
+    if (components > std::size_t(1) << 16)
+      long_ = std::move(numbers);
+    else if (components > 1)
+      short_.assign(numbers.begin(), numbers.end());
   }
 
 private:
-  std::vector<Index> numbers_;
+  std::vector<std::uint16_t> short_;
+  std::vector<Index> long_;
 };
 
 // The topology of one connected component.
