@@ -37,10 +37,11 @@ inline Vector vector_area(const Flat_mesh& m, Index f)
 
 inline Vector mean_of_corners(const Flat_mesh& m, Index f)
 {
+  const Number_range corners = m.corners(f);
   Vector sum{{0, 0, 0}};
-  for (const Index c : m.corners(f))
+  for (const Index c : corners)
     sum = sum + m.point_at(c);
-  return (1. / m.degree(f)) * sum;
+  return (1. / double(corners.size())) * sum;
 }
 
 inline double face_area(const Flat_mesh& m, Index f) { return length(vector_area(m, f)); }

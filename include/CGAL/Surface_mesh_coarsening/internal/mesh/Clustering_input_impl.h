@@ -25,7 +25,7 @@ public:
 
   void run(std::size_t number_of_vertices)
   {
-    const std::size_t wrong_face = first_of(context_, m_.number_of_faces(), [&](Index f) { return !fault_of(f).empty(); });
+    const std::size_t wrong_face = first_of(context_, m_.number_of_faces(), [&](Index f) { return has_fault(f); });
     if (wrong_face < m_.number_of_faces())
       throw Invalid_input("face " + std::to_string(wrong_face) + fault_of(Index(wrong_face)));
     m_.first_in_star.assign(number_of_vertices + 1, 0);
@@ -47,16 +47,22 @@ public:
   }
 
 private:
-  // Returns the fault as the end of a sentence; an empty text if there is none.
+  bool is_own_neighbor(Index f) const
+  {
+    const auto across = m_.face_across.begin() + m_.first_corner[f], end = across + m_.degree(f);
+    return std::find(across, end, f) != end;
+  }
+
+  bool has_fault(Index f) const { return m_.degree(f) < 3 || is_own_neighbor(f) || vertex_visited_twice(f) != NONE; }
+
+  // Returns the fault as the end of a sentence.
   std::string fault_of(Index f) const
   {
     if (m_.degree(f) < 3)
       return " has " + std::to_string(m_.degree(f)) + " sides";
-    for (const Index c : m_.corners(f))
-      if (m_.face_across[c] == f)
-        return " is its own neighbor across an edge";
-    const Index v = vertex_visited_twice(f);
-    return v == NONE ? "" : " visits vertex " + std::to_string(v) + " twice";
+    if (is_own_neighbor(f))
+      return " is its own neighbor across an edge";
+    return " visits vertex " + std::to_string(vertex_visited_twice(f)) + " twice";
   }
 
   // Returns NONE if there is none.
@@ -263,7 +269,8 @@ CGAL_SURFACE_MESH_COARSENING_INLINE std::vector<double> compute_densities(const 
 {
   std::vector<double> densities = mean_normal_deviations(mesh, context);
   const double largest = largest_of(densities);
-  if (at_borders)
+  const auto is_loop = [](Index loop) { return loop != NONE; };
+  if (at_borders && std::any_of(mesh.loop.begin(), mesh.loop.end(), is_loop))
     Border_deviations(mesh, context).raise(densities);
   map_to_densities(densities, largest, maximum);
   return densities;
