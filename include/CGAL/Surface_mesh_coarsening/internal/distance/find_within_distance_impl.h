@@ -186,7 +186,7 @@ private:
       if (!surface)
         surface = bordered_surface(state_, dual_);
       approach_far_points(measured, *surface);
-      repair_exchanged(state_, *surface, request, dual_);
+      repair(state_, *surface, request, dual_);
       if (dual_.number_left() > left)
         step = max_ratio_of_step.size() - 2; // one more look
     }

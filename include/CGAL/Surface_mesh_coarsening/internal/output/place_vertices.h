@@ -4,8 +4,8 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_OUTPUT_PLACE_VERTICES_H
 
 #include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Placement_model.h>
-#include <CGAL/Surface_mesh_coarsening/internal/repair/Guarded_fit.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Placement_repair.h>
 
 #include <cmath>
@@ -63,34 +63,13 @@ inline std::vector<Vector> place_vertices(const Placement_input& input, std::vec
   return positions;
 }
 
-// Returns whether a repair has moved so many vertices that the others no longer fit them.
-inline bool has_moved_many(const std::vector<Vector>& before, const std::vector<Vector>& after)
-{
-  constexpr std::size_t vertices_of_moved = 10;
-  std::size_t moved = 0;
-  for (std::size_t v = 0; v < after.size(); ++v)
-    moved += after[v] != before[v];
-  return vertices_of_moved * moved > after.size();
-}
-
 // Moves vertices and flips edges where triangles intersect that do not in the input, or face away from the surface.
 inline Repair_counts repair_placement(const Placement_input& input, const Output_coordinates& output_coordinates,
                                       std::vector<Triangle>& triangles, std::vector<Vector>& positions, Repair_budget& budget)
 {
-  input.surface.context().stage_begins(Coarsening_stage::REPAIR);
-  const std::vector<Vector> placed = positions;
-  Repair_counts counts;
-  {
-    Placement_repair repair(input.surface, input.border, output_coordinates, triangles, positions, budget);
-    if (input.placement.is_at_input_vertices)
-      repair.stay_at_input_vertices();
-    counts = repair.run();
-  }
-  if (input.placement.fitted && has_moved_many(placed, positions)) {
-    Coarse_mesh mesh(input.surface, input.border, triangles, positions, nullptr);
-    Guarded_fit(mesh, output_coordinates, budget).run(counts);
-  }
-  input.surface.context().stage_ends(Coarsening_stage::REPAIR);
+  Coarse_mesh mesh(input.surface, input.border, triangles, positions, nullptr);
+  const Repair_counts counts = Placement_repair(mesh, input.surface, output_coordinates, budget).run(input.placement);
+  triangles = mesh.triangles();
   return counts;
 }
 

@@ -71,13 +71,12 @@ struct Placement_request
 };
 
 // Repairs a placement if the output is to be repaired.
-inline Repair_counts repaired(const Clustering_state& state, const Bordered_surface& surface, const Placement_request& request,
-                              Placed_dual& dual)
+inline void repair(const Clustering_state& state, const Bordered_surface& surface, const Placement_request& request, Placed_dual& dual)
 {
-  if (!state.repairs_output)
-    return Repair_counts();
-  return repair_placement({surface.faces, surface.border, request.placement}, request.output_coordinates, dual.triangles,
-                          dual.positions, request.budget);
+  if (state.repairs_output)
+    dual.counts = repair_placement({surface.faces, surface.border, request.placement}, request.output_coordinates,
+                                   dual.triangles, dual.positions, request.budget);
+  state.context.throw_if_cancelled();
 }
 
 // Places the vertices and repairs the placement.
@@ -89,8 +88,7 @@ inline Placed_dual place(const Clustering_state& state, const Placement_request&
   dual.triangles = dual_triangles(labels(state), state.context);
   state.context.stage_ends(Coarsening_stage::TRIANGULATION);
   dual.positions = place_vertices({surface->faces, surface->border, request.placement}, dual.triangles);
-  dual.counts = repaired(state, *surface, request, dual);
-  state.context.throw_if_cancelled();
+  repair(state, *surface, request, dual);
   return dual;
 }
 
@@ -103,62 +101,90 @@ inline bool stay_on_components(const Clustered_faces& surface, const std::vector
   });
 }
 
-// Moves the vertices into the bounds of their clusters and repairs the placement.
-inline void repair_exchanged(const Clustering_state& state, const Bordered_surface& surface, const Placement_request& request,
-                             Placed_dual& dual)
+// Repairs a mesh whose clusters may have been relocated.
+inline Repair_counts repair_exchanged(const Clustering_state& state, const Placement_request& request, Coarse_mesh& mesh)
 {
-  CGAL_assertion(stay_on_components(surface.faces, dual.triangles));
-  for (std::size_t x = 0; x < dual.positions.size(); ++x)
-    dual.positions[x] = surface.faces.within_bounds(x, dual.positions[x]);
-  dual.counts = repaired(state, surface, request, dual);
+  if (!state.repairs_output)
+    return Repair_counts();
+  const Labelled_pieces pieces(state.featured_input(), labels(state), state.number_of_clusters());
+  const Clustered_faces surface(pieces, state.number_of_clusters(), state.context);
+  CGAL_assertion(stay_on_components(surface, mesh.triangles()));
+  const Repair_counts counts = Placement_repair(mesh, surface, request.output_coordinates, request.budget).run(request.placement);
   state.context.throw_if_cancelled();
+  return counts;
 }
 
 // Exchanges vertices, so that vertices are inserted at triangles that intersect after a repair.
-inline void exchange_at_intersections(const Bordered_surface& surface, Cluster_relocation& clusters, Placed_dual& dual)
+inline void exchange_at_intersections(Coarse_mesh& mesh, const Repair_counts& counts)
 {
-  // The worth of one radian, and of a triangle without intersection, relative to the mean cost of a triangle.
-  constexpr double rate = 2, worth_of_fault = 200;
-  const Run_context& context = surface.faces.context();
-  context.stage_begins(Coarsening_stage::FEEDBACK);
-  Coarse_mesh mesh(surface.faces, surface.border, dual.triangles, dual.positions, &clusters);
-  mesh.samples().find_feet_everywhere();
-  const double mean_cost = mesh.mean_cost();
-  std::vector<double> bonus(dual.triangles.size(), 0);
-  for (const auto& pair : dual.counts.intersections_left)
+  constexpr double worth_of_fault = 200; // of a triangle without intersection, relative to the mean cost of a triangle
+  mesh.context().stage_begins(Coarsening_stage::FEEDBACK);
+  mesh.find_feet();
+  const double worth = worth_of_fault * mesh.mean_cost();
+  std::vector<double> bonus(mesh.triangles().size(), 0);
+  for (const auto& pair : counts.intersections_left)
     for (const Index t : {pair.first, pair.second})
-      bonus[t] = worth_of_fault * mean_cost;
-  Vertex_exchange(mesh).run({rate * mean_cost, narrow_part * mean_cost}, bonus);
-  dual.triangles = mesh.triangles();
-  context.stage_ends(Coarsening_stage::FEEDBACK);
+      bonus[t] = worth;
+  Vertex_exchange(mesh).run(mesh.worth(rate_of_repaired), bonus);
+  mesh.context().stage_ends(Coarsening_stage::FEEDBACK);
 }
 
 // Exchanges vertices where triangles intersect, and repairs again, while this reduces the number of pairs. A second attempt begins
-// with the result of the first.
-inline void remove_intersections(const Clustering_state& state, const Placement_request& request, Cluster_relocation& clusters,
-                                 Placed_dual& best)
+// with the result of the first. `counts` are the counts of the first repair.
+inline void remove_intersections(const Clustering_state& state, const Placement_request& request, Coarse_mesh& mesh,
+                                 Repair_counts& counts)
 {
   constexpr int max_passes = 4, max_passes_without_gain = 2;
-  std::size_t relocated = clusters.number();
-  Placed_dual dual{nullptr, best.triangles, best.positions, best.counts};
+  std::size_t relocated = mesh.clusters().number();
+  std::vector<Triangle> best_triangles = mesh.triangles();
+  std::vector<Vector> best_positions = mesh.positions();
+  Repair_counts now = counts;
   int without_gain = 0;
-  for (int i = 0; i < max_passes && without_gain < max_passes_without_gain && dual.number_left() > 0; ++i) {
+  for (int i = 0; i < max_passes && without_gain < max_passes_without_gain && !now.intersections_left.empty(); ++i) {
     if (request.budget.is_spent())
       break;
-    exchange_at_intersections(*bordered_surface(state, dual), clusters, dual);
-    repair_exchanged(state, *bordered_surface(state, dual), request, dual);
+    exchange_at_intersections(mesh, now);
+    now = repair_exchanged(state, request, mesh);
     ++without_gain;
-    if (dual.number_left() < best.number_left()) {
+    if (now.intersections_left.size() < counts.intersections_left.size()) {
       without_gain = 0;
-      relocated = clusters.number();
-      best.triangles = dual.triangles;
-      best.positions = dual.positions;
-      best.counts.intersections_left = dual.counts.intersections_left;
-      best.counts.reversals_left = dual.counts.reversals_left;
+      relocated = mesh.clusters().number();
+      best_triangles = mesh.triangles();
+      best_positions = mesh.positions();
+      counts.intersections_left = now.intersections_left;
+      counts.reversals_left = now.reversals_left;
     }
   }
-  clusters.undo_all_after(relocated);
-  best.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
+  if (without_gain > 0) {
+    mesh.clusters().undo_all_after(relocated);
+    mesh.restore(best_triangles, best_positions);
+  }
+}
+
+// Fits the vertices, exchanges some of them together with their clusters, and repairs the mesh. `plain` is as below.
+inline Placed_dual fit_and_exchange(const Clustering_state& state, const Placement_request& request, const Placed_dual* plain,
+                                    Cluster_relocation& clusters)
+{
+  const Run_context& context = state.context;
+  Placed_dual dual;
+  context.stage_begins(Coarsening_stage::TRIANGULATION);
+  const std::unique_ptr<Bordered_surface> surface = bordered_surface(state, dual);
+  const std::vector<Triangle> triangles = dual_triangles(labels(state), context);
+  context.stage_ends(Coarsening_stage::TRIANGULATION);
+  context.stage_begins(Coarsening_stage::PLACEMENT);
+  dual.positions.resize(state.number_of_clusters());
+  surface->border.place(dual.positions);
+  Fit_choice choice = *request.placement.fitted;
+  choice.exchange_rounds = state.exchange_rounds;
+  Coarse_mesh mesh(surface->faces, surface->border, triangles, dual.positions, &clusters);
+  fit_vertices(mesh, choice);
+  context.stage_ends(Coarsening_stage::FEEDBACK);
+  if (!plain || !clusters.is_undone())
+    dual.counts = repair_exchanged(state, request, mesh);
+  if (!plain && !clusters.is_undone() && dual.number_left() > 0)
+    remove_intersections(state, request, mesh, dual.counts);
+  dual.triangles = mesh.triangles();
+  return dual;
 }
 
 // Places the vertices, exchanges some of them together with their clusters, and repairs the placement. If this fails, nothing
@@ -166,35 +192,16 @@ inline void remove_intersections(const Clustering_state& state, const Placement_
 // leave more pairs of intersecting triangles.
 inline Placed_dual place_with_exchange(Clustering_state& state, const Placement_request& request, Placed_dual* plain)
 {
-  const Run_context& context = state.context;
   Cluster_relocation clusters(state.featured_input(), *state.labels, Index(state.number_of_clusters()));
   try {
-    Placed_dual dual;
-    context.stage_begins(Coarsening_stage::TRIANGULATION);
-    std::unique_ptr<Bordered_surface> surface = bordered_surface(state, dual);
-    dual.triangles = dual_triangles(labels(state), context);
-    context.stage_ends(Coarsening_stage::TRIANGULATION);
-    context.stage_begins(Coarsening_stage::PLACEMENT);
-    dual.positions.resize(state.number_of_clusters());
-    surface->border.place(dual.positions);
-    Fit_choice choice = *request.placement.fitted;
-    choice.exchange_rounds = state.exchange_rounds;
-    choice.clusters = &clusters;
-    fit_vertices(surface->faces, surface->border, choice, dual.triangles, dual.positions);
-    context.stage_ends(Coarsening_stage::FEEDBACK);
-    if (clusters.number() > 0)
-      surface = bordered_surface(state, dual);
-    if (!plain || !clusters.is_undone())
-      repair_exchanged(state, *surface, request, dual);
-    surface.reset();
-    if (!plain && !clusters.is_undone() && dual.number_left() > 0)
-      remove_intersections(state, request, clusters, dual);
+    Placed_dual dual = fit_and_exchange(state, request, plain, clusters);
     if (plain && (clusters.is_undone() || dual.number_left() > plain->number_left())) {
       clusters.undo();
       state.report.exchanged_vertices = 0;
       return std::move(*plain);
     }
     if (clusters.number() > 0) {
+      dual.pieces = std::make_unique<Labelled_pieces>(state.featured_input(), labels(state), state.number_of_clusters());
       state.minimization.reset();
       state.editing.reset();
     }

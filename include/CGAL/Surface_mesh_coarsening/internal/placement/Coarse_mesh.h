@@ -8,10 +8,11 @@
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Fit_samples.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices.h>
+#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,17 +26,33 @@ public:
   Coarse_mesh(const Clustered_faces& surface, const Border_arcs& border, const std::vector<Triangle>& triangles,
               std::vector<Vector>& positions, Cluster_relocation* clusters)
     : Flippable_triangulation(triangles, positions.size(), surface.features()), surface_(surface), border_(border),
-      clusters_(clusters), positions_(positions), samples_(surface, *this, positions)
+      clusters_(clusters), positions_(positions)
   {}
   // The samples refer to the mesh.
   Coarse_mesh(const Coarse_mesh&) = delete;
 
   const Clustered_faces& surface() const { return surface_; }
+  const Border_arcs& border() const { return border_; }
   const Run_context& context() const { return surface_.context(); }
   std::vector<Vector>& positions() { return positions_; }
   const std::vector<Vector>& positions() const { return positions_; }
-  Fit_samples& samples() { return samples_; }
-  const Fit_samples& samples() const { return samples_; }
+  // The samples are made when they are first needed.
+  Fit_samples& samples()
+  {
+    if (!samples_)
+      samples_.emplace(surface_, *this, positions_);
+    return *samples_;
+  }
+  const Fit_samples& samples() const { return *samples_; }
+  // Finds the feet of the samples after many changes. If they have no feet yet, a descent from the vertex of a cluster could end far
+  // from the nearest point.
+  void find_feet()
+  {
+    if (samples_)
+      samples_->find_feet(1);
+    else
+      samples().find_feet_everywhere();
+  }
 
   const Triangle& triangle(Index t) const { return triangles()[t]; }
   const Vector& point(Index v) const { return positions_[v]; }
@@ -60,12 +77,12 @@ public:
   {
     double sum = 0;
     for (const Index t : triangles)
-      sum += samples_.cost(t);
+      sum += samples().cost(t);
     return sum;
   }
 
   // The same without the worth of the angles.
-  double cost(Index t, const Angle_worth& worth) const { return samples_.cost(t) - worth(angle(t)); }
+  double cost(Index t, const Angle_worth& worth) const { return samples().cost(t) - worth(angle(t)); }
   double cost_of(const std::vector<Index>& triangles, const Angle_worth& worth) const
   {
     double sum = 0;
@@ -79,8 +96,22 @@ public:
   {
     double total = 0;
     for (std::size_t t = 0; t < triangles().size(); ++t)
-      total += samples_.cost(Index(t));
+      total += samples().cost(Index(t));
     return total / (std::max)(double(triangles().size()), 1.);
+  }
+
+  // Returns the worth of angles; `rate` is the worth of one radian, relative to the mean cost of a triangle.
+  Angle_worth worth(double rate) const
+  {
+    const double mean = mean_cost();
+    return {rate * mean, narrow_part * mean};
+  }
+
+  // Replaces all triangles and positions.
+  void restore(const std::vector<Triangle>& triangles, const std::vector<Vector>& positions)
+  {
+    Flippable_triangulation::operator=(Flippable_triangulation(triangles, positions.size(), surface_.features()));
+    positions_ = positions;
   }
 
   // Moves a vertex and finds the feet around it again. Returns whether `is_better()` holds then; otherwise undoes the movement.
@@ -88,11 +119,11 @@ public:
   bool move_if(Index v, const Vector& to, const Is_better& is_better)
   {
     const Vector from = std::exchange(positions_[v], to);
-    samples_.redistribute(around(v), around(v));
+    samples().redistribute(around(v), around(v));
     if (is_better())
       return true;
     positions_[v] = from;
-    samples_.redistribute(around(v), around(v));
+    samples().redistribute(around(v), around(v));
     return false;
   }
 
@@ -101,7 +132,7 @@ private:
   const Border_arcs& border_;
   Cluster_relocation* const clusters_; // null without exchanges
   std::vector<Vector>& positions_;
-  Fit_samples samples_;
+  std::optional<Fit_samples> samples_;
 };
 
 } // namespace CGAL::Surface_mesh_coarsening::internal

@@ -7,7 +7,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/dual_triangles.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Clustering_input.h>
-#include <CGAL/Surface_mesh_coarsening/internal/refinement/Cluster_editing.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -23,7 +22,6 @@ struct Fit_choice
   std::size_t rounds;
   double mean_angle; // in degrees
   std::size_t exchange_rounds = 0;
-  Cluster_relocation* clusters = nullptr; // these follow exchanged vertices
 };
 
 // The positions of a coarse mesh, its mean squared distance from the input in the direction in which it is larger, and the mean of
@@ -50,7 +48,10 @@ inline bool has_merged_cells(const Clustered_faces& surface)
   return surface.has_cells() && surface.clusters_per_cell() <= min_share_of_dense;
 }
 
+class Coarse_mesh;
+
 // Fits all vertices together, starting from quadrics.
+void fit_vertices(Coarse_mesh& mesh, const Fit_choice& choice);
 void fit_vertices(const Clustered_faces& surface, const Border_arcs& border, const Fit_choice& choice,
                   std::vector<Triangle>& triangles, std::vector<Vector>& positions);
 

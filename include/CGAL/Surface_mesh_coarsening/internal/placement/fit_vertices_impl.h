@@ -346,12 +346,11 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices_from(const Clustered_faces
   triangles = mesh.triangles();
 }
 
-CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices(const Clustered_faces& surface, const Border_arcs& border,
-                                                      const Fit_choice& wanted, std::vector<Triangle>& triangles,
-                                                      std::vector<Vector>& positions)
+CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices(Coarse_mesh& mesh, const Fit_choice& wanted)
 {
-  place_by_quadrics(surface, border, positions);
-  if (are_input(surface, triangles))
+  const Clustered_faces& surface = mesh.surface();
+  place_by_quadrics(surface, mesh.border(), mesh.positions());
+  if (are_input(surface, mesh.triangles()))
     return;
   Fit_choice choice = wanted;
   if (surface.has_cells() && !has_merged_cells(surface)) {
@@ -360,22 +359,28 @@ CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices(const Clustered_faces& sur
     choice.mean_angle = 0;
     choice.rounds = (std::min)(choice.rounds, rounds_of_dense);
   }
-  Coarse_mesh mesh(surface, border, triangles, positions, choice.exchange_rounds > 0 ? choice.clusters : nullptr);
   Vertex_fit fit(mesh, choice.mean_angle);
   const Run_context& context = surface.context();
   run_plain_rounds(fit, choice.rounds, surface.has_cells(), context);
-  triangles = mesh.triangles();
   if (!mesh.may_relocate())
     return;
   context.stage_ends(Coarsening_stage::PLACEMENT);
   context.stage_begins(Coarsening_stage::FEEDBACK);
+  const std::vector<Triangle> triangles = mesh.triangles();
   const Fitted_mesh plain = fit.mesh();
-  if (improves_by_exchanges(fit, plain, choice, context)) {
-    triangles = mesh.triangles();
-  } else {
-    positions = plain.positions;
-    choice.clusters->undo();
+  if (!improves_by_exchanges(fit, plain, choice, context)) {
+    mesh.clusters().undo();
+    mesh.restore(triangles, plain.positions);
   }
+}
+
+CGAL_SURFACE_MESH_COARSENING_INLINE void fit_vertices(const Clustered_faces& surface, const Border_arcs& border,
+                                                      const Fit_choice& choice, std::vector<Triangle>& triangles,
+                                                      std::vector<Vector>& positions)
+{
+  Coarse_mesh mesh(surface, border, triangles, positions, nullptr);
+  fit_vertices(mesh, choice);
+  triangles = mesh.triangles();
 }
 
 } // namespace CGAL::Surface_mesh_coarsening::internal

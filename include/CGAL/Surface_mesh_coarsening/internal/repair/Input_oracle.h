@@ -40,6 +40,8 @@ public:
     });
   }
 
+  const Clustered_faces& surface() const { return surface_; }
+
   // The mean normal of the faces of a cluster. It is shorter for curved clusters, and zero if the faces have no area.
   const Vector& normal(Index cluster) const { return normals_[cluster]; }
 

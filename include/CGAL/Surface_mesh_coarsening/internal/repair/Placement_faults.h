@@ -5,8 +5,8 @@
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Box_hierarchy.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Triangle_conflicts.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Input_oracle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_budget.h>
 
@@ -27,10 +27,9 @@ public:
   // Maps a position to its coordinates in the output.
   typedef std::function<Vector(const Vector&)> Output_coordinates;
 
-  Placement_faults(const Clustered_faces& surface, Input_oracle& reference, const Flippable_triangulation& coarse,
-                   const std::vector<Vector>& positions, const Output_coordinates& output, Repair_budget& budget)
-    : budget_(budget), surface_(surface), reference_(reference), coarse_(coarse), positions_(positions), output_(output),
-      exponent_(exponent_of_unit()), points_(positions.size()), exact_test_(points_)
+  Placement_faults(const Coarse_mesh& mesh, Input_oracle& reference, const Output_coordinates& output, Repair_budget& budget)
+    : budget_(budget), surface_(reference.surface()), reference_(reference), coarse_(mesh), positions_(mesh.positions()),
+      output_(output), exponent_(exponent_of_unit()), points_(positions_.size()), exact_test_(points_)
   {}
 
   // Finds all faults of the current positions.

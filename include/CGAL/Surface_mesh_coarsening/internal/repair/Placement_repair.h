@@ -3,9 +3,10 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_PLACEMENT_REPAIR_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_PLACEMENT_REPAIR_H
 
-#include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Placement_model.h>
+#include <CGAL/Surface_mesh_coarsening/internal/repair/Guarded_improvement.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Input_oracle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Placement_faults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_budget.h>
@@ -34,32 +35,35 @@ class Placement_repair
 public:
   typedef Placement_faults::Output_coordinates Output_coordinates;
 
-  Placement_repair(const Clustered_faces& surface, const Border_arcs& border, const Output_coordinates& output,
-                   std::vector<Triangle>& triangles, std::vector<Vector>& positions, Repair_budget& budget)
-    : surface_(surface), border_(border), result_(triangles), positions_(positions),
-      coarse_(triangles, positions.size(), surface.features()), reference_(surface, budget),
-      faults_(surface, reference_, coarse_, positions, output, budget), distance_(surface, coarse_, positions), budget_(budget)
+  // `surface` has the current clusters.
+  Placement_repair(Coarse_mesh& mesh, const Clustered_faces& surface, const Output_coordinates& output, Repair_budget& budget)
+    : mesh_(mesh), surface_(surface), positions_(mesh.positions()), reference_(surface, budget),
+      faults_(mesh, reference_, output, budget), distance_(mesh, surface), budget_(budget)
   {}
 
-  // Restricts the positions of vertices to input vertices of their clusters.
-  void stay_at_input_vertices() { at_input_vertices_ = true; }
-
-  Repair_counts run()
+  Repair_counts run(const Placement_model& placement)
   {
+    surface_.context().stage_begins(Coarsening_stage::REPAIR);
+    at_input_vertices_ = placement.is_at_input_vertices;
     Repair_counts counts;
     budget_.begin_repair();
     faults_.find();
     counts.intersections_found = faults_.pairs().size();
     counts.reversals_found = faults_.number() - counts.intersections_found;
-    if (faults_.number() > 0 && faults_.number() <= max_faults_of_triangle * coarse_.triangles().size()) {
-      const std::vector<Vector> wanted = positions_;
+    if (faults_.number() > 0 && faults_.number() <= max_faults_of_triangle * mesh_.triangles().size()) {
+      const std::vector<Vector> positions = positions_;
+      const std::vector<Triangle> triangles = mesh_.triangles();
       search();
-      if (!at_input_vertices_)
-        return_to(wanted);
-      result_ = coarse_.triangles();
+      if (!at_input_vertices_) {
+        Guarded_improvement improvement(mesh_, faults_, budget_);
+        improvement.improve_changes(triangles, positions);
+        if (placement.fitted && has_moved_many(positions))
+          improvement.fit_again();
+      }
     }
     counts.intersections_left = faults_.pairs();
     counts.reversals_left = faults_.reversed().size();
+    surface_.context().stage_ends(Coarsening_stage::REPAIR);
     return counts;
   }
 
@@ -83,7 +87,7 @@ private:
   {
     const std::size_t found = faults_.number();
     std::size_t least = found, rounds_without_gain = 0;
-    std::vector<Triangle> best_triangles = coarse_.triangles();
+    std::vector<Triangle> best_triangles = mesh_.triangles();
     std::vector<Vector> best_positions = positions_;
     for (std::size_t round = 0; round < max_rounds && faults_.number() > 0 && !budget_.is_spent_for_repair(); ++round) {
       prefers_gain_ = round >= 2;
@@ -97,16 +101,16 @@ private:
       ++rounds_without_gain;
       if (faults_.number() < least) {
         least = faults_.number();
-        best_triangles = coarse_.triangles();
+        best_triangles = mesh_.triangles();
         best_positions = positions_;
         rounds_without_gain = 0;
       }
       surface_.context().step_done(Coarsening_stage::REPAIR, found - least, found);
     }
-    coarse_ = Flippable_triangulation(best_triangles, positions_.size(), surface_.features());
-    positions_ = best_positions;
-    if (rounds_without_gain > 0)
+    if (rounds_without_gain > 0) {
+      mesh_.restore(best_triangles, best_positions);
       faults_.find();
+    }
   }
 
   void repair_faults(const std::vector<Triangle_pair>& pairs, const std::vector<Index>& reversed)
@@ -128,7 +132,7 @@ private:
     is_measured_ = false;
     Placement_change best;
     Effect least;
-    const Repair_proposals proposals(surface_, border_, coarse_, reference_, positions_, at_input_vertices_);
+    const Repair_proposals proposals(mesh_, reference_, at_input_vertices_);
     for (const Placement_change& change : proposals.at(faulty, vertices, tries_faces_)) {
       if (budget_.is_spent_for_repair())
         break;
@@ -143,46 +147,14 @@ private:
       make_for_good(best);
   }
 
-  // Moves vertices back towards their previous positions: not all perturbed vertices had to move, and later changes may have
-  // removed obstacles. Moves the corners of narrow triangles towards the means of their neighbors.
-  void return_to(const std::vector<Vector>& wanted)
+  // Returns whether the repair has moved so many vertices that the others no longer fit them.
+  bool has_moved_many(const std::vector<Vector>& before) const
   {
-    constexpr int times = 3;
-    const auto is_narrow = [&](Index t) { return smallest_angle(positions_, coarse_.triangles()[t]) < min_angle; };
-    for (int i = 0; i < times; ++i)
-      for (Index v = 0; v < positions_.size() && !budget_.is_spent_for_repair(); ++v) {
-        if (positions_[v] != wanted[v])
-          improve_towards(v, wanted[v]);
-        const std::vector<Index>& around = coarse_.around(v);
-        if (!border_.is_on_border(v) && std::any_of(around.begin(), around.end(), is_narrow))
-          improve_towards(v, coarse_.mean_of_neighbors(v, positions_));
-      }
-  }
-
-  // Moves a vertex as far as the distance decreases, with the harm done to the angles, and no fault results. If wider triangles
-  // could increase the distance without limit, the search for a distance would need more vertices: 181 instead of 161 for the
-  // Fandisk within .01 of its diagonal.
-  void improve_towards(Index v, const Vector& wanted)
-  {
-    constexpr double max_growth = 1.1;
-    const Vector from = positions_[v];
-    distance_.measure_around({v});
-    const std::vector<Index> altered = altered_by({{{v, from}}, NONE, 0});
-    faults_.look_around({v});
-    const long before = faults_.number_of(altered);
-    const double distance = distance_.current(), narrowness = narrowness_of(altered);
-    budget_.spend(distance_.take_comparisons() / comparisons_of_test);
-    for (const double part : {1., 0.5, 0.25}) {
-      const Vector to = surface_.within_bounds(v, without_last_digits(from + part * (wanted - from)));
-      make({{{v, to}}, NONE, 0});
-      const double gain_of_angles = harm_of_narrowness * (narrowness - narrowness_of(altered));
-      const double limit = distance * (std::min)(1 + gain_of_angles, max_growth);
-      if (distance_.changed(altered, limit) < limit && faults_.number_after_change(altered, before + 1) <= before) {
-        faults_.update(altered);
-        return;
-      }
-      make({{{v, from}}, NONE, 0});
-    }
+    constexpr std::size_t vertices_of_moved = 10;
+    std::size_t moved = 0;
+    for (std::size_t v = 0; v < before.size(); ++v)
+      moved += positions_[v] != before[v];
+    return vertices_of_moved * moved > before.size();
   }
 
   // At first the change of least harm per removed fault is preferred; if this does not succeed, the change of largest gain.
@@ -201,7 +173,7 @@ private:
   {
     std::vector<Index> vertices;
     for (const Index t : triangles)
-      for (const Index v : coarse_.triangles()[t])
+      for (const Index v : mesh_.triangles()[t])
         if (std::find(vertices.begin(), vertices.end(), v) == vertices.end())
           vertices.push_back(v);
     return vertices;
@@ -212,10 +184,10 @@ private:
   {
     std::vector<Index> altered;
     for (const Vertex_move& m : change.moves)
-      altered.insert(altered.end(), coarse_.around(m.vertex).begin(), coarse_.around(m.vertex).end());
+      altered.insert(altered.end(), mesh_.around(m.vertex).begin(), mesh_.around(m.vertex).end());
     if (change.flipped != NONE) {
       altered.push_back(change.flipped);
-      altered.push_back(coarse_.across(change.flipped, change.corner));
+      altered.push_back(mesh_.across(change.flipped, change.corner));
     }
     sort_unique(altered);
     return altered;
@@ -257,11 +229,11 @@ private:
       visit();
       make({back, NONE, 0});
     } else {
-      const Index t = change.flipped, u = coarse_.across(t, change.corner);
-      const Triangle old_t = coarse_.triangles()[t], old_u = coarse_.triangles()[u];
+      const Index t = change.flipped, u = mesh_.across(t, change.corner);
+      const Triangle old_t = mesh_.triangles()[t], old_u = mesh_.triangles()[u];
       make(change);
       visit();
-      coarse_.undo_flip(t, old_t, u, old_u);
+      mesh_.undo_flip(t, old_t, u, old_u);
     }
   }
 
@@ -286,7 +258,7 @@ private:
   {
     double sum = 0;
     for (const Index t : triangles)
-      sum += (std::max)(0., 1 - smallest_angle(positions_, coarse_.triangles()[t]) / min_angle);
+      sum += (std::max)(0., 1 - smallest_angle(positions_, mesh_.triangles()[t]) / min_angle);
     return sum;
   }
 
@@ -308,7 +280,7 @@ private:
       faults_.follow(m.vertex);
     }
     if (change.flipped != NONE)
-      coarse_.flip(change.flipped, change.corner, coarse_.across(change.flipped, change.corner));
+      mesh_.flip(change.flipped, change.corner, mesh_.across(change.flipped, change.corner));
   }
 
   void make_for_good(const Placement_change& change)
@@ -325,9 +297,9 @@ private:
   {
     std::set<Index> vertices;
     const auto add_ring = [&](Index t) {
-      for (const Index v : coarse_.triangles()[t])
-        for (const Index u : coarse_.around(v))
-          vertices.insert(coarse_.triangles()[u].begin(), coarse_.triangles()[u].end());
+      for (const Index v : mesh_.triangles()[t])
+        for (const Index u : mesh_.around(v))
+          vertices.insert(mesh_.triangles()[u].begin(), mesh_.triangles()[u].end());
     };
     for (const Triangle_pair& p : pairs) {
       add_ring(p.first);
@@ -337,25 +309,23 @@ private:
       add_ring(t);
     bool has_moved = false;
     for (const Index v : vertices) {
-      if (at_input_vertices_ || border_.is_on_border(v))
+      if (at_input_vertices_ || mesh_.is_on_border(v))
         continue;
       const bool goes_back = time % kinds_of_perturbation == 2;
       const Vector direction = goes_back ? surface_.cluster_centroid(v) - positions_[v]
-                                         : size_around(coarse_, positions_, v) * reference_.normal(v);
+                                         : size_around(mesh_, positions_, v) * reference_.normal(v);
       const double farther = 0.03 * double(1 + (time - 1) / kinds_of_perturbation);
       const double part = goes_back ? 0.5 : time % kinds_of_perturbation == 1 ? farther : -farther;
       const Vector from = positions_[v];
-      make_for_good({{{v, surface_.within_bounds(v, without_last_digits(from + part * direction))}}, NONE, 0});
+      make_for_good({{{v, mesh_.within_bounds(v, without_last_digits(from + part * direction))}}, NONE, 0});
       has_moved = has_moved || positions_[v] != from;
     }
     return has_moved;
   }
 
+  Coarse_mesh& mesh_;
   const Clustered_faces& surface_;
-  const Border_arcs& border_;
-  std::vector<Triangle>& result_;
   std::vector<Vector>& positions_;
-  Flippable_triangulation coarse_;
   Input_oracle reference_;
   Placement_faults faults_;
   Trial_distance distance_; // around the current fault

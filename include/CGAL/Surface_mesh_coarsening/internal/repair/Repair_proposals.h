@@ -3,12 +3,11 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_REPAIR_PROPOSALS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_REPAIR_PROPOSALS_H
 
-#include <CGAL/Surface_mesh_coarsening/Border_arcs.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Prepared_triangle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Input_oracle.h>
 
 #include <algorithm>
@@ -48,9 +47,8 @@ class Repair_proposals
 {
 public:
   // `at_input_vertices`: whether vertices may move only to input vertices of their clusters.
-  Repair_proposals(const Clustered_faces& surface, const Border_arcs& border, const Flippable_triangulation& coarse,
-                   const Input_oracle& reference, const std::vector<Vector>& positions, bool at_input_vertices)
-    : surface_(surface), border_(border), coarse_(coarse), reference_(reference), positions_(positions),
+  Repair_proposals(const Coarse_mesh& mesh, const Input_oracle& reference, bool at_input_vertices)
+    : mesh_(mesh), surface_(reference.surface()), reference_(reference), positions_(mesh.positions()),
       at_input_vertices_(at_input_vertices)
   {}
 
@@ -59,12 +57,12 @@ public:
   {
     std::vector<Placement_change> changes;
     for (const Index v : vertices)
-      for (const Vector& to : border_.is_on_border(v) ? places_on_line(v) : places_for(v, tries_faces))
+      for (const Vector& to : mesh_.is_on_border(v) ? places_on_line(v) : places_for(v, tries_faces))
         changes.push_back({{{v, to}}, NONE, 0});
     for (const Index t : faulty)
       for (int i = 0; i < 3; ++i) {
-        const Index u = coarse_.across(t, i);
-        if (u != NONE && coarse_.may_flip(t, i, u))
+        const Index u = mesh_.across(t, i);
+        if (u != NONE && mesh_.may_flip(t, i, u))
           changes.push_back({{}, t, i});
       }
     if (at_input_vertices_)
@@ -72,7 +70,7 @@ public:
     add_common_moves(faulty, vertices, changes);
     for (Placement_change& change : changes)
       for (Vertex_move& move : change.moves)
-        move.to = surface_.within_bounds(move.vertex, without_last_digits(move.to));
+        move.to = mesh_.within_bounds(move.vertex, without_last_digits(move.to));
     return changes;
   }
 
@@ -92,7 +90,7 @@ private:
       return places;
     }
     const Vector from = positions_[v], centroid = surface_.cluster_centroid(v),
-                 middle = coarse_.mean_of_neighbors(v, positions_);
+                 middle = mesh_.mean_of_neighbors(v, positions_);
     for (const double part : {0.03, 0.1, 0.3, 0.6, 1.}) {
       places.push_back(from + part * (centroid - from));
       places.push_back(from + part * (middle - from));
@@ -102,7 +100,7 @@ private:
     for (std::size_t i = step / 2; tries_faces && i < faces.size(); i += step)
       places.push_back(surface_.centroid(faces.begin()[i]));
     for (const double part : {0.01, 0.03, 0.1, 0.25}) {
-      const Vector out = part * size_around(coarse_, positions_, v) * reference_.normal(v);
+      const Vector out = part * size_around(mesh_, positions_, v) * reference_.normal(v);
       places.push_back(from + out);
       places.push_back(from - out);
     }
@@ -114,7 +112,7 @@ private:
   std::vector<Vector> places_on_line(Index v) const
   {
     std::vector<Vector> places;
-    const Vector from = positions_[v], middle = border_.place(v);
+    const Vector from = positions_[v], middle = mesh_.border().place(v);
     if (!at_input_vertices_ && from != middle)
       for (const double part : {0.1, 0.3, 0.6, 1.})
         places.push_back(from + part * (middle - from));
@@ -125,7 +123,7 @@ private:
   // or towards each other, each along the normals of its own surface.
   void add_common_moves(const std::vector<Index>& faulty, std::vector<Index> vertices, std::vector<Placement_change>& changes) const
   {
-    const auto is_on_border = [this](Index v) { return border_.is_on_border(v); };
+    const auto is_on_border = [this](Index v) { return mesh_.is_on_border(v); };
     vertices.erase(std::remove_if(vertices.begin(), vertices.end(), is_on_border), vertices.end());
     if (vertices.empty())
       return;
@@ -139,15 +137,14 @@ private:
       for (std::size_t chosen = 0; chosen <= faulty.size(); ++chosen) { // one of the triangles, or all
         Placement_change change;
         for (const Index v : vertices)
-          if (chosen == faulty.size() || coarse_.corner(faulty[chosen], v) >= 0)
-            change.moves.push_back({v, positions_[v] + part * size_around(coarse_, positions_, v) * reference_.normal(v)});
+          if (chosen == faulty.size() || mesh_.corner(faulty[chosen], v) >= 0)
+            change.moves.push_back({v, positions_[v] + part * size_around(mesh_, positions_, v) * reference_.normal(v)});
         changes.push_back(change);
       }
   }
 
+  const Coarse_mesh& mesh_;
   const Clustered_faces& surface_;
-  const Border_arcs& border_;
-  const Flippable_triangulation& coarse_;
   const Input_oracle& reference_;
   const std::vector<Vector>& positions_;
   const bool at_input_vertices_;
@@ -159,8 +156,8 @@ private:
 class Trial_distance
 {
 public:
-  Trial_distance(const Clustered_faces& surface, const Flippable_triangulation& coarse, const std::vector<Vector>& positions)
-    : surface_(surface), coarse_(coarse), positions_(positions)
+  Trial_distance(const Coarse_mesh& mesh, const Clustered_faces& surface)
+    : surface_(surface), coarse_(mesh), positions_(mesh.positions())
   {}
 
   // Measures the distance of the clusters of some vertices and of the clusters around them. Vertices of very many triangles are
