@@ -18,8 +18,8 @@
 
 namespace CGAL::Surface_mesh_coarsening::internal {
 
-// The mesh that a fit changes, with one vertex per cluster: what all its steps need to know. Refers to the positions, so that these
-// are the result of the fit.
+// The mesh that a fit and a repair change, with one vertex per cluster: what all their steps need to know. Refers to the positions, so
+// that these are the result.
 class Coarse_mesh : public Flippable_triangulation
 {
 public:

@@ -96,6 +96,12 @@ private:
     return is_changed;
   }
 
+  void spend(std::size_t tests)
+  {
+    mesh_.context().poll(tests);
+    budget_.spend(tests);
+  }
+
   // Returns the value that a change of some triangles must fall below.
   double limit(const std::vector<Index>& triangles) const { return mesh_.cost_of(triangles, worth_) - min_gain_; }
 
@@ -113,7 +119,7 @@ private:
     if (altered.size() > max_valence || budget_.is_spent_for_repair())
       return;
     sort_unique(altered);
-    budget_.spend(altered.size() * altered.size());
+    spend(altered.size() * altered.size());
     const double most = limit(altered), angle = least_angle(altered);
     const Vector from = mesh_.point(v);
     for (const double part : {1., 0.5, 0.25}) {
@@ -151,7 +157,7 @@ private:
     const double most = limit(altered), angle = least_angle(altered);
     mesh_.flip(t, i, u);
     const double allowed = most + worth_(mesh_.angle(t)) + worth_(mesh_.angle(u));
-    budget_.spend(altered.size() * altered.size());
+    spend(altered.size() * altered.size());
     if (least_angle(altered) >= angle && allowed > 0 &&
         mesh_.samples().cost_instead(t, u, mesh_.triangle(t), mesh_.triangle(u), allowed, true) < allowed &&
         makes_no_fault(mesh_.triangle(t)[0], altered)) {
