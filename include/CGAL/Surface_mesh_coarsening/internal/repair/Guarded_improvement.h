@@ -30,9 +30,9 @@ public:
   }
 
   // Moves vertices back towards their positions before the repair: not all perturbed vertices had to move, and later changes may have
-  // removed obstacles. Moves the corners of narrow triangles towards the means of their neighbors, and flips edges around vertices
-  // that the repair has changed.
-  void improve_changes(const std::vector<Triangle>& triangles_before, const std::vector<Vector>& positions_before)
+  // removed obstacles. Moves the corners of narrow triangles towards the means of their neighbors. On request, flips edges around
+  // vertices that the repair has changed; where a mesh is symmetric, rounding errors can decide which ones.
+  void improve_changes(const std::vector<Triangle>& triangles_before, const std::vector<Vector>& positions_before, bool flips_edges)
   {
     constexpr int times = 3;
     const auto is_narrow = [&](Index t) { return mesh_.angle(t) < min_angle; };
@@ -45,7 +45,7 @@ public:
         const std::vector<Index>& around = mesh_.around(v);
         if (!mesh_.is_on_border(v) && std::any_of(around.begin(), around.end(), is_narrow))
           move_towards(v, mesh_.mean_of_neighbors(v, mesh_.positions()));
-        if (is_changed[v])
+        if (flips_edges && is_changed[v])
           flip_around(v);
       }
   }
@@ -73,15 +73,18 @@ public:
 
 private:
   static constexpr double tolerance = 1e-3; // of the solution
-  // A change is made if it gains this part of the mean cost of a triangle.
-  static constexpr double least_gain = 2e-3;
+  // A change is made if it gains this part of the mean cost of a triangle. On planes, where costs are rounding errors, they must not
+  // decide: they are smaller than the second number times the square of the area of a triangle. Angles may be equal.
+  static constexpr double least_gain = 2e-3, rounding = 1e-18;
+  static constexpr double equal_angles = 1e-9;
   // Vertices of more triangles stay, because they would take quadratic time.
   static constexpr std::size_t max_valence = 100;
 
   void measure()
   {
+    const double area = mesh_.samples().area() / double(mesh_.triangles().size());
     worth_ = mesh_.worth(rate_of_repaired);
-    min_gain_ = least_gain * mesh_.mean_cost();
+    min_gain_ = least_gain * mesh_.mean_cost() + rounding * area * area;
   }
 
   std::vector<char> changed_vertices(const std::vector<Triangle>& triangles, const std::vector<Vector>& positions) const
@@ -125,7 +128,7 @@ private:
     for (const double part : {1., 0.5, 0.25}) {
       const Vector to = mesh_.within_bounds(v, without_last_digits(from + part * (wanted - from)));
       const auto is_better = [&]() {
-        if (!(mesh_.cost_of(altered, worth_) < most && least_angle(altered) >= angle))
+        if (!(mesh_.cost_of(altered, worth_) < most && least_angle(altered) >= angle - equal_angles))
           return false;
         faults_.follow(v);
         return makes_no_fault(v, altered);
@@ -158,7 +161,7 @@ private:
     mesh_.flip(t, i, u);
     const double allowed = most + worth_(mesh_.angle(t)) + worth_(mesh_.angle(u));
     spend(altered.size() * altered.size());
-    if (least_angle(altered) >= angle && allowed > 0 &&
+    if (least_angle(altered) >= angle - equal_angles && allowed > 0 &&
         mesh_.samples().cost_instead(t, u, mesh_.triangle(t), mesh_.triangle(u), allowed, true) < allowed &&
         makes_no_fault(mesh_.triangle(t)[0], altered)) {
       mesh_.samples().redistribute(t, u);

@@ -56,7 +56,7 @@ public:
       search();
       if (!at_input_vertices_) {
         Guarded_improvement improvement(mesh_, faults_, budget_);
-        improvement.improve_changes(triangles, positions);
+        improvement.improve_changes(triangles, positions, placement.fitted.has_value());
         if (placement.fitted && has_moved_many(positions))
           improvement.fit_again();
       }
