@@ -57,7 +57,7 @@ CGAL::Surface_mesh_coarsening::Vertex_number_range range_of(const Mesh& input, c
 // The densities of the faces for these options, before any of them is raised to recluster the mesh.
 std::vector<double> face_densities(const Mesh& input, const Options& options);
 
-// Coarsens with the energy, the weight, the placement and the numbers in the options. The input may have no halfedges meanwhile.
+// Coarsens with the energy, the weight, the placement and the numbers in the options. Meanwhile, the input may have no halfedges.
 Coarsening_result coarsen(Mesh& input, const Options& options, Tool_visitor& visitor);
 
 } // namespace coarsen_mesh_tool

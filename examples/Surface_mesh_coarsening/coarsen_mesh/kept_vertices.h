@@ -10,8 +10,7 @@
 namespace coarsen_mesh_tool {
 
 // For each vertex of the input, whether the options keep it: on borders, or marked by a field, or in a face that is marked. Empty
-// if they keep none.
-// Throws Failure if the input does not have the field.
+// if they keep none. Throws Failure if the input does not have the field.
 std::vector<char> kept_vertices(const Mesh& input, const Options& options);
 
 } // namespace coarsen_mesh_tool

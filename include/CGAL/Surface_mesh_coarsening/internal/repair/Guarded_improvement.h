@@ -73,10 +73,11 @@ public:
 
 private:
   static constexpr double tolerance = 1e-3; // of the solution
-  // A change is made if it gains this part of the mean cost of a triangle. On planes, where costs are rounding errors, they must not
-  // decide: they are smaller than the second number times the square of the area of a triangle. Angles may be equal.
-  static constexpr double least_gain = 2e-3, rounding = 1e-18;
-  static constexpr double equal_angles = 1e-9;
+  // A change is made if it gains this part of the mean cost of a triangle.
+  static constexpr double least_gain = 2e-3;
+  // Rounding errors must not decide. On planes, all costs are below this part of the square of the area of a triangle; in symmetric
+  // meshes, angles before and after a change differ by less than the second number.
+  static constexpr double rounding = 1e-18, equal_angles = 1e-9;
   // Vertices of more triangles stay, because they would take quadratic time.
   static constexpr std::size_t max_valence = 100;
 

@@ -3,16 +3,16 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_PLACEMENT_REPAIR_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REPAIR_PLACEMENT_REPAIR_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
+#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
+#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Coarse_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/Placement_model.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Trial_fan.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Guarded_improvement.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Input_oracle.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Placement_faults.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_budget.h>
 #include <CGAL/Surface_mesh_coarsening/internal/repair/Repair_proposals.h>
-#include <CGAL/Surface_mesh_coarsening/internal/mesh/Vector.h>
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 
 #include <algorithm>
 #include <cmath>
