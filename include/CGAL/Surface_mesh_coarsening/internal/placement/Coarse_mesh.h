@@ -40,18 +40,20 @@ public:
   Fit_samples& samples()
   {
     if (!samples_)
-      samples_.emplace(surface_, *this, positions_);
+      samples_.emplace(surface_, *this, positions_, std::vector<char>(positions_.size(), true));
     return *samples_;
   }
   const Fit_samples& samples() const { return *samples_; }
-  // Finds the feet of the samples after many changes. If they have no feet yet, a descent from the vertex of a cluster could end far
-  // from the nearest point.
-  void find_feet()
+  // Finds the feet of the samples after many changes at the marked vertices. If there are no samples yet, makes those of the clusters
+  // up to two edges away. A descent from the vertex of a cluster could end far from the nearest point there.
+  void find_feet_around(std::vector<char> is_marked)
   {
     if (samples_)
-      samples_->find_feet(1);
-    else
-      samples().find_feet_everywhere();
+      return samples_->find_feet(1);
+    for (int ring = 0; ring < 2; ++ring)
+      is_marked = with_neighbors(is_marked);
+    samples_.emplace(surface_, *this, positions_, is_marked);
+    samples_->find_feet_everywhere();
   }
 
   const Triangle& triangle(Index t) const { return triangles()[t]; }
@@ -97,7 +99,7 @@ public:
     double total = 0;
     for (std::size_t t = 0; t < triangles().size(); ++t)
       total += samples().cost(Index(t));
-    return total / (std::max)(double(triangles().size()), 1.);
+    return total / (std::max)(double(samples().number_of_triangles()), 1.);
   }
 
   // Returns the worth of angles; `rate` is the worth of one radian, relative to the mean cost of a triangle.
@@ -128,6 +130,16 @@ public:
   }
 
 private:
+  std::vector<char> with_neighbors(const std::vector<char>& is_marked) const
+  {
+    std::vector<char> result = is_marked;
+    for (const Triangle& t : triangles())
+      if (is_marked[t[0]] || is_marked[t[1]] || is_marked[t[2]])
+        for (const Index v : t)
+          result[v] = true;
+    return result;
+  }
+
   const Clustered_faces& surface_;
   const Border_arcs& border_;
   Cluster_relocation* const clusters_; // null without exchanges

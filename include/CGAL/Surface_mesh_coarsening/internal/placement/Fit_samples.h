@@ -34,23 +34,34 @@ public:
     Foot_point foot;
   };
 
-  Fit_samples(const Clustered_faces& surface, const Flippable_triangulation& coarse, const std::vector<Vector>& positions)
+  // Only the marked clusters and the triangles around their vertices have samples.
+  Fit_samples(const Clustered_faces& surface, const Flippable_triangulation& coarse, const std::vector<Vector>& positions,
+              const std::vector<char>& is_marked)
     : surface_(surface), coarse_(coarse), positions_(positions), back_search_(surface, positions),
       prepared_(coarse.triangles().size()), back_(coarse.triangles().size()),
       squares_(coarse.triangles().size()), back_cost_(coarse.triangles().size())
   {
+    const auto is_marked_corner = [&](Index v) -> bool { return is_marked[v]; };
+    for (Index t = 0; t < coarse.triangles().size(); ++t)
+      if (std::any_of(coarse.triangles()[t].begin(), coarse.triangles()[t].end(), is_marked_corner))
+        triangles_.push_back(t);
     const Input_surface pieces(surface.input().mesh);
     area_ = pieces.area(surface.context());
     std::size_t number = samples_per_triangle * coarse.triangles().size();
     if (surface.has_cells())
       number = (std::min)(number, surface.input().mesh.number_of_faces());
-    samples_.reserve(number);
-    pieces.for_each_sample(number, area_, surface.context(), [this](const Input_point& p) {
-      samples_.push_back({p.position, p.face, NONE, {}});
+    samples_.reserve(samples_per_triangle * triangles_.size());
+    pieces.for_each_sample(number, area_, surface.context(), [&](const Input_point& p) {
+      ++number_on_input_;
+      if (is_marked[surface.labels()[p.face]])
+        samples_.push_back({p.position, p.face, NONE, {}});
     });
     next_on_.assign(samples_.size(), NONE);
     use_every(1);
   }
+
+  // The number of triangles with samples.
+  std::size_t number_of_triangles() const { return triangles_.size(); }
 
   // The area of the input.
   double area() const { return area_; }
@@ -207,11 +218,12 @@ private:
     for (std::size_t i = number_of_used(); i-- > 0;)
       link(Index(i * step_));
     constexpr std::size_t at_a_time = 1024, steps_of_triangle = 16;
-    for (std::size_t first = 0; first < back_.size(); first += at_a_time) {
+    for (std::size_t first = 0; first < triangles_.size(); first += at_a_time) {
       context.poll(steps_of_triangle * at_a_time);
-      for_each_chunk(context.uninterrupted(), (std::min)(at_a_time, back_.size() - first), 16,
+      for_each_chunk(context.uninterrupted(), (std::min)(at_a_time, triangles_.size() - first), 16,
                      [&](std::size_t, std::size_t begin, std::size_t end) {
-                       for (Index t = Index(first + begin); t < first + end; ++t) {
+                       for (std::size_t i = first + begin; i < first + end; ++i) {
+                         const Index t = triangles_[i];
                          set_back(t, back_search_.again(triangles[t], back_[t], [&]() { return starts_around(t); }));
                          add_up_squares(t);
                        }
@@ -301,7 +313,7 @@ private:
   void use_every(std::size_t step)
   {
     step_ = step;
-    weight_ = samples_.empty() ? 0 : area_ / double(number_of_used());
+    weight_ = number_on_input_ == 0 ? 0 : area_ / double((number_on_input_ + step - 1) / step);
   }
 
   void set_back(Index t, const Back_samples& samples)
@@ -433,9 +445,10 @@ private:
   const std::vector<Vector>& positions_;
   const Back_search back_search_;
   double area_;
-  std::size_t step_ = 1;
+  std::size_t number_on_input_ = 0, step_ = 1;
   double weight_ = 0;
   std::vector<Sample> samples_;
+  std::vector<Index> triangles_; // with samples
   std::vector<Prepared_triangle> prepared_;
   std::vector<Index> first_on_, next_on_; // the samples whose foot lies on each triangle, as linked lists
   std::vector<Back_samples> back_;          // of each triangle

@@ -25,19 +25,21 @@ class Guarded_improvement
 public:
   Guarded_improvement(Coarse_mesh& mesh, Placement_faults& faults, Repair_budget& budget)
     : mesh_(mesh), faults_(faults), budget_(budget)
-  {
-    mesh.find_feet();
-  }
+  {}
 
   // Moves vertices back towards their positions before the repair: not all perturbed vertices had to move, and later changes may have
-  // removed obstacles. Moves the corners of narrow triangles towards the means of their neighbors. On request, flips edges around
-  // vertices that the repair has changed; where a mesh is symmetric, rounding errors can decide which ones.
-  void improve_changes(const std::vector<Triangle>& triangles_before, const std::vector<Vector>& positions_before, bool flips_edges)
+  // removed obstacles. Moves the corners of narrow triangles towards the means of their neighbors. If the mesh was fitted, flips edges
+  // around vertices that the repair has changed; where other meshes are symmetric, rounding errors could decide which ones.
+  void improve_changes(const std::vector<Triangle>& triangles_before, const std::vector<Vector>& positions_before, bool is_fitted)
   {
     constexpr int times = 3;
     const auto is_narrow = [&](Index t) { return mesh_.angle(t) < min_angle; };
-    measure();
     const std::vector<char> is_changed = changed_vertices(triangles_before, positions_before);
+    std::vector<char> may_move(is_changed.size(), is_fitted);
+    for (Index v = 0; v < may_move.size(); ++v)
+      may_move[v] = may_move[v] || is_changed[v] || std::any_of(mesh_.around(v).begin(), mesh_.around(v).end(), is_narrow);
+    mesh_.find_feet_around(may_move);
+    measure();
     for (int i = 0; i < times; ++i)
       for (Index v = 0; v < is_changed.size(); ++v) {
         if (mesh_.point(v) != positions_before[v])
@@ -45,7 +47,7 @@ public:
         const std::vector<Index>& around = mesh_.around(v);
         if (!mesh_.is_on_border(v) && std::any_of(around.begin(), around.end(), is_narrow))
           move_towards(v, mesh_.mean_of_neighbors(v, mesh_.positions()));
-        if (flips_edges && is_changed[v])
+        if (is_fitted && is_changed[v])
           flip_around(v);
       }
   }
