@@ -50,7 +50,7 @@ public:
     std::size_t number = samples_per_triangle * coarse.triangles().size();
     if (surface.has_cells())
       number = (std::min)(number, surface.input().mesh.number_of_faces());
-    samples_.reserve(samples_per_triangle * triangles_.size());
+    samples_.reserve((std::min)(number, samples_per_triangle * triangles_.size()));
     pieces.for_each_sample(number, area_, surface.context(), [&](const Input_point& p) {
       ++number_on_input_;
       if (is_marked[surface.labels()[p.face]])
