@@ -44,8 +44,8 @@ public:
     return *samples_;
   }
   const Fit_samples& samples() const { return *samples_; }
-  // Finds the feet of the samples after many changes at the marked vertices. If there are no samples yet, makes those of the clusters
-  // up to two edges away. A descent from the vertex of a cluster could end far from the nearest point there.
+  // Finds the feet of the samples after many changes at the marked vertices. If there are no samples yet, makes the samples of the
+  // clusters up to two edges away. Their feet are searched everywhere: a descent from the vertex of a cluster could end far from them.
   void find_feet_around(std::vector<char> is_marked)
   {
     if (samples_)
@@ -61,6 +61,14 @@ public:
   Vector normal(Index t) const { return normal_of(positions_, triangle(t)); }
   // The smallest angle of a triangle.
   double angle(Index t) const { return smallest_angle(positions_, triangle(t)); }
+  // The smallest angle of some triangles, at most the least angle that changes may create.
+  double angle_of(const std::vector<Index>& triangles) const
+  {
+    double least = min_angle;
+    for (const Index t : triangles)
+      least = (std::min)(least, angle(t));
+    return least;
+  }
   bool is_on_border(Index v) const { return border_.is_on_border(v); }
 
   // Whether vertices may leave their clusters, which follow them.

@@ -102,10 +102,7 @@ private:
       const double sharpest = sharpest_of(mesh_.positions(), mesh_.triangle(t));
       measures_[t] = {sharpest, angle(sharpest), mesh_.samples().cost(t)};
     });
-    double total = 0;
-    for (const Measures& m : measures_)
-      total += m.cost;
-    return total / (std::max)(double(measures_.size()), 1.);
+    return mesh_.mean_cost();
   }
 
   // Returns the flips that may be profitable at the current exchange rate or a larger one.

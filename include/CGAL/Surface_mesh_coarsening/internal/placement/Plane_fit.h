@@ -33,7 +33,7 @@ public:
   {
     constexpr int max_repetitions = 8;
     worth_ = worth;
-    high_cost_ = part_of_high_cost * mean_cost();
+    high_cost_ = part_of_high_cost * triangles_of_vertex * mesh_.mean_cost();
     planes_.resize(mesh_.triangles().size());
     std::vector<Index> triangles(planes_.size());
     std::iota(triangles.begin(), triangles.end(), Index(0));
@@ -61,7 +61,7 @@ private:
   // The mean squared distance in units of the area around a vertex below which it is nearly zero, and the changes permitted there.
   static constexpr double nearly_zero = 1e-7, max_growth = 1.25, min_part_of_angle = 0.999;
   // The fit has failed at a vertex if the cost of its triangles is this number of times the mean cost around a vertex.
-  static constexpr double part_of_high_cost = 30;
+  static constexpr double part_of_high_cost = 30, triangles_of_vertex = 6;
   // Vertices on lines keep apart, as in the fit: the length of their shortest edge in units of the mean length around them, and the
   // part of it that is kept below.
   static constexpr double min_part_of_edges = 0.4, min_kept_part = 0.99;
@@ -132,15 +132,6 @@ private:
     return vertices;
   }
 
-  // Returns the mean cost of the triangles around a vertex. A vertex has six triangles.
-  double mean_cost() const
-  {
-    double cost = 0;
-    for (std::size_t t = 0; t < mesh_.triangles().size(); ++t)
-      cost += mesh_.samples().cost(Index(t));
-    return 6 * cost / double(mesh_.triangles().size());
-  }
-
   // Returns the shortest movement to the planes of the samples around a vertex; zero if they have no common point, unless the cost
   // is high.
   Move move_onto_planes(Index v) const
@@ -179,7 +170,7 @@ private:
   bool make(Index v, const Move& move)
   {
     const std::vector<Index>& around = mesh_.around(v);
-    const double before = mesh_.cost_of(around), angle = smallest_angle_of(around);
+    const double before = mesh_.cost_of(around), angle = mesh_.angle_of(around);
     const double with_angles = mesh_.cost_of(around, worth_);
     const bool is_exact = is_nearly_zero(before, around);
     std::vector<Vector> normals;
@@ -189,7 +180,7 @@ private:
     Vector& p = mesh_.positions()[v];
     const Vector from = p, to = mesh_.within_bounds(v, p + move.by);
     p = to;
-    bool is_sound = smallest_angle_of(around) >= (std::min)(is_exact ? min_part_of_angle * angle : angle, min_angle);
+    bool is_sound = mesh_.angle_of(around) >= (std::min)(is_exact ? min_part_of_angle * angle : angle, min_angle);
     if (mesh_.is_on_border(v))
       is_sound = is_sound && part_of_shortest_edge(v) >= (std::min)(min_kept_part * part, min_part_of_edges);
     for (std::size_t i = 0; i < around.size(); ++i)
@@ -217,14 +208,6 @@ private:
           least = (std::min)(least, size);
         }
     return sum > 0 ? least * double(number) / sum : 0;
-  }
-
-  double smallest_angle_of(const std::vector<Index>& triangles) const
-  {
-    double least = min_angle;
-    for (const Index t : triangles)
-      least = (std::min)(least, mesh_.angle(t));
-    return least;
   }
 
   // Compares a sum of area times squared distance with the square of the area.

@@ -147,10 +147,7 @@ private:
   // lines are left out, because a single one could pass its neighbor on the line.
   void undo_harmful_movements()
   {
-    double total = 0;
-    for (std::size_t t = 0; t < costs_before_.size(); ++t)
-      total += mesh_.samples().cost(Index(t));
-    const double harmless = harmless_part * total / double(costs_before_.size());
+    const double harmless = harmless_part * mesh_.mean_cost();
     std::vector<double> increases(costs_before_.size()); // of triangles
     for_each_number(mesh_.context(), increases.size(), [&](Index t) { increases[t] = increase(t); });
     const auto sum_around = [&](Index v) { return sum(v, [&](Index t) { return increases[t]; }); };

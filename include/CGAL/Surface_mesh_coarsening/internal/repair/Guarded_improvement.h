@@ -126,12 +126,12 @@ private:
       return;
     sort_unique(altered);
     spend(altered.size() * altered.size());
-    const double most = limit(altered), angle = least_angle(altered);
+    const double most = limit(altered), angle = mesh_.angle_of(altered);
     const Vector from = mesh_.point(v);
     for (const double part : {1., 0.5, 0.25}) {
       const Vector to = mesh_.within_bounds(v, without_last_digits(from + part * (wanted - from)));
       const auto is_better = [&]() {
-        if (!(mesh_.cost_of(altered, worth_) < most && least_angle(altered) >= angle - equal_angles))
+        if (!(mesh_.cost_of(altered, worth_) < most && mesh_.angle_of(altered) >= angle - equal_angles))
           return false;
         faults_.follow(v);
         return makes_no_fault(v, altered);
@@ -160,11 +160,11 @@ private:
   {
     const std::vector<Index> altered{(std::min)(t, u), (std::max)(t, u)};
     const Triangle old_t = mesh_.triangle(t), old_u = mesh_.triangle(u);
-    const double most = limit(altered), angle = least_angle(altered);
+    const double most = limit(altered), angle = mesh_.angle_of(altered);
     mesh_.flip(t, i, u);
     const double allowed = most + worth_(mesh_.angle(t)) + worth_(mesh_.angle(u));
     spend(altered.size() * altered.size());
-    if (least_angle(altered) >= angle - equal_angles && allowed > 0 &&
+    if (mesh_.angle_of(altered) >= angle - equal_angles && allowed > 0 &&
         mesh_.samples().cost_instead(t, u, mesh_.triangle(t), mesh_.triangle(u), allowed, true) < allowed &&
         makes_no_fault(mesh_.triangle(t)[0], altered)) {
       mesh_.samples().redistribute(t, u);
@@ -172,15 +172,6 @@ private:
     } else {
       mesh_.undo_flip(t, old_t, u, old_u);
     }
-  }
-
-  // Returns the smallest angle of some triangles, at most the least angle that other changes may create.
-  double least_angle(const std::vector<Index>& triangles) const
-  {
-    double least = min_angle;
-    for (const Index t : triangles)
-      least = (std::min)(least, mesh_.angle(t));
-    return least;
   }
 
   Coarse_mesh& mesh_;

@@ -258,7 +258,7 @@ private:
   {
     double sum = 0;
     for (const Index t : triangles)
-      sum += (std::max)(0., 1 - smallest_angle(positions_, mesh_.triangles()[t]) / min_angle);
+      sum += (std::max)(0., 1 - mesh_.angle(t) / min_angle);
     return sum;
   }
 
