@@ -3,6 +3,9 @@
 // The code that does not depend on the types of meshes and maps, compiled once. Without this library, users include the same
 // headers, and all their functions are inline.
 
+// First, because GCC does not inline `sqrt()` if gmpxx.h, which CGAL includes, declares functions of this name before.
+#include <cmath>
+
 #include <CGAL/Surface_mesh_coarsening/internal/distance/Level_hierarchy_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/features/find_features_impl.h>

@@ -117,9 +117,6 @@ public:
     return compared;
   }
 
-  // Returns the bounding box of a group.
-  Bbox_3 box(Index group) const { return root_of_[group] == NONE ? Bbox_3() : node_[root_of_[group]].box; }
-
 private:
   static constexpr std::size_t max_faces = 16; // of a leaf
 

@@ -119,7 +119,6 @@ inline void exchange_at_intersections(Coarse_mesh& mesh, const Repair_counts& co
 {
   constexpr double worth_of_fault = 200; // of a triangle without intersection, relative to the mean cost of a triangle
   mesh.context().stage_begins(Coarsening_stage::FEEDBACK);
-  mesh.samples().find_feet(1);
   const double worth = worth_of_fault * mesh.mean_cost();
   std::vector<double> bonus(mesh.triangles().size(), 0);
   for (const auto& pair : counts.intersections_left)

@@ -30,13 +30,12 @@ class Input_oracle
 {
 public:
   Input_oracle(const Clustered_faces& surface, Repair_budget& budget)
-    : surface_(surface), faces_(surface.input().mesh, surface.faces()),
-      normals_(surface.number_of_clusters()), budget_(budget)
+    : surface_(surface), normals_(surface.number_of_clusters()), boxes_(normals_.size()), budget_(budget)
   {
     const Run_context context = surface.context().uninterrupted();
     for_each_chunk(context, normals_.size(), 16, [this](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t x = begin; x < end; ++x)
-        normals_[x] = mean_normal(x);
+        measure_cluster(x);
     });
   }
 
@@ -52,25 +51,34 @@ public:
     return std::any_of(t.begin(), t.end(), [&](Index x) { return normals_[x] != none; });
   }
 
+  // Prepares concurrent calls of `is_against()` for some triangles.
+  void prepare(const std::vector<Triangle>& triangles, const std::vector<Vector>& positions)
+  {
+    for (const Triangle& t : triangles)
+      if (!is_along_mean_normals(t, positions))
+        for (const Index x : t)
+          search_in(x);
+  }
+
   // Returns whether a coarse triangle faces away from the surface at the closest point of its clusters. The point is computed
   // only if the mean normals are not decisive. If the point lies on an edge, or if several points are equally close, all faces
   // there count, so the result does not depend on rounding errors. Adds the work to `visited`, in triangles whose distances are
   // computed.
-  bool is_against(const Triangle& t, const std::vector<Vector>& positions, std::size_t& visited) const
+  bool is_against(const Triangle& t, const std::vector<Vector>& positions, std::size_t& visited)
   {
-    const Vector n = normal_of(positions, t), mean = normals_[t[0]] + normals_[t[1]] + normals_[t[2]];
-    const double size = length(n);
-    if (dot(n, mean) > 0.5 * size * length(mean))
+    if (is_along_mean_normals(t, positions))
       return false;
+    const Vector n = normal_of(positions, t);
+    const double size = length(n);
     const Vector middle = (1. / 3) * (positions[t[0]] + positions[t[1]] + positions[t[2]]);
     Nearest_point nearest;
     for (const Index x : t)
-      visited += faces_.improve_in(middle, x, nearest) / comparisons_of_face;
+      visited += search_in(x).improve_in(middle, 0, nearest) / comparisons_of_face;
     // The bound below which squared distances are equal up to rounding errors, for a triangle of about this squared size.
     const double limit = 1.000000001 * nearest.squared_distance + 1e-18 * size;
     std::vector<Index> faces;
     for (const Index x : t)
-      visited += faces_.for_each_within(middle, x, limit, [&](Index f) { faces.push_back(f); }) / comparisons_of_face;
+      visited += search_in(x).for_each_within(middle, 0, limit, [&](Index f) { faces.push_back(f); }) / comparisons_of_face;
     std::sort(faces.begin(), faces.end()); // sums that cancel must not depend on the order
     Vector there{{0, 0, 0}};
     for (const Index f : faces)
@@ -97,7 +105,7 @@ private:
   // The comparisons of a point with this many boxes or faces take as long as the distance from a face.
   static constexpr std::size_t comparisons_of_face = 4;
 
-  Vector mean_normal(std::size_t cluster) const
+  void measure_cluster(std::size_t cluster)
   {
     constexpr double rounding = 1e-13; // exceeds the area of collinear points due to rounding of coordinates
     Vector sum{{0, 0, 0}};
@@ -105,8 +113,25 @@ private:
     for (const Index f : surface_.faces(cluster)) {
       sum = sum + vector_area(surface_.input().mesh, f);
       area += surface_.area(f);
+      boxes_[cluster] += face_box(surface_.input().mesh, f);
     }
-    return area > rounding * squared_diagonal(faces_.box(Index(cluster))) ? (1 / area) * sum : Vector{{0, 0, 0}};
+    normals_[cluster] = area > rounding * squared_diagonal(boxes_[cluster]) ? (1 / area) * sum : Vector{{0, 0, 0}};
+  }
+
+  bool is_along_mean_normals(const Triangle& t, const std::vector<Vector>& positions) const
+  {
+    const Vector n = normal_of(positions, t), mean = normals_[t[0]] + normals_[t[1]] + normals_[t[2]];
+    return dot(n, mean) > 0.5 * length(n) * length(mean);
+  }
+
+  // The search for nearest points in a cluster. Few clusters need one.
+  const Nearest_point_search& search_in(Index cluster)
+  {
+    const auto found = search_.find(cluster);
+    if (found != search_.end())
+      return found->second;
+    const Bucketed_items<Index> faces(surface_.faces(cluster), 1, [](Index) { return 0; });
+    return search_.try_emplace(cluster, surface_.input().mesh, faces).first->second;
   }
 
   bool clusters_intersect(Index x, Index y)
@@ -117,7 +142,7 @@ private:
       return known->second;
     if (budget_.is_spent_for_input())
       return false;
-    const std::vector<Triangle> of_x = pieces_at(x, faces_.box(y)), of_y = pieces_at(y, faces_.box(x));
+    const std::vector<Triangle> of_x = pieces_at(x, boxes_[y]), of_y = pieces_at(y, boxes_[x]);
     std::size_t work = of_x.size() + of_y.size();
     const bool result = pieces_intersect(of_x, of_y, work);
     budget_.spend_on_input(work);
@@ -170,8 +195,9 @@ private:
   }
 
   const Clustered_faces& surface_;
-  Nearest_point_search faces_; // of each cluster
-  std::vector<Vector> normals_;
+  std::vector<Vector> normals_; // of each cluster, as the next ones
+  std::vector<Bbox_3> boxes_;
+  std::unordered_map<Index, Nearest_point_search> search_;
   Repair_budget& budget_;
   std::unordered_map<std::uint64_t, bool> intersecting_; // tested pairs of clusters
 };

@@ -250,8 +250,8 @@ private:
     return result;
   }
 
-  // The same, for several threads. Adds the number of visited faces of the input to `visited`.
-  bool is_reversed_now(Index t, std::size_t& visited) const
+  // The same; adds the number of visited faces of the input to `visited`.
+  bool is_reversed_now(Index t, std::size_t& visited)
   {
     const Triangle& triangle = coarse_.triangles()[t];
     return reference_.has_area(triangle) &&
@@ -261,6 +261,7 @@ private:
   void find_reversed()
   {
     is_reversed_.assign(coarse_.triangles().size(), false);
+    reference_.prepare(coarse_.triangles(), positions_);
     const Run_context context = surface_.context().uninterrupted();
     for_each_chunk(context, is_reversed_.size(), 256, [&](std::size_t, std::size_t begin, std::size_t end) {
       std::size_t visited = 0;
