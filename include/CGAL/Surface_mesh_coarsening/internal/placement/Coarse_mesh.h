@@ -50,9 +50,7 @@ public:
   {
     if (samples_)
       return samples_->find_feet(1);
-    for (int ring = 0; ring < 2; ++ring)
-      is_marked = with_neighbors(is_marked);
-    samples_.emplace(surface_, *this, positions_, is_marked);
+    samples_.emplace(surface_, *this, positions_, with_neighbors(is_marked));
     samples_->find_feet_everywhere();
   }
 
