@@ -13,7 +13,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/minimization/Typed_energy_model.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages_impl.h>
 #include <CGAL/Surface_mesh_coarsening/internal/placement/fit_vertices_impl.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/quadric_position_impl.h>
 
 namespace CGAL {
 namespace Surface_mesh_coarsening {
