@@ -114,7 +114,7 @@ inline Repair_counts repair_exchanged(const Clustering_state& state, const Place
   return counts;
 }
 
-// Exchanges vertices, so that vertices are inserted at triangles that intersect after a repair.
+// Exchanges vertices, so that vertices are inserted at triangles that intersect after a repair, which has left the feet up to date.
 inline void exchange_at_intersections(Coarse_mesh& mesh, const Repair_counts& counts)
 {
   constexpr double worth_of_fault = 200; // of a triangle without intersection, relative to the mean cost of a triangle

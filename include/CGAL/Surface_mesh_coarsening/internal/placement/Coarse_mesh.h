@@ -44,8 +44,9 @@ public:
     return *samples_;
   }
   const Fit_samples& samples() const { return *samples_; }
-  // Finds the feet of the samples after many changes at the marked vertices. If there are no samples yet, makes the samples of the
-  // clusters up to two edges away. Their feet are searched everywhere: a descent from the vertex of a cluster could end far from them.
+  // Finds the feet of the samples after many changes at the marked vertices. If there are no samples yet, makes the samples of their
+  // clusters and the neighboring clusters. Their feet are searched everywhere: a descent from the vertex of a cluster could end far
+  // from them.
   void find_feet_around(std::vector<char> is_marked)
   {
     if (samples_)
