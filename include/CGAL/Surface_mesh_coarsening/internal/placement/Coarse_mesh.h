@@ -47,7 +47,7 @@ public:
   // Finds the feet of the samples after many changes at the marked vertices. If there are no samples yet, makes the samples of their
   // clusters and the neighboring clusters. Their feet are searched everywhere: a descent from the vertex of a cluster could end far
   // from them.
-  void find_feet_around(std::vector<char> is_marked)
+  void find_feet_around(const std::vector<char>& is_marked)
   {
     if (samples_)
       return samples_->find_feet(1);
