@@ -10,16 +10,17 @@
 #include <CGAL/Surface_mesh_coarsening/internal/output/Output_maps.h>
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
 
+#include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 namespace internal {
 
-// Runs all steps of a `Clustering`, which is an `Mwcvd_clustering`, and writes the maps of the caller. Calls `seed` for the seeds.
-template <class Clustering, class FaceGraph, class Output, class NPIn, class NPOut, class Seed>
+// Writes the output and the maps of the caller. `run(clustering, placement, coordinates)` computes the clusters of a `Clustering`,
+// which is an `Mwcvd_clustering`, and returns their dual.
+template <class Clustering, class FaceGraph, class Output, class NPIn, class NPOut, class Run>
 Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& output, const NPIn& np_in, const NPOut& np_out,
-                                            const Seed& seed)
+                                            const Run& run)
 {
   typedef Parameter_type<internal_np::vertex_placement_t, NPIn, Fitted_placement> Placement;
   typedef typename GetGeomTraits<Output, NPOut>::type Traits;
@@ -28,18 +29,15 @@ Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& outp
   const Placement placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
   const Minimization_end end = chosen_minimization_end(np_in);
   clustering.choose_items_for(placement, end.max_rounds, end.tolerance);
-  seed(clustering);
-  clustering.grow();
-  clustering.minimize(end.max_rounds, end.tolerance);
   Clustering_state& state = clustering.state();
-  state.minimization.reset(); // frees memory
-  Vertex_sources<FaceGraph, NPOut> sources(np_out);
-  const Placed_dual dual = place_embedded(state, placement_model(placement), output_coordinates<Traits>(state.frame));
+  const Placed_dual dual = run(clustering, placement_model(placement), output_coordinates<Traits>(state.frame));
+  std::vector<Surface_location<FaceGraph> > sources; // on the input, before the output changes
   emit(state, dual, output, np_out, [&](const std::vector<Vector>& positions) {
     const bool are_wanted = has_parameter<internal_np::vertex_source_t, NPOut> ||
                             has_parameter<internal_np::vertex_to_cluster_t, NPIn>;
     const std::vector<Index> clusters = are_wanted ? clusters_of_base_faces(state) : std::vector<Index>();
-    sources.find(input, clustering, clusters, positions);
+    if constexpr (has_parameter<internal_np::vertex_source_t, NPOut>)
+      sources = surface_locations(input, clustering.numbering(), state.base_input(), clusters, positions, state.context);
     if constexpr (has_parameter<internal_np::face_cluster_t, NPIn>)
       clustering.write_clusters(get_parameter(np_in, internal_np::face_cluster));
     if constexpr (has_parameter<internal_np::vertex_boundary_count_t, NPIn>)
@@ -47,7 +45,7 @@ Coarsening_report coarsen_with_fitting_maps(const FaceGraph& input, Output& outp
     write_vertex_clusters(clustering.numbering(), state.base_input(), clusters, state.number_of_clusters(),
                           get_parameter(np_in, internal_np::vertex_to_cluster));
   });
-  sources.write(output);
+  write_sources(output, std::move(sources), get_parameter(np_out, internal_np::vertex_source));
   return clustering.report();
 }
 
@@ -58,8 +56,15 @@ Coarsening_report coarsen_mesh(const FaceGraph& input, Output& output, const NPI
   if constexpr (!fits_maps_of_clusters<FaceGraph, NPIn>()) // the errors that would follow hide the sentence
     return Coarsening_report();
   else
-    return coarsen_with_fitting_maps<Mwcvd_clustering<FaceGraph, Energy_choice<NPIn>, ConcurrencyTag> >(input, output, np_in,
-                                                                                                       np_out, seed);
+    return coarsen_with_fitting_maps<Mwcvd_clustering<FaceGraph, Energy_choice<NPIn>, ConcurrencyTag> >(
+      input, output, np_in, np_out, [&](auto& clustering, const auto& placement, const auto& coordinates) {
+        const Minimization_end end = chosen_minimization_end(np_in);
+        seed(clustering);
+        clustering.grow();
+        clustering.minimize(end.max_rounds, end.tolerance);
+        clustering.state().minimization.reset(); // frees memory
+        return place_embedded(clustering.state(), placement, coordinates);
+      });
 }
 
 } // namespace internal
@@ -389,7 +394,6 @@ Coarsening_report coarsen_mesh(const FaceGraph&, OutputFaceGraph&, const Number&
 }
 /// \endcond
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_H

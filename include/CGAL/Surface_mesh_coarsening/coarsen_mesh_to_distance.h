@@ -3,12 +3,11 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_TO_DISTANCE_H
 #define CGAL_SURFACE_MESH_COARSENING_COARSEN_MESH_TO_DISTANCE_H
 
-#include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
+#include <CGAL/Surface_mesh_coarsening/coarsen_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distance/find_within_distance.h>
 
 #include <cmath>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL::Surface_mesh_coarsening {
 
@@ -20,31 +19,15 @@ Distance_report coarsen_to_goal(const FaceGraph& input, Distance_goal goal, Outp
 {
   accept_parameters<NamedParametersIn, Coarsening_parameters>();
   accept_parameters<NamedParametersOut, Output_parameters>();
-  typedef Parameter_type<internal_np::vertex_placement_t, NamedParametersIn, Fitted_placement> Placement;
   typedef Mwcvd_clustering<FaceGraph, Energy_choice<NamedParametersIn>, ConcurrencyTag> Clustering;
-  typedef typename GetGeomTraits<OutputFaceGraph, NamedParametersOut>::type Traits;
   if (!(goal.distance > 0 && std::isfinite(goal.distance)))
     throw Invalid_input("the maximum distance is " + number_text(goal.distance));
   goal.end = chosen_minimization_end(np_in);
-  check_input_stays<NamedParametersOut>(input, output);
   Distance_report report;
-  Clustering clustering(typename Clustering::Accepted(), input, np_in);
-  const Placement placement = choose_parameter<Placement>(get_parameter(np_in, internal_np::vertex_placement_p));
-  clustering.choose_items_for(placement, goal.end.max_rounds, goal.end.tolerance);
-  Clustering_state& state = clustering.state();
-  const Placed_dual dual =
-    find_within_distance(state, placement_model(placement), output_coordinates<Traits>(state.frame), goal, report);
-  Vertex_sources<FaceGraph, NamedParametersOut> sources(np_out);
-  emit(state, dual, output, np_out, [&](const std::vector<Vector>& positions) {
-    const std::vector<Index> clusters = clusters_of_base_faces(state);
-    sources.find(input, clustering, clusters, positions);
-    if constexpr (has_parameter<internal_np::face_cluster_t, NamedParametersIn>)
-      clustering.write_clusters(get_parameter(np_in, internal_np::face_cluster));
-    write_vertex_clusters(clustering.numbering(), state.base_input(), clusters, report.vertices,
-                          get_parameter(np_in, internal_np::vertex_to_cluster));
-  });
-  sources.write(output);
-  report.clustering = clustering.report();
+  report.clustering = coarsen_with_fitting_maps<Clustering>(
+    input, output, np_in, np_out, [&](auto& clustering, const auto& placement, const auto& coordinates) {
+      return find_within_distance(clustering.state(), placement, coordinates, goal, report);
+    });
   return report;
 }
 

@@ -152,18 +152,10 @@ void write_vertex_clusters(const Numbering<FaceGraph>& numbering, const Clusteri
       for (const Index f : input.mesh.faces_around(v))
         around.emplace_back(clusters[f], input.area[f]);
       std::sort(around.begin(), around.end());
-      Index selected = Index(number);
-      double largest = -1;
-      for (std::size_t i = 0; i < around.size();) {
-        const Index x = around[i].first;
-        double sum = 0;
-        for (; i < around.size() && around[i].first == x; ++i)
-          sum += around[i].second;
-        if (sum > largest) {
-          largest = sum;
-          selected = x;
-        }
-      }
+      Majority<Index> votes;
+      for (const auto& [x, area] : around)
+        votes.add(area, x);
+      const Index selected = votes.empty() ? Index(number) : votes.value();
       put(map, numbering.vertices[v], typename boost::property_traits<Map>::value_type(selected));
     }
   }
@@ -178,39 +170,16 @@ void check_input_stays(const FaceGraph& input, const Output& output)
     throw Invalid_input("a vertex_source_map was given, but the output is the input, which the sources would lie on");
 }
 
-// Finds the sources of the vertices on the input before the output changes, and writes them after the output has its
-// vertices.
-template <class FaceGraph, class NamedParametersOut>
-class Vertex_sources
+// Writes the sources of the vertices on the input, if they are requested.
+template <class Output, class FaceGraph, class Map>
+void write_sources(const Output& output, std::vector<Surface_location<FaceGraph> > sources, const Map& map)
 {
-public:
-  explicit Vertex_sources(const NamedParametersOut& np) : map_(get_parameter(np, internal_np::vertex_source)) {}
-
-  template <class Clustering>
-  void find(const FaceGraph& mesh, const Clustering& clustering, const std::vector<Index>& clusters,
-            const std::vector<Vector>& positions)
-  {
-    if constexpr (is_given<Map>)
-      locations_ = surface_locations(mesh, clustering.numbering(), clustering.state().base_input(), clusters, positions,
-                                     clustering.state().context);
+  if constexpr (is_given<Map>) {
+    std::size_t i = 0;
+    for (const auto v : vertices(output))
+      put(map, v, std::move(sources[i++]));
   }
-
-  template <class Output>
-  void write(const Output& output)
-  {
-    if constexpr (is_given<Map>) {
-      std::size_t i = 0;
-      for (const auto v : vertices(output))
-        put(map_, v, std::move(locations_[i++]));
-    }
-  }
-
-private:
-  typedef Parameter_type<internal_np::vertex_source_t, NamedParametersOut, CGAL::internal_np::Param_not_found> Map;
-
-  Map map_;
-  std::vector<Surface_location<FaceGraph> > locations_;
-};
+}
 
 } // namespace CGAL::Surface_mesh_coarsening::internal
 
