@@ -149,8 +149,7 @@ private:
         return;
       mesh.corner_vertex.insert(mesh.corner_vertex.end(), t.begin(), t.end());
       for (const Index v : t)
-        largest_coordinate = std::max({largest_coordinate, std::abs(mesh.points[v][0]), std::abs(mesh.points[v][1]),
-                                       std::abs(mesh.points[v][2])});
+        largest_coordinate = (std::max)(largest_coordinate, internal::largest_coordinate(mesh.points[v]));
       number.push_back(triangle_number);
       group.push_back(triangle_group);
     }
@@ -277,10 +276,7 @@ private:
   {
     const auto& c = part.corners;
     const auto squared_length = [&](int i) { return dot(c[(i + 1) % 3] - c[i], c[(i + 1) % 3] - c[i]); };
-    int longest = 0;
-    for (int i = 1; i < 3; ++i)
-      if (squared_length(i) > squared_length(longest))
-        longest = i;
+    const int longest = (std::max)({0, 1, 2}, [&](int i, int j) { return squared_length(i) < squared_length(j); });
     const Vector middle = 0.5 * (c[longest] + c[(longest + 1) % 3]), opposite = c[(longest + 2) % 3];
     visit({{{c[longest], middle, opposite}}, part.triangle, part.group, part.is_coarse, part.bound, part.nearest});
     visit({{{middle, c[(longest + 1) % 3], opposite}}, part.triangle, part.group, part.is_coarse, part.bound, part.nearest});

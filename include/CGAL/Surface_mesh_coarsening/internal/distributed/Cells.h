@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -111,9 +110,8 @@ public:
 private:
   bool is_inner(Index f) const
   {
-    const Number_range corners = mesh_.corners(f);
     return patch_.is_inner_face(f) &&
-           std::none_of(corners.begin(), corners.end(), [this](Index c) { return mesh_.is_on_border(mesh_.corner_vertex[c]); });
+           !mesh_.any_corner(f, [this](Index c) { return mesh_.is_on_border(mesh_.corner_vertex[c]); });
   }
 
   void grow(const std::vector<Index>& faces, Index level)
@@ -259,9 +257,7 @@ private:
         ++number;
         number_of_corners += cell.corners;
       });
-    if (number_of_corners >= NONE / 2)
-      throw Invalid_input("the mesh of cells has " + std::to_string(number_of_corners) + " corners, more than the " +
-                          std::to_string(NONE / 2 - 1) + " that can be numbered");
+    check_countable(number_of_corners, "corners", "the mesh of cells");
     cells.reserve(number);
     input.area.reserve(number);
     input.density.reserve(number);
@@ -313,10 +309,11 @@ private:
     }
     corners = std::vector<Cell_corner>();
     complete_topology(m, vertices, context);
-    for (Index v = 0; v < vertices; ++v)
+    for (Index v = 0; v < vertices; ++v) {
+      const auto begin = m.star.begin() + m.first_in_star[v], end = m.star.begin() + m.first_in_star[v + 1];
       if (!m.is_on_border(v))
-        std::rotate(m.star.begin() + m.first_in_star[v], m.star.begin() + m.position_in_star(v, first_cell[v]),
-                    m.star.begin() + m.first_in_star[v + 1]);
+        std::rotate(begin, std::find(begin, end, first_cell[v]), end);
+    }
   }
 };
 

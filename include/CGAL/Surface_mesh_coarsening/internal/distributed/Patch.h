@@ -33,8 +33,7 @@ struct Patch
   bool is_own(std::size_t f) const { return faces[f].is_own; }
   bool is_inner_face(Index f) const
   {
-    const Number_range corners = mesh().corners(f);
-    return std::all_of(corners.begin(), corners.end(), [this](Index c) { return is_inner[mesh().corner_vertex[c]]; });
+    return !mesh().any_corner(f, [this](Index c) { return !is_inner[mesh().corner_vertex[c]]; });
   }
 
   void get(Index f, Face_record& face) const

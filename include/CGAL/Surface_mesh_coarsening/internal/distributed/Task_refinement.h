@@ -126,10 +126,7 @@ struct Dual_parts
                                       : context.placement.local(surface, x);
     };
     const std::vector<Cluster_report> reports = context.energy->cluster_reports(input, local.labels(), local.size());
-    const auto is_on_border = [&m](Index f) {
-      const Number_range corners = m.corners(f);
-      return std::any_of(corners.begin(), corners.end(), [&m](Index c) { return m.face_across[c] == NONE; });
-    };
+    const auto is_on_border = [&m](Index f) { return m.has_border_edge(f); };
     for (Index x = 0; x < local.size() && local.is_own(x); ++x) {
       const Clustered_faces::Range faces = surface.faces(x);
       context.poll(faces.size());
@@ -296,8 +293,7 @@ inline void send_to_tasks(const Patch& patch, const Cluster_tasks& tasks, std::s
       continue;
     patch.get(f, face);
     bins.send(task_of(f), face);
-    const Number_range corners = m.corners(f);
-    if (std::none_of(corners.begin(), corners.end(), [&](Index c) { return is_between[m.corner_vertex[c]]; }))
+    if (!m.any_corner(f, [&](Index c) { return is_between[m.corner_vertex[c]]; }))
       continue;
     find_groups(face, places, targets);
     face.is_own = false;

@@ -6,7 +6,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/features/Feature_graph.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/subdivision.h>
 
-#include <algorithm>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -170,11 +169,8 @@ private:
     }
     for (const Feature_line& line : graph_.lines())
       component_of(line.nodes[0]).feature_clusters += line.is_loop ? line.min_crossings : line.min_crossings - 1;
-    for (std::size_t f = 0; f < result.mesh.number_of_faces(); ++f) {
-      const Number_range corners = result.mesh.corners(f);
-      is_at_border_.push_back(
-        std::any_of(corners.begin(), corners.end(), [&](Index c) { return result.mesh.face_across[c] == NONE; }));
-    }
+    for (std::size_t f = 0; f < result.mesh.number_of_faces(); ++f)
+      is_at_border_.push_back(result.mesh.has_border_edge(f));
     return result;
   }
 

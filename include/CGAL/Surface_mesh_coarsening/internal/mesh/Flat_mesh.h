@@ -16,11 +16,11 @@
 
 namespace CGAL::Surface_mesh_coarsening::internal {
 
-inline void check_countable(std::size_t n, const char* what)
+inline void check_countable(std::size_t n, const char* what, const char* mesh = "the mesh")
 {
   // The upper half of the range is reserved for the labels of border loops.
   if (n >= NONE / 2)
-    throw Invalid_input("the mesh has " + std::to_string(n) + " " + what + ", more than the " +
+    throw Invalid_input(std::string(mesh) + " has " + std::to_string(n) + " " + what + ", more than the " +
                         std::to_string(NONE / 2 - 1) + " that can be numbered");
 }
 
@@ -107,6 +107,13 @@ struct Flat_mesh
   Index valence(std::size_t v) const { return first_in_star[v + 1] - first_in_star[v]; }
   Index degree(Index f) const { return first_corner[f + 1] - first_corner[f]; }
   Number_range corners(std::size_t f) const { return number_range(first_corner[f], first_corner[f + 1]); }
+  template <class Predicate>
+  bool any_corner(std::size_t f, const Predicate& is_true) const
+  {
+    const Number_range range = corners(f);
+    return std::any_of(range.begin(), range.end(), is_true);
+  }
+  bool has_border_edge(std::size_t f) const { return any_corner(f, [this](Index c) { return face_across[c] == NONE; }); }
   Iterator_range<std::vector<Index>::const_iterator> faces_around(std::size_t v) const
   {
     return {star.begin() + first_in_star[v], star.begin() + first_in_star[v + 1]};
@@ -137,14 +144,6 @@ struct Flat_mesh
   {
     const Index f = star[first_in_star[v]];
     return corner_vertex[next_corner(f, corner_of(f, v))];
-  }
-  // Returns the position of face `f` in the star of `v`, as an index into `star`.
-  Index position_in_star(Index v, Index f) const
-  {
-    Index i = first_in_star[v];
-    while (star[i] != f)
-      ++i;
-    return i;
   }
 };
 
@@ -216,9 +215,7 @@ Bbox_3 vertex_bounds(const Flat_mesh& mesh, const FaceRange& faces)
     for (const Index c : mesh.corners(f))
       box += box_of_point(mesh.point_at(c));
   // Computed positions may differ by their rounding.
-  double largest = 0;
-  for (int i = 0; i < 3; ++i)
-    largest = (std::max)({largest, std::abs((box.min)(i)), std::abs((box.max)(i))});
+  const double largest = (std::max)(largest_coordinate(low_corner(box)), largest_coordinate(high_corner(box)));
   return grown(box, 0.5 * std::sqrt(squared_diagonal(box)) + 1e-12 * largest);
 }
 

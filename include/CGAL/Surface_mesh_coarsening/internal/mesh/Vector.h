@@ -29,6 +29,7 @@ inline Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1],
 inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline double squared_length(const Vector& a) { return dot(a, a); }
 inline double length(const Vector& a) { return std::sqrt(dot(a, a)); }
+inline double largest_coordinate(const Vector& a) { return (std::max)({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])}); }
 inline Vector cross(const Vector& a, const Vector& b)
 {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -80,7 +81,7 @@ inline double rounded_for_comparison(double sum) { return rounded_like(sum, sum,
 // intersection tests would detect rounding errors where triangles just touch, as on symmetric meshes.
 inline Vector without_last_digits(const Vector& p)
 {
-  const double largest = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+  const double largest = largest_coordinate(p);
   if (!(largest > 0) || !std::isfinite(largest))
     return p;
   //! [digits]

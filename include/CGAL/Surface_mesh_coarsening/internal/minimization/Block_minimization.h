@@ -255,10 +255,8 @@ private:
   {
     if (state_.is_shared.empty())
       return false;
-    for (const Index c : mesh_.corners(f))
-      if (state_.is_shared[mesh_.corner_vertex[c]])
-        return true;
-    return state_.rules != nullptr && state_.rules->is_on_feature(f);
+    return mesh_.any_corner(f, [this](Index c) { return state_.is_shared[mesh_.corner_vertex[c]]; }) ||
+           (state_.rules != nullptr && state_.rules->is_on_feature(f));
   }
 
   Index face_of(const Candidate& x) const { return edges_[x.edge].face[x.side[0]]; }
