@@ -52,7 +52,7 @@ public:
       std::vector<char> is_fan;
       for (const Cell& cell : cells_)
         is_fan.push_back(has_fans_ && cell.faces > 1);
-      Star_subdivision cutting(mesh_, is_fan);
+      Star_subdivision cutting(mesh_, std::move(is_fan));
       input.mesh = cutting.run([this](Index x) { return cells_[x].center; }, context);
       cell_of = cutting.old_face();
     }

@@ -51,8 +51,7 @@ public:
   // The same after a subdivision of the faces of the chosen components of the original mesh.
   Featured_input subdivided(const std::vector<bool>& chosen_component, const Run_context& context) const
   {
-    const std::vector<char> is_cut = faces_of_components(base_.mesh, chosen_component);
-    Quad_subdivision cutting(base_.mesh, is_cut);
+    Quad_subdivision cutting(base_.mesh, faces_of_components(base_.mesh, chosen_component));
     return cut(cutting, cutting.run(context), context);
   }
 
@@ -151,8 +150,7 @@ private:
   {
     const std::vector<char> is_cut = faces_at(&Feature_cells::has_cell);
     Quad_subdivision cutting(base_.mesh, is_cut);
-    Flat_mesh cut_mesh = cutting.run(context);
-    pieces_ = cut_input(base_, std::move(cut_mesh), cutting.old_face());
+    pieces_ = cut_input(base_, cutting.run(context), cutting.old_face());
     face_of_piece_ = cutting.old_face();
     middle_ = cutting.middle();
     number_polygons(is_cut);

@@ -164,7 +164,7 @@ protected:
 class Star_subdivision : public Face_cutting
 {
 public:
-  Star_subdivision(const Flat_mesh& m, const std::vector<char>& is_cut) : Face_cutting(m), is_cut_(is_cut) {}
+  Star_subdivision(const Flat_mesh& m, std::vector<char> is_cut) : Face_cutting(m), is_cut_(std::move(is_cut)) {}
 
   template <class Center>
   Flat_mesh run(const Center& center, const Run_context& context)
@@ -185,7 +185,7 @@ public:
   }
 
 private:
-  const std::vector<char>& is_cut_; // per face
+  const std::vector<char> is_cut_; // per face
 };
 
 // Subdivides chosen faces into one quadrilateral per corner, spanned by the corner, the midpoints of its two edges and
@@ -198,8 +198,8 @@ private:
 class Quad_subdivision : public Face_cutting
 {
 public:
-  Quad_subdivision(const Flat_mesh& m, const std::vector<char>& is_cut)
-    : Face_cutting(m), is_cut_(is_cut), center_(m.number_of_faces(), NONE) {}
+  Quad_subdivision(const Flat_mesh& m, std::vector<char> is_cut)
+    : Face_cutting(m), is_cut_(std::move(is_cut)), center_(m.number_of_faces(), NONE) {}
 
   Flat_mesh run(const Run_context& context)
   {
@@ -240,7 +240,7 @@ private:
     reserve(pieces, corners);
   }
 
-  const std::vector<char>& is_cut_; // per face
+  const std::vector<char> is_cut_; // per face
   std::vector<Index> center_;
 };
 

@@ -183,10 +183,8 @@ private:
   {
     if (input.cells)
       return input.cells->subdivided(chosen_component, context_);
-    const std::vector<char> is_cut = faces_of_components(input.items.mesh, chosen_component);
-    Quad_subdivision cutting(input.items.mesh, is_cut);
-    Flat_mesh pieces = cutting.run(context_);
-    return {cut_input(input.items, std::move(pieces), cutting.old_face(), context_), nullptr};
+    Quad_subdivision cutting(input.items.mesh, faces_of_components(input.items.mesh, chosen_component));
+    return {cut_input(input.items, cutting.run(context_), cutting.old_face(), context_), nullptr};
   }
 
   void bound_by_vertices()
