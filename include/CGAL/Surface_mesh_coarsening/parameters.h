@@ -52,27 +52,19 @@ private:
   using Longer = Named_function_parameters<K, X, Surface_mesh_coarsening::internal_np::Chain<self> >;
 
 public:
-#define CGAL_SURFACE_MESH_COARSENING_MEMBER(X, Z) \
-  template <typename K>                           \
-  Longer<K, X> Z(const K& k) const                \
-  {                                               \
-    return Longer<K, X>(k, *this);                \
+#define CGAL_SURFACE_MESH_COARSENING_MEMBER(X, Z, Parameter, Kept, kept) \
+  template <typename K>                                                 \
+  Longer<Kept, X> Z(Parameter k) const                                  \
+  {                                                                     \
+    return Longer<Kept, X>(kept, *this);                                \
   }
-#define CGAL_add_named_parameter(X, Y, Z) CGAL_SURFACE_MESH_COARSENING_MEMBER(internal_np::X, Z)
+#define CGAL_add_named_parameter(X, Y, Z) CGAL_SURFACE_MESH_COARSENING_MEMBER(internal_np::X, Z, const K&, K, k)
 #define CGAL_add_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
 #define CGAL_add_extra_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
-#define CGAL_add_named_parameter_with_compatibility_cref_only(X, Y, Z)                   \
-  template <typename K>                                                                  \
-  Longer<std::reference_wrapper<const K>, internal_np::X> Z(const K& k) const            \
-  {                                                                                      \
-    return Longer<std::reference_wrapper<const K>, internal_np::X>(std::cref(k), *this); \
-  }
-#define CGAL_add_named_parameter_with_compatibility_ref_only(X, Y, Z)             \
-  template <typename K>                                                           \
-  Longer<std::reference_wrapper<K>, internal_np::X> Z(K& k) const                 \
-  {                                                                               \
-    return Longer<std::reference_wrapper<K>, internal_np::X>(std::ref(k), *this); \
-  }
+#define CGAL_add_named_parameter_with_compatibility_cref_only(X, Y, Z) \
+  CGAL_SURFACE_MESH_COARSENING_MEMBER(internal_np::X, Z, const K&, std::reference_wrapper<const K>, std::cref(k))
+#define CGAL_add_named_parameter_with_compatibility_ref_only(X, Y, Z) \
+  CGAL_SURFACE_MESH_COARSENING_MEMBER(internal_np::X, Z, K&, std::reference_wrapper<K>, std::ref(k))
 #include <CGAL/STL_Extension/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
 #undef CGAL_add_named_parameter_with_compatibility
@@ -81,7 +73,7 @@ public:
 #undef CGAL_add_named_parameter_with_compatibility_ref_only
 
 #define CGAL_add_named_parameter(X, Y, Z) \
-  CGAL_SURFACE_MESH_COARSENING_MEMBER(Surface_mesh_coarsening::internal_np::X, Z)
+  CGAL_SURFACE_MESH_COARSENING_MEMBER(Surface_mesh_coarsening::internal_np::X, Z, const K&, K, k)
 #include <CGAL/Surface_mesh_coarsening/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
 #undef CGAL_SURFACE_MESH_COARSENING_MEMBER
