@@ -4,7 +4,6 @@
 #define CGAL_SURFACE_MESH_COARSENING_COARSEN_DISTRIBUTED_MESH_H
 
 #include <CGAL/Surface_mesh_coarsening/Coarsening_report.h>
-#include <CGAL/Surface_mesh_coarsening/Mwcvd_clustering.h>
 #include <CGAL/Surface_mesh_coarsening/Vertex_placement/Fitted_placement.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Distributed_coarsening.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Rank_context.h>

@@ -3,7 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_RANK_CONTEXT_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_RANK_CONTEXT_H
 
-#include <CGAL/Surface_mesh_coarsening/defaults.h>
 #include <CGAL/Surface_mesh_coarsening/exceptions.h>
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_record.h>
@@ -55,9 +54,6 @@ public:
     std::size_t size;
   };
 
-  Scratch_file() = default;
-  Scratch_file(const Scratch_file&) = delete;
-  Scratch_file& operator=(const Scratch_file&) = delete;
   ~Scratch_file()
   {
     if (file_.is_open()) {

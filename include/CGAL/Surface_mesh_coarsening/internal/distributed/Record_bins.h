@@ -3,7 +3,6 @@
 #ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_RECORD_BINS_H
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTRIBUTED_RECORD_BINS_H
 
-#include <CGAL/Surface_mesh_coarsening/internal/base/containers.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Face_record.h>
 #include <CGAL/Surface_mesh_coarsening/internal/distributed/Rank_context.h>
 
@@ -31,7 +30,6 @@ public:
       bins_(first_of(context.rank() + 1) - first_own_), outgoing_(context.number_of_ranks())
   {}
   Record_bins(const Record_bins&) = delete;
-  Record_bins& operator=(const Record_bins&) = delete;
   ~Record_bins()
   {
     for (std::size_t i = 0; i < bins_.size(); ++i)
