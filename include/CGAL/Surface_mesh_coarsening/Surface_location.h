@@ -8,8 +8,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 
-#include <CGAL/boost/graph/iterator.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -133,8 +131,7 @@ std::vector<Surface_location<FaceGraph> > surface_locations(const FaceGraph& mes
   locations.reserve(positions.size());
   for (std::size_t x = 0; x < positions.size(); ++x) {
     context.poll(64);
-    const Nearest_point nearest = search(positions[x], Index(x));
-    locations.push_back(surface_location(mesh, n, m, nearest));
+    locations.push_back(surface_location(mesh, n, m, search(positions[x], Index(x))));
   }
   return locations;
 }

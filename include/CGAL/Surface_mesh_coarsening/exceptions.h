@@ -8,8 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 
 /// \ingroup PkgSurfaceMeshCoarseningRef
 /// reports an input that violates a precondition: a mesh that is not a 2-manifold, or a coordinate, density or label that is
@@ -78,7 +77,6 @@ inline std::string number_text(double x)
 }
 
 } // namespace internal
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_EXCEPTIONS_H

@@ -15,8 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Surface_mesh_coarsening {
+namespace CGAL::Surface_mesh_coarsening {
 namespace internal {
 
 struct Dual_soup
@@ -128,7 +127,6 @@ void extract_dual_soup(const FaceGraph& mesh, const FaceClusterMap& clusters, Po
     triangles.push_back(Polygon{{Number(first + t[0]), Number(first + t[1]), Number(first + t[2])}});
 }
 
-} // namespace Surface_mesh_coarsening
-} // namespace CGAL
+} // namespace CGAL::Surface_mesh_coarsening
 
 #endif // CGAL_SURFACE_MESH_COARSENING_EXTRACT_DUAL_MESH_H

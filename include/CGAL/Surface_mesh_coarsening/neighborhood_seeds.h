@@ -6,7 +6,6 @@
 #include <CGAL/Surface_mesh_coarsening/internal/mesh/named_parameters.h>
 #include <CGAL/Surface_mesh_coarsening/internal/seeding/Cluster_growth.h>
 
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Surface_mesh_coarsening {
@@ -41,9 +40,8 @@ OutputIterator neighborhood_seeds(const FaceGraph& mesh, std::size_t level, Outp
   accept_parameters<NamedParameters, Order_parameters>();
   const Numbering<FaceGraph> n = numbering(mesh, np);
   const Flat_mesh m = flat_connectivity(mesh, n);
-  std::vector<Index> faces(m.number_of_faces()), found;
-  std::iota(faces.begin(), faces.end(), Index(0));
-  Seed_walk(m).run(faces, Index((std::min)(level, std::size_t(NONE))), found);
+  std::vector<Index> found;
+  Seed_walk(m).run(numbers_below(Index(m.number_of_faces())), Index((std::min)(level, std::size_t(NONE))), found);
   for (const Index f : found)
     *seeds++ = n.faces[f];
   return seeds;

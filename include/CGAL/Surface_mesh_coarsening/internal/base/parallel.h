@@ -155,7 +155,7 @@ private:
 // Calls `run(i)` for several numbers from 0 to `n`, in parallel if `context` requests it. The function is never inlined, so
 // that profilers separate parallel from serial work; `count_serial_part.sh` relies on this.
 template <class Run>
-BOOST_NOINLINE void run_concurrently(const Run_context& context, std::size_t n, const Run& run)
+BOOST_NOINLINE void run_concurrently([[maybe_unused]] const Run_context& context, std::size_t n, const Run& run)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if (context.is_parallel()) {
@@ -163,7 +163,6 @@ BOOST_NOINLINE void run_concurrently(const Run_context& context, std::size_t n, 
     return;
   }
 #endif
-  (void)context;
   for (std::size_t i = 0; i < n; ++i)
     run(i);
 }

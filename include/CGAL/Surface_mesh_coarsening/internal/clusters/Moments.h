@@ -37,11 +37,7 @@ struct Moments
   }
   void add_to_inertia(double m, const Vector& p) { inertia += m * squared_distance(p); }
 
-  double squared_distance(const Vector& p) const
-  {
-    const Vector d = p - centroid;
-    return dot(d, d);
-  }
+  double squared_distance(const Vector& p) const { return squared_length(p - centroid); }
 
   // Return the inertia after mass `m` has joined or left. `sum` and `rest` are the masses after the move.
   double inertia_with(double m, double sum, double squared_distance) const
@@ -75,8 +71,7 @@ struct Moments
 inline double inertia_between(const Moments& a, const Moments& b)
 {
   const double mass = a.mass + b.mass;
-  const Vector d = b.centroid - a.centroid;
-  return mass > 0 ? a.mass * b.mass / mass * dot(d, d) : 0;
+  return mass > 0 ? a.mass * b.mass / mass * squared_length(b.centroid - a.centroid) : 0;
 }
 
 inline Moments joined(const Moments& a, const Moments& b)

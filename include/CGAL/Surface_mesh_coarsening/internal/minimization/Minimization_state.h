@@ -226,12 +226,10 @@ struct Minimization_state
 // several of them before reading the first wait once for all.
 //
 // Inlining is forced because g++ drops calls of functions without side effects.
-BOOST_FORCEINLINE void prefetch(const void* address)
+BOOST_FORCEINLINE void prefetch([[maybe_unused]] const void* address)
 {
 #ifdef __GNUC__
   __builtin_prefetch(address);
-#else
-  (void)address;
 #endif
 }
 
