@@ -4,7 +4,7 @@
 #define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_LEVEL_HIERARCHY_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/pipeline/stages.h>
-#include <CGAL/Surface_mesh_coarsening/internal/refinement/Merge_history.h>
+#include <CGAL/Surface_mesh_coarsening/internal/distance/Merge_history.h>
 
 #include <vector>
 

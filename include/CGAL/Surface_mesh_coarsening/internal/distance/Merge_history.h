@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_MERGE_HISTORY_H
-#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_MERGE_HISTORY_H
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_MERGE_HISTORY_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_MERGE_HISTORY_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Dual_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/clusters/Moments.h>
@@ -194,4 +194,4 @@ private:
 
 } // namespace CGAL::Surface_mesh_coarsening::internal
 
-#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_REFINEMENT_MERGE_HISTORY_H
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_DISTANCE_MERGE_HISTORY_H
