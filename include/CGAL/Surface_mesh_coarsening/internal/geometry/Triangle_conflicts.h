@@ -32,11 +32,6 @@ typedef Exact_tests::Point_3 Exact_point;
 // A pair of triangles by number, the smaller first.
 typedef std::pair<Index, Index> Triangle_pair;
 
-inline double largest_component(const Vector& v)
-{
-  return (std::max)((std::max)(std::abs(v[0]), std::abs(v[1])), std::abs(v[2]));
-}
-
 // Tests exactly whether triangles have more points in common than their common vertices. A degenerate triangle conflicts with
 // a neighbor only if its longest side does. The orientation of directions is tested first: where exponents differ much, the
 // filters of CGAL fail, and its exact numbers have hundreds of digits. Counts the work of exact numbers, so each thread has its
@@ -149,7 +144,7 @@ private:
     // Returns whether the other triangle lies about in the plane orthogonal to a vector through the first corner.
     bool is_flat_along(const Vector& v, const std::array<double, 3>& heights) const
     {
-      return largest_component(heights) <= 2 * rounding * length(v) * size;
+      return largest_coordinate(heights) <= 2 * rounding * length(v) * size;
     }
   };
 
@@ -286,7 +281,7 @@ private:
   {
     constexpr double least = 1e-280, largest = 1e300;
     const Vector w = vector_between(from, to);
-    const double size = largest_component(w);
+    const double size = largest_coordinate(w);
     return size > least && size < largest ? (1 / size) * w : Vector{{0, 0, 0}};
   }
 
@@ -296,7 +291,7 @@ private:
   {
     double sign = 1;
     for (std::size_t i = 1; i < n; ++i)
-      if (largest_component(points_[v[i]]) < largest_component(points_[v[0]])) {
+      if (largest_coordinate(points_[v[i]]) < largest_coordinate(points_[v[0]])) {
         std::swap(v[0], v[i]);
         sign = -sign;
       }
@@ -332,7 +327,7 @@ private:
   {
     std::array<Index, 3> v{{a, b, c}};
     begin_with_nearest(v);
-    if (largest_component(cross(direction(v[0], v[1]), direction(v[0], v[2]))) > rounding)
+    if (largest_coordinate(cross(direction(v[0], v[1]), direction(v[0], v[2]))) > rounding)
       return false;
     count_exact_computation({a, b, c});
     return collinear(exact(a), exact(b), exact(c));

@@ -175,7 +175,7 @@ private:
       const Triangle& c = mesh_.triangle(t);
       const Vector n = mesh_.normal(t);
       star.fan.add_triangle(mesh_.point(c[0]), mesh_.point(c[1]), mesh_.point(c[2]), mesh_.corner(t, v), n);
-      mesh_.samples().for_each_on(t, [&](const Fit_samples::Sample& s) {
+      mesh_.samples().for_each_on(t, [&](const Input_sample& s) {
         star.fan.add_sample(s.position);
         ++star.samples;
       });

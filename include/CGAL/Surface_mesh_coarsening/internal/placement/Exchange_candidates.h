@@ -273,7 +273,7 @@ private:
 
   void add_samples_of(Index t, Trial_fan& fan) const
   {
-    mesh_.samples().for_each_on(t, [&](const Fit_samples::Sample& s) { fan.add_sample(s.position); });
+    mesh_.samples().for_each_on(t, [&](const Input_sample& s) { fan.add_sample(s.position); });
   }
 
   // Returns the best of several positions of the vertex of a fan, beginning at `p`. Its cost is infinite if the fan is sound at

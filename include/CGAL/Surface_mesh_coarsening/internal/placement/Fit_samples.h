@@ -7,8 +7,7 @@
 #include <CGAL/Surface_mesh_coarsening/internal/base/parallel.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Input_surface.h>
-#include <CGAL/Surface_mesh_coarsening/internal/geometry/Prepared_triangle.h>
-#include <CGAL/Surface_mesh_coarsening/internal/placement/Back_search.h>
+#include <CGAL/Surface_mesh_coarsening/internal/placement/Foot_search.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,37 +24,18 @@ namespace CGAL::Surface_mesh_coarsening::internal {
 class Fit_samples
 {
 public:
-  // A point of the input. Fills one cache line.
-  struct Sample
-  {
-    Vector position;
-    Index face;
-    Index triangle; // the triangle of its foot; NONE before the first search
-    Foot_point foot;
-  };
-
   // Only the marked clusters and the triangles around their vertices have samples.
   Fit_samples(const Clustered_faces& surface, const Flippable_triangulation& coarse, const std::vector<Vector>& positions,
               const std::vector<char>& is_marked)
     : surface_(surface), coarse_(coarse), positions_(positions), back_search_(surface, positions),
-      prepared_(coarse.triangles().size()), back_(coarse.triangles().size()),
+      search_(coarse, positions), back_(coarse.triangles().size()),
       squares_(coarse.triangles().size()), back_cost_(coarse.triangles().size())
   {
     const auto is_marked_corner = [&](Index v) -> bool { return is_marked[v]; };
     for (Index t = 0; t < coarse.triangles().size(); ++t)
       if (std::any_of(coarse.triangles()[t].begin(), coarse.triangles()[t].end(), is_marked_corner))
         triangles_.push_back(t);
-    const Input_surface pieces(surface.input().mesh);
-    area_ = pieces.area(surface.context());
-    std::size_t number = samples_per_triangle * coarse.triangles().size();
-    if (surface.has_cells())
-      number = (std::min)(number, surface.input().mesh.number_of_faces());
-    samples_.reserve((std::min)(number, samples_per_triangle * triangles_.size()));
-    pieces.for_each_sample(number, area_, surface.context(), [&](const Input_point& p) {
-      ++number_on_input_;
-      if (is_marked[surface.labels()[p.face]])
-        samples_.push_back({p.position, p.face, NONE, {}});
-    });
+    add_samples(is_marked);
     next_on_.assign(samples_.size(), NONE);
     use_every(1);
   }
@@ -146,10 +126,10 @@ public:
     const Search_starts starts = starts_between(t, u);
     const std::vector<Index> samples = unlinked_samples({t, u});
     for (const Index changed : {t, u})
-      prepared_[changed] = Prepared_triangle(positions_, coarse_.triangles()[changed]);
+      search_.update(changed);
     for (std::size_t k = samples.size(); k-- > 0;) {
-      Sample& s = samples_[samples[k]];
-      const Foot_point on_t = prepared_[t].closest(s.position), on_u = prepared_[u].closest(s.position);
+      Input_sample& s = samples_[samples[k]];
+      const Foot_point on_t = search_.triangle(t).closest(s.position), on_u = search_.triangle(u).closest(s.position);
       const bool nearer = on_u.squared_distance < on_t.squared_distance;
       s.foot = nearer ? on_u : on_t;
       s.triangle = nearer ? u : t;
@@ -177,13 +157,13 @@ public:
   {
     const std::vector<Index> samples = unlinked_samples(old_triangles);
     for (const Index t : new_triangles)
-      prepared_[t] = Prepared_triangle(positions_, coarse_.triangles()[t]);
+      search_.update(t);
     for (std::size_t k = samples.size(); k-- > 0;) {
-      Sample& s = samples_[samples[k]];
+      Input_sample& s = samples_[samples[k]];
       s.triangle = new_triangles.front();
-      s.foot = prepared_[s.triangle].closest(s.position);
+      s.foot = search_.triangle(s.triangle).closest(s.position);
       for (const Index t : new_triangles)
-        improve_foot(s, t);
+        search_.improve_foot(s, t);
       link(samples[k]);
     }
     for (const Index t : new_triangles) {
@@ -195,23 +175,36 @@ public:
 
 private:
   static constexpr std::size_t samples_per_triangle = 16;
-  static constexpr int max_steps = 64; // of a search on the coarse mesh
-  // If more triangles surround a vertex, not all are tested.
-  static constexpr std::size_t max_around = 16;
+
+  // Adds the samples of the marked clusters.
+  void add_samples(const std::vector<char>& is_marked)
+  {
+    std::size_t number = samples_per_triangle * coarse_.triangles().size();
+    if (surface_.has_cells())
+      number = (std::min)(number, surface_.input().mesh.number_of_faces());
+    samples_.reserve((std::min)(number, samples_per_triangle * triangles_.size()));
+    const Input_surface pieces(surface_.input().mesh);
+    area_ = pieces.area(surface_.context());
+    pieces.for_each_sample(number, area_, surface_.context(), [&](const Input_point& p) {
+      ++number_on_input_;
+      if (is_marked[surface_.labels()[p.face]])
+        samples_.push_back({p.position, p.face});
+    });
+  }
 
   void find_feet(std::size_t step, bool everywhere)
   {
     use_every(step);
     const std::vector<Triangle>& triangles = coarse_.triangles();
     const Run_context& context = surface_.context();
-    for_each_number(context, triangles.size(), [&](Index t) { prepared_[t] = Prepared_triangle(positions_, triangles[t]); });
+    for_each_number(context, triangles.size(), [this](Index t) { search_.update(t); });
     for_each_chunk(context, number_of_used(), 64, [this](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        find_foot(samples_[i * step_]);
+        search_.find_foot(samples_[i * step_], surface_.labels()[samples_[i * step_].face]);
     });
     correct_feet_at_hubs();
     if (everywhere)
-      search_all_triangles(used_samples(), Coarse_mesh_search(triangles, positions_));
+      search_all_triangles(used_samples([](const Input_sample&) { return true; }), Coarse_mesh_search(triangles, positions_));
     else if (surface_.has_cells())
       correct_far_feet();
     first_on_.assign(triangles.size(), NONE);
@@ -231,37 +224,36 @@ private:
     }
   }
 
-  std::vector<Index> used_samples() const
+  template <class Is_chosen>
+  std::vector<Index> used_samples(const Is_chosen& is_chosen) const
   {
-    std::vector<Index> used;
+    std::vector<Index> chosen;
     for (std::size_t i = 0; i < samples_.size(); i += step_)
-      used.push_back(Index(i));
-    return used;
+      if (is_chosen(samples_[i]))
+        chosen.push_back(Index(i));
+    return chosen;
   }
 
   // A descent around a vertex of many triangles does not test all of them.
   void correct_feet_at_hubs()
   {
     std::size_t hub = 0;
-    while (hub < positions_.size() && coarse_.around(Index(hub)).size() <= max_around)
+    while (hub < positions_.size() && !search_.is_hub(Index(hub)))
       ++hub;
     if (hub == positions_.size())
       return;
-    std::vector<Index> at_hubs;
-    for (std::size_t i = 0; i < samples_.size(); i += step_)
-      if (is_at_hub(samples_[i]))
-        at_hubs.push_back(Index(i));
+    const std::vector<Index> at_hubs = used_samples([this](const Input_sample& s) { return is_at_hub(s); });
     if (!at_hubs.empty())
       search_all_triangles(at_hubs, Coarse_mesh_search(coarse_.triangles(), positions_));
   }
 
   // A foot nearly at its sample cannot be improved.
-  bool is_at_hub(const Sample& s) const
+  bool is_at_hub(const Input_sample& s) const
   {
     constexpr double nearly_zero = 1e-20; // of the area that the sample represents
     const Triangle& t = coarse_.triangles()[s.triangle];
-    return s.foot.squared_distance > nearly_zero * weight() && !prepared_[s.triangle].is_far_from_sides(s.foot) &&
-           std::any_of(t.begin(), t.end(), [this](Index v) { return coarse_.around(v).size() > max_around; });
+    return s.foot.squared_distance > nearly_zero * weight() && !search_.triangle(s.triangle).is_far_from_sides(s.foot) &&
+           std::any_of(t.begin(), t.end(), [this](Index v) { return search_.is_hub(v); });
   }
 
   // Descents between the narrow triangles of long clusters can end far from the nearest point. Few such samples would dominate all
@@ -273,10 +265,9 @@ private:
     double before = std::numeric_limits<double>::infinity(), sum = sum_of_squared_distances() / weight();
     while (sum < 0.5 * before) {
       before = sum;
-      std::vector<Index> far;
-      for (std::size_t i = 0; i < samples_.size(); i += step_)
-        if (samples_[i].foot.squared_distance * double(number_of_used()) > far_part * sum)
-          far.push_back(Index(i));
+      const std::vector<Index> far = used_samples([&](const Input_sample& s) {
+        return s.foot.squared_distance * double(number_of_used()) > far_part * sum;
+      });
       if (far.empty())
         return;
       if (!search)
@@ -290,7 +281,7 @@ private:
   void search_all_triangles(const std::vector<Index>& samples, const Coarse_mesh_search& search)
   {
     for_each_number(surface_.context(), samples.size(), [&](Index i) {
-      Sample& s = samples_[samples[i]];
+      Input_sample& s = samples_[samples[i]];
       const Nearest_point p = search(s.position, surface_.labels()[s.face]);
       if (!is_on_side_of(s, coarse_.triangles()[p.face]))
         return;
@@ -300,7 +291,7 @@ private:
   }
 
   // Returns whether a triangle approximates the side of the component on which a sample lies.
-  bool is_on_side_of(const Sample& s, const Triangle& t) const
+  bool is_on_side_of(const Input_sample& s, const Triangle& t) const
   {
     const Flat_mesh& m = surface_.input().mesh;
     const Clustered_faces::Range faces = surface_.faces(t[0]);
@@ -326,7 +317,7 @@ private:
   void add_up_squares(Index t)
   {
     squares_[t] = 0;
-    for_each_on(t, [&](const Sample& s) { squares_[t] += s.foot.squared_distance; });
+    for_each_on(t, [&](const Input_sample& s) { squares_[t] += s.foot.squared_distance; });
   }
 
   // Removes the samples whose feet lie on some triangles from their lists, and returns them.
@@ -346,62 +337,6 @@ private:
   {
     next_on_[i] = first_on_[samples_[i].triangle];
     first_on_[samples_[i].triangle] = i;
-  }
-
-  // Begins around the vertex of the cluster, in later searches at the previous foot. Proceeds to the triangles around the corner
-  // nearest to the foot, and across the opposite side.
-  void find_foot(Sample& s) const
-  {
-    if (s.triangle == NONE)
-      s.triangle = triangle_near(s.position, surface_.labels()[s.face]);
-    s.foot = prepared_[s.triangle].closest(s.position);
-    for (int step = 0; step < max_steps; ++step) {
-      const Index from = s.triangle;
-      if (prepared_[from].is_far_from_sides(s.foot))
-        break;
-      const Vector& b = s.foot.barycentric;
-      const int nearest = int(std::max_element(b.begin(), b.end()) - b.begin());
-      improve_around(s, from, nearest);
-      improve_foot(s, coarse_.neighbor(from, (nearest + 1) % 3));
-      if (s.triangle == from)
-        break;
-    }
-  }
-
-  // Returns the nearest triangle around a vertex. If there are many, only some of them are tested, in order.
-  Index triangle_near(const Vector& p, Index vertex) const
-  {
-    const std::vector<Index>& around = coarse_.around(vertex);
-    const std::size_t step = around.size() > max_around ? std::size_t(std::sqrt(double(around.size()))) : 1;
-    Index triangle = NONE;
-    double nearest = 0;
-    for (std::size_t i = 0; i < around.size(); i += step) {
-      const double square = prepared_[around[i]].closest(p).squared_distance;
-      if (triangle == NONE || square < nearest) {
-        nearest = square;
-        triangle = around[i];
-      }
-    }
-    return triangle;
-  }
-
-  void improve_around(Sample& s, Index t, int corner) const
-  {
-    const std::vector<Index>& around = coarse_.around(coarse_.triangles()[t][std::size_t(corner)]);
-    if (around.size() <= max_around) {
-      for (const Index u : around)
-        if (u != t)
-          improve_foot(s, u);
-    } else {
-      improve_foot(s, coarse_.neighbor(t, corner));
-      improve_foot(s, coarse_.neighbor(t, (corner + 2) % 3));
-    }
-  }
-
-  void improve_foot(Sample& s, Index t) const
-  {
-    if (t != NONE && prepared_[t].improve(s.position, s.foot))
-      s.triangle = t;
   }
 
   // Returns the last feet of the triangle, and some of the samples on it; if it has none, some of the samples on its neighbors.
@@ -447,9 +382,9 @@ private:
   double area_;
   std::size_t number_on_input_ = 0, step_ = 1;
   double weight_ = 0;
-  std::vector<Sample> samples_;
+  std::vector<Input_sample> samples_;
   std::vector<Index> triangles_; // with samples
-  std::vector<Prepared_triangle> prepared_;
+  Foot_search search_;
   std::vector<Index> first_on_, next_on_; // the samples whose foot lies on each triangle, as linked lists
   std::vector<Back_samples> back_;          // of each triangle
   std::vector<double> squares_, back_cost_; // sums over the samples of the input and of `back_`, for each triangle

@@ -110,7 +110,7 @@ private:
         planes.add((1 / size) * area, dot(area, point - p) / size);
     };
     const Flat_mesh& faces = mesh_.surface().whole_mesh();
-    mesh_.samples().for_each_on(t, [&](const Fit_samples::Sample& s) {
+    mesh_.samples().for_each_on(t, [&](const Input_sample& s) {
       add(vector_area(faces, mesh_.surface().whole_face(s.face)), s.position);
     });
     const double exact = tolerance * tolerance * length(mesh_.normal(t));

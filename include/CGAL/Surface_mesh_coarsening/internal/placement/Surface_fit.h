@@ -214,7 +214,7 @@ private:
     };
     Symmetric_block inside;
     const double sample_weight = mesh_.samples().weight();
-    mesh_.samples().for_each_on(t, [&](const Fit_samples::Sample& s) {
+    mesh_.samples().for_each_on(t, [&](const Input_sample& s) {
       const Vector &b = s.foot.barycentric, d = s.position - point_in(mesh_.positions(), corner, b);
       add(b, d, sample_weight);
       if (b[0] > 0 && b[1] > 0 && b[2] > 0) {

@@ -143,7 +143,7 @@ private:
     sort_unique(triangles);
     std::vector<std::pair<double, Index> > near;
     for (const Index t : triangles)
-      mesh_.samples().for_each_on(t, [&](const Fit_samples::Sample& s) {
+      mesh_.samples().for_each_on(t, [&](const Input_sample& s) {
         const Vector d = s.position - x.place;
         near.emplace_back(dot(d, d), s.face);
       });

@@ -303,8 +303,7 @@ private:
   {
     if (cells_ && (cells_->node(f) != NONE || cells_->is_at_border(f)))
       return true;
-    const auto corners = mesh_.corners(f);
-    return std::any_of(corners.begin(), corners.end(), [this](Index c) { return mesh_.is_on_border(mesh_.corner_vertex[c]); });
+    return mesh_.any_corner(f, [this](Index c) { return mesh_.is_on_border(mesh_.corner_vertex[c]); });
   }
 
   bool is_within_bounds(Index x, const std::vector<Vector>& positions)

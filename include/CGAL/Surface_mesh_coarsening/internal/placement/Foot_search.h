@@ -1,19 +1,112 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_BACK_SEARCH_H
-#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_BACK_SEARCH_H
+#ifndef CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FOOT_SEARCH_H
+#define CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FOOT_SEARCH_H
 
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Clustered_faces.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Flippable_triangulation.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Input_surface.h>
 #include <CGAL/Surface_mesh_coarsening/internal/geometry/Nearest_point_search.h>
+#include <CGAL/Surface_mesh_coarsening/internal/geometry/Prepared_triangle.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace CGAL::Surface_mesh_coarsening::internal {
+
+// A point of the input, and its foot, the closest point on a coarse mesh. Fills one cache line.
+struct Input_sample
+{
+  Vector position;
+  Index face;
+  Index triangle = NONE; // of the foot; NONE before the first search
+  Foot_point foot{};
+};
+
+// Finds the feet of samples of the input. A search begins at the previous foot or around a vertex.
+class Foot_search
+{
+public:
+  Foot_search(const Flippable_triangulation& coarse, const std::vector<Vector>& positions)
+    : coarse_(coarse), positions_(positions), prepared_(coarse.triangles().size())
+  {}
+
+  // Must be called before the first search, and when a triangle has changed.
+  void update(Index t) { prepared_[t] = Prepared_triangle(positions_, coarse_.triangles()[t]); }
+
+  const Prepared_triangle& triangle(Index t) const { return prepared_[t]; }
+
+  // Proceeds to the triangles around the corner nearest to the foot, and across the opposite side.
+  void find_foot(Input_sample& s, Index vertex) const
+  {
+    constexpr int max_steps = 64;
+    if (s.triangle == NONE)
+      s.triangle = triangle_near(s.position, vertex);
+    s.foot = prepared_[s.triangle].closest(s.position);
+    for (int step = 0; step < max_steps; ++step) {
+      const Index from = s.triangle;
+      if (prepared_[from].is_far_from_sides(s.foot))
+        break;
+      const Vector& b = s.foot.barycentric;
+      const int nearest = int(std::max_element(b.begin(), b.end()) - b.begin());
+      improve_around(s, from, nearest);
+      improve_foot(s, coarse_.neighbor(from, (nearest + 1) % 3));
+      if (s.triangle == from)
+        break;
+    }
+  }
+
+  // Replaces a foot by the closest point of a triangle if it is nearer.
+  void improve_foot(Input_sample& s, Index t) const
+  {
+    if (t != NONE && prepared_[t].improve(s.position, s.foot))
+      s.triangle = t;
+  }
+
+  // Returns whether a search around a vertex does not test all triangles there.
+  bool is_hub(Index v) const { return coarse_.around(v).size() > max_around; }
+
+private:
+  static constexpr std::size_t max_around = 16;
+
+  // Returns the nearest triangle around a vertex; around a hub, the nearest of some of them, in order.
+  Index triangle_near(const Vector& p, Index vertex) const
+  {
+    const std::vector<Index>& around = coarse_.around(vertex);
+    const std::size_t step = is_hub(vertex) ? std::size_t(std::sqrt(double(around.size()))) : 1;
+    Index triangle = NONE;
+    double nearest = 0;
+    for (std::size_t i = 0; i < around.size(); i += step) {
+      const double square = prepared_[around[i]].closest(p).squared_distance;
+      if (triangle == NONE || square < nearest) {
+        nearest = square;
+        triangle = around[i];
+      }
+    }
+    return triangle;
+  }
+
+  void improve_around(Input_sample& s, Index t, int corner) const
+  {
+    const Index v = coarse_.triangles()[t][std::size_t(corner)];
+    if (!is_hub(v)) {
+      for (const Index u : coarse_.around(v))
+        if (u != t)
+          improve_foot(s, u);
+    } else {
+      improve_foot(s, coarse_.neighbor(t, corner));
+      improve_foot(s, coarse_.neighbor(t, (corner + 2) % 3));
+    }
+  }
+
+  const Flippable_triangulation& coarse_;
+  const std::vector<Vector>& positions_;
+  std::vector<Prepared_triangle> prepared_;
+};
 
 // A point of a coarse triangle, and its foot, the closest point on the input. The weight is an area.
 struct Back_sample
@@ -34,6 +127,38 @@ inline double cost_of(const Back_samples& samples)
     sum += s.weight * s.squared_distance;
   return sum;
 }
+
+// At most 32 points of the input with their faces. A search for a closest point begins at one of them. Refers to the points.
+class Search_starts
+{
+public:
+  void add(const Vector& p, Index face) { points_[number_++] = {&p, face}; }
+
+  // Returns NONE if there are no points.
+  Index face_of_nearest(const Vector& p) const
+  {
+    Index face = NONE;
+    double nearest = 0;
+    for (std::size_t i = 0; i < number_; ++i) {
+      const Vector d = *points_[i].position - p;
+      if (face == NONE || dot(d, d) < nearest) {
+        nearest = dot(d, d);
+        face = points_[i].face;
+      }
+    }
+    return face;
+  }
+
+private:
+  struct Start
+  {
+    const Vector* position;
+    Index face;
+  };
+
+  std::array<Start, 32> points_;
+  std::size_t number_ = 0;
+};
 
 // Finds the feet of the samples of coarse triangles. A search begins at the face of the nearest of some given points.
 class Back_search
@@ -137,4 +262,4 @@ private:
 
 } // namespace CGAL::Surface_mesh_coarsening::internal
 
-#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_BACK_SEARCH_H
+#endif // CGAL_SURFACE_MESH_COARSENING_INTERNAL_PLACEMENT_FOOT_SEARCH_H
